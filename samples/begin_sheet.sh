@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Sourced by the scripts that make contact sheets: checks their needs and makes a work folder.
+# Sourced by the scripts that make contact sheets: checks their needs, makes a work folder, and takes
+# pictures out of bake reports.
 
 # begin_sheet USAGE LEAST MOST ARGUMENT...: exits unless there are LEAST to MOST arguments,
 # ImageMagick and a release build. Sets bin, the folder of the programs (LICHEN_BIN overrides it),
@@ -19,4 +20,17 @@ begin_sheet() {
   done
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
+}
+
+# bake_textons EXEMPLAR: bakes it as textons. Sets name, and writes $work/$name.glb and .html.
+bake_textons() {
+  name=$(basename "${1%.*}")
+  "$bin/lichen" bake "$1" --method texton -o "$work/$name.glb" --report "$work/$name.html" \
+    --preview none --quiet
+}
+
+# report_picture KEY OUTPUT.png: writes the first picture with this key in $work/$name.html.
+report_picture() {
+  grep -o "\"$1\":{\"png\":\"data:image/png;base64,[^\"]*" "$work/$name.html" | head -n 1 |
+    sed 's/.*base64,//' | base64 -d >"$2"
 }

@@ -73,12 +73,9 @@ PYTHON
 
 panels=()
 for exemplar in "$@"; do
-  name=$(basename "${exemplar%.*}")
-  "$bin/lichen" bake "$exemplar" --method texton -o "$work/$name.glb" --report "$work/$name.html" \
-    --preview none --quiet
+  bake_textons "$exemplar"
   "$bin/lichen" synth "$work/$name.glb" -o "$work/noise.png" --size "$side" --quiet
-  grep -o '"image":{"png":"data:image/png;base64,[^"]*' "$work/$name.html" | head -n 1 |
-    sed 's/.*base64,//' | base64 -d >"$work/texton.png"
+  report_picture image "$work/texton.png"
   convert "$exemplar" -colorspace Gray -depth 8 "$work/exemplar.pgm"
   convert "$work/noise.png" -colorspace Gray -depth 8 "$work/noise.pgm"
   python3 "$work/spectra.py" "$work/exemplar.pgm" "$work/noise.pgm" "$work/of-exemplar.pgm" \

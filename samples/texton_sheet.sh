@@ -15,12 +15,9 @@ shift
 
 panels=()
 for exemplar in "$@"; do
-  name=$(basename "${exemplar%.*}")
-  "$bin/lichen" bake "$exemplar" --method texton -o "$work/$name.glb" --report "$work/$name.html" \
-    --preview none --quiet
+  bake_textons "$exemplar"
   for picture in exemplar gaussian result; do
-    grep -o "\"$picture\":{\"png\":\"data:image/png;base64,[^\"]*" "$work/$name.html" | head -n 1 |
-      sed 's/.*base64,//' | base64 -d >"$work/whole.png"
+    report_picture "$picture" "$work/whole.png"
     # Repeats an exemplar that is smaller than the panel.
     convert -size "${panel}x${panel}" "tile:$work/whole.png" "$work/$name-$picture.png"
     panels+=("$work/$name-$picture.png")

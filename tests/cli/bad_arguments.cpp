@@ -174,7 +174,7 @@ TEST_CASE("the help does not show the parser's own type names") {
   }
 }
 
-TEST_CASE("an impossible output is an error before the work starts") {
+TEST_CASE("an invalid output is an error before the work starts") {
   const Made& m = made();
   const std::string absent = m.workplace.path("absent/new");
   checkRefusal({"bake", m.image, "-o", absent + ".glb"}, kEnvironment, {absent, "does not exist"});

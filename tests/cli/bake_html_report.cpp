@@ -357,7 +357,7 @@ TEST_CASE("a report shows every map of a set") {
   CHECK(data["maps"][2]["histograms"][0]["channel"] == "roughness");
 }
 
-TEST_CASE("an impossible report file is an error before the work starts") {
+TEST_CASE("an invalid report file is an error before the work starts") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(8));
   const std::string bundle = workplace.path("noise.glb");

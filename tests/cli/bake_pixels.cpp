@@ -191,7 +191,7 @@ TEST_CASE("--alpha opacity gives a note for an opaque image and changes nothing"
   CHECK((bundle == bundleOf(workplace, {input}, {})));
 }
 
-TEST_CASE("the errors for an impossible --crop or --size state the valid values") {
+TEST_CASE("the errors for an invalid --crop or --size state the valid values") {
   const Workplace workplace;
   const std::string input = workplace.write("small.png", speckled(16, 12, 3));
   const auto refuses = [&](const Arguments& more, const std::vector<std::string>& words) {

@@ -62,7 +62,7 @@ TEST_CASE("risks are notes before the work starts, and the JSON lists all of the
   CHECK(risks[3].at("level") == "none");
 }
 
-TEST_CASE("a picture with few colours gets a note about them and no advice on exposure") {
+TEST_CASE("a picture with few colours gets a note on the colours and no advice on exposure") {
   const Workplace workplace;
   SrgbImage dither(kSide, kSide, 1), soft(kSide, kSide, 1);
   std::uint32_t state = 1;

@@ -300,7 +300,7 @@ TEST_CASE("the errors for channels that do not fit name them") {
        "exemplar has occlusion, roughness"});
 }
 
-TEST_CASE("compare refuses broken images and bundles in one line") {
+TEST_CASE("the error of compare for broken images and bundles is one line") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(16));
   const std::string bundle = bake(workplace, image);

@@ -100,7 +100,7 @@ TEST_CASE("merging a single bundle gives the bake itself, byte for byte") {
   CHECK((workplace.read("all.glb") == workplace.read("moss.glb")));
 }
 
-TEST_CASE("a noise whose name is taken gets a number, with a note") {
+TEST_CASE("a noise whose name already exists gets a number, with a note") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(16));
   const std::string first = bake(workplace, input, "a.glb");

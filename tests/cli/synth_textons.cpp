@@ -97,8 +97,7 @@ TEST_CASE("synth uses the material's impacts and points, unless options override
             .values);
 }
 
-TEST_CASE("fewer impacts are less normal, and a Poisson process is less normal than one impact per "
-          "cell") {
+TEST_CASE("fewer impacts and a Poisson process give less normal values") {
   const Workplace workplace;
   const std::string bundle = bakeTexton(workplace, "grain.glb");
   const double poisson =

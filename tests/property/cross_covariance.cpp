@@ -81,7 +81,7 @@ TEST_CASE("only maps with a joint table are corrected, and only towards such map
   CHECK(lastImage(maps, options) == lastImage(alone, options));
 }
 
-TEST_CASE("a fast bake leaves the maps of a set as they are alone") {
+TEST_CASE("a fast bake of a set bakes each map as it would alone") {
   const std::vector<MapExemplar> maps = roughSet();
   TilingOptions options;
   options.transport = TransportEffort::fast;
@@ -96,7 +96,7 @@ TEST_CASE("what is lacking is negligible by what an entry lacks, however many th
   }
 }
 
-TEST_CASE("slopes go with the colours by small moves among the same Gaussian points") {
+TEST_CASE("slopes follow the colours by small permutations of the same Gaussian points") {
   const std::vector<MapExemplar> maps = slopeSet();
   const exemplar::ColorSpace colors = exemplar::colorSpaceOf(maps[0]),
                              slopes = exemplar::colorSpaceOf(maps[1]);
@@ -128,7 +128,8 @@ TEST_CASE("slopes go with the colours by small moves among the same Gaussian poi
                    [](const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }));
 }
 
-TEST_CASE("a set's progress rises from 0 to 1, and it can be stopped at every step") {
+TEST_CASE(
+    "the progress of a set rises from 0 to 1, and the caller can stop the bake at every step") {
   // Each stop bakes the first map again. A table of two axes is the fastest, and a map this small
   // gets no search for the share of its surroundings.
   constexpr int kSmall = kSide / 2;
@@ -157,7 +158,7 @@ TEST_CASE("a set's progress rises from 0 to 1, and it can be stopped at every st
   }
 }
 
-TEST_CASE("pixels are ordered by value, and by score where values are equal") {
+TEST_CASE("pixels are sorted by value, and pixels of equal value by score") {
   const std::size_t count = 1000;
   std::vector<float> values(count), scores(count);
   for (std::size_t i = 0; i < count; ++i) {

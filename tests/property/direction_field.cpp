@@ -170,7 +170,7 @@ TEST_CASE("a flat mesh has one direction everywhere, whatever its holes, border 
     CHECK((at(field.tangents, i) - at(field.tangents, flat.triangles[0])).norm() < 5e-5);
 }
 
-TEST_CASE("the indices of a closed component add up to its Euler characteristic") {
+TEST_CASE("the singularity indices of a closed component add up to its Euler characteristic") {
   Mesh mesh = ball(24, 12);
   Mesh ring = torus(40, 16);
   for (Vector3& p : ring.positions)
@@ -196,7 +196,7 @@ TEST_CASE("the indices of a closed component add up to its Euler characteristic"
   CHECK(sum == 4);
 }
 
-TEST_CASE("indices add up on a surface rough as gravel too") {
+TEST_CASE("singularity indices add up to the Euler characteristic on a rough surface") {
   for (const unsigned seed : {1u, 2u, 3u}) {
     const DirectionField field = fieldOf(shaken(torus(40, 16), 0.3f, seed));
     REQUIRE(field.components.size() == 1);
@@ -208,7 +208,7 @@ TEST_CASE("indices add up on a surface rough as gravel too") {
   CHECK(fieldOf(tetrahedron).components[0].indexSum == 2);
 }
 
-TEST_CASE("directions of neighbours differ little but at singularities, across seams too") {
+TEST_CASE("directions of neighbours differ little except at singularities, also across seams") {
   // On a ball the field is smooth and vanishes at two opposite points, with one rotation around
   // each. Between the ends of an edge it rotates by the angle that the edge spans as seen from the
   // zero. Edges outside the zero's own triangle span less than a right angle.
@@ -271,7 +271,7 @@ double largestDeviation(const DirectionField& field, const Vector3d& axis, doubl
 
 Vector3 asArray(const Vector3d& v) { return {float(v.x()), float(v.y()), float(v.z())}; }
 
-TEST_CASE("with an axis the field of a plane is its part in the plane") {
+TEST_CASE("with an axis the field of a plane is the projection of the axis") {
   Mesh mesh = shaken(plane(12), 0.2f, 4);
   for (Vector3& p : mesh.positions)
     p[2] = 0.0f;
@@ -306,7 +306,8 @@ TEST_CASE("with an axis the field of a ball follows it, and is singular at its e
   }
 }
 
-TEST_CASE("with an axis the field of a tube follows it along and around, and turns between") {
+TEST_CASE("with an axis along a tube its field follows the axis, and with an axis across it has no "
+          "singularity") {
   const Mesh tube = grid(48, 16, [](auto i, auto j) -> Vector3d {
     const double around = 2.0 * pi * double(i % 48) / 48.0;
     return {std::cos(around), std::sin(around), double(j) / 8.0};
@@ -331,7 +332,7 @@ TEST_CASE("with an axis the field of a tube follows it along and around, and tur
   CHECK(largestTurn(tube, field) < pi / 2.0);
 }
 
-TEST_CASE("an axis without length is refused") {
+TEST_CASE("an axis of length 0 is an error") {
   const Mesh mesh = plane(2);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (const Vector3 axis : {Vector3{}, Vector3{nan, 0.0f, 1.0f}}) {
@@ -346,7 +347,8 @@ TEST_CASE("the same mesh gives the same bits") {
   CHECK(fieldOf(mesh).tangents == fieldOf(mesh).tangents);
 }
 
-TEST_CASE("given normals decide the planes, absent ones are averaged by area") {
+TEST_CASE(
+    "tangent planes follow the given normals, or the area-weighted average if there are none") {
   const Mesh mesh = plane(4);
   std::vector<Vector3> leaning(mesh.positions.size(), Vector3{0.6f, 0.0f, 0.8f});
   CHECK(fieldOf(mesh, leaning).normals[7][0] == Approx(0.6));
@@ -361,7 +363,7 @@ TEST_CASE("given normals decide the planes, absent ones are averaged by area") {
   CHECK(normal[2] == Approx(1.0 / std::sqrt(5.0)));
 }
 
-TEST_CASE("triangles wound against each other are one surface") {
+TEST_CASE("triangles of opposite winding form one surface") {
   Mesh mesh = ball(24, 12);
   std::mt19937 random(4);
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
@@ -374,7 +376,7 @@ TEST_CASE("triangles wound against each other are one surface") {
   CHECK(largestTurn(mesh, field) < pi / 2.0);
 }
 
-TEST_CASE("triangles given twice, from either side, count once") {
+TEST_CASE("duplicate triangles count once, whatever their winding") {
   Mesh mesh = plane(6);
   Mesh back = mesh;
   for (std::size_t t = 0; t < back.triangles.size(); t += 3)
@@ -390,7 +392,7 @@ TEST_CASE("triangles given twice, from either side, count once") {
   }
 }
 
-TEST_CASE("the field goes on across an edge with three triangles") {
+TEST_CASE("the field is continuous across an edge with three triangles") {
   // A floor with a fin on the edge between its two halves.
   Mesh mesh = plane(8);
   for (std::uint32_t j = 0; j < 8; ++j) {
@@ -403,7 +405,7 @@ TEST_CASE("the field goes on across an edge with three triangles") {
     CHECK(angleBetween(field, j * 9 + 2, j * 9 + 6) < 0.1);
 }
 
-TEST_CASE("a strip that cannot be oriented has a field, with a seam somewhere") {
+TEST_CASE("a Moebius strip has a field with a seam") {
   const Mesh strip = grid(30, 3, [](auto i, auto j) -> Vector3d {
     // The last column equals the first one upside down, bit for bit.
     const auto column = i == 30 ? 0u : i;
@@ -417,7 +419,7 @@ TEST_CASE("a strip that cannot be oriented has a field, with a seam somewhere") 
   CHECK(!field.components[0].isClosed);
 }
 
-TEST_CASE("meshes without a surface, or with an odd one, have some field") {
+TEST_CASE("meshes without area and non-manifold meshes have a field") {
   Mesh odd;
   CHECK(fieldOf(odd).tangents.empty());
   odd.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {-0.0f, 0, 0}, {5, 5, 5}};
@@ -448,7 +450,7 @@ TEST_CASE("meshes without a surface, or with an odd one, have some field") {
   (void)fieldOf(extreme);
 }
 
-TEST_CASE("random triangles are a field or a refusal, never a wrong one") {
+TEST_CASE("random triangles give a valid field or an error") {
   std::mt19937 random(1);
   for (int round = 0; round < 40; ++round) {
     Mesh mesh;
@@ -461,7 +463,7 @@ TEST_CASE("random triangles are a field or a refusal, never a wrong one") {
   }
 }
 
-TEST_CASE("what is no mesh is refused") {
+TEST_CASE("invalid meshes are errors") {
   const std::vector<Vector3> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const std::vector<std::uint32_t> triangle{0, 1, 2}, outside{0, 1, 3};
   const auto kindOf = [](const Result<DirectionField>& result) {
@@ -480,7 +482,7 @@ TEST_CASE("what is no mesh is refused") {
   CHECK(kindOf(directionField(positions, many)) == ErrorKind::resources);
 }
 
-TEST_CASE("triangles tangled as on no surface are refused before the memory is full") {
+TEST_CASE("triangles whose factorization would exhaust memory are an error") {
   // Vertices of a random graph, whose elimination fills much of the matrix.
   std::mt19937 random(9);
   Mesh mesh;

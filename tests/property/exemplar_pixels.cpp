@@ -93,7 +93,7 @@ SrgbImage normalsOf(const SrgbImage& height, bool greenPointsDown) {
 
 } // namespace
 
-TEST_CASE("a resampled map has its size, and its mean when the ratio is whole") {
+TEST_CASE("a resampled map has the wanted size, and the same mean at integer ratios") {
   const MapExemplar map = test::threeMaterials(48, 36, 3);
   MapExemplar linear = map;
   linear.encoding = ValueEncoding::linear; // otherwise resampling preserves the mean of the light
@@ -111,7 +111,7 @@ TEST_CASE("a resampled map has its size, and its mean when the ratio is whole") 
   }
 }
 
-TEST_CASE("resampling keeps slow waves and takes those away that the size cannot carry") {
+TEST_CASE("resampling preserves slow waves and removes those above the new Nyquist limit") {
   const auto wave = [](int cycles) {
     return heightMap(64, 4, [=](int x, int) {
       return 0.5 + 0.4 * std::cos(2.0 * std::numbers::pi * cycles * (x + 0.5) / 64.0);
@@ -135,7 +135,7 @@ TEST_CASE("resampling keeps slow waves and takes those away that the size cannot
   CHECK(amplitude(32) < 0.002);
 }
 
-TEST_CASE("enlarging draws a straight line between pixels") {
+TEST_CASE("enlarging interpolates a linear ramp exactly") {
   // [MN88]: if B + 2 C = 1, the filter reproduces straight lines.
   const MapExemplar ramp = heightMap(16, 1, [](int x, int) { return x / 16.0; });
   const MapExemplar large = resampled(ramp, 48, 1, false);
@@ -144,7 +144,7 @@ TEST_CASE("enlarging draws a straight line between pixels") {
           Approx(((i + 0.5) / 3.0 - 0.5) / 16.0).margin(kRounding));
 }
 
-TEST_CASE("over borders that fit, resampling goes on as inside") {
+TEST_CASE("resampling wraps around borders that fit") {
   const MapExemplar map = test::threeMaterials(32, 32, 9);
   const MapExemplar direct = resampled(map, 16, 8, true);
   const MapExemplar turned = resampled(rolled(map, 6, 12), 16, 8, true);
@@ -153,7 +153,7 @@ TEST_CASE("over borders that fit, resampling goes on as inside") {
         0.01);
 }
 
-TEST_CASE("a transparent pixel takes its colour from the covered ones around it") {
+TEST_CASE("a transparent pixel gets the colour of the opaque pixels around it") {
   MapExemplar color = test::threeMaterials(33, 20, 4);
   const MapExemplar original = color;
   const auto opacityOf = [&](auto value) {
@@ -189,7 +189,7 @@ TEST_CASE("a transparent pixel takes its colour from the covered ones around it"
   }
 }
 
-TEST_CASE("joined channels stand in the format's order, at the size of the largest") {
+TEST_CASE("joined channels have the format's order and the size of the largest map") {
   using enum MapChannel;
   const auto part = [](MapChannel channel, int side, double value, double quantum) {
     MapExemplar map = heightMap(side, side, [=](int, int) { return value; });
@@ -249,7 +249,7 @@ TEST_CASE("the last words of a name decide which map a file is") {
   }
 }
 
-TEST_CASE("the names of those who publish materials say which map each file is") {
+TEST_CASE("the file names of material libraries determine the maps") {
   using enum FileRole;
   const std::pair<const char*, std::optional<FileRole>> cases[] = {
       // Poly Haven
@@ -312,7 +312,7 @@ TEST_CASE("the names of those who publish materials say which map each file is")
   }
 }
 
-TEST_CASE("normals are turned with the pixels, so that they stay those of the height") {
+TEST_CASE("rotating a normal map rotates its normals, which still match the height") {
   SrgbImage height(12, 7, 1);
   for (std::size_t i = 0; i < height.values.size(); ++i)
     height.values[i] = float(transport::randomUniform(4, i));

@@ -97,7 +97,7 @@ Moments momentsOf(const std::vector<double>& values) {
 
 } // namespace
 
-TEST_CASE("two taps are those of the greatest weights, less the third's, and their sum is 1") {
+TEST_CASE("two taps use the two greatest weights minus the third, and sum to 1") {
   for (std::uint32_t k = 0; k < 20000; ++k) {
     const auto random = pcg3d({k, 3u, 4u});
     const TileFootprint at =
@@ -134,8 +134,8 @@ TEST_CASE("on the edges of triangles two taps have the weights that three have")
     }
 }
 
-TEST_CASE("pixels of the limit and larger take one tap, those of half of it all, and between them "
-          "weights go from one to the other without a jump") {
+TEST_CASE("pixels at the limit take one tap, pixels at half of it take all, and the weights change "
+          "continuously between") {
   constexpr double kLimit = 0.25;
   for (const int most : {3, 2})
     for (std::uint32_t k = 0; k < 300; ++k) {
@@ -161,7 +161,7 @@ TEST_CASE("pixels of the limit and larger take one tap, those of half of it all,
     }
 }
 
-TEST_CASE("slanted pixels count by their area, and those of more than 16 to 1 as of 16 to 1") {
+TEST_CASE("the size of an anisotropic pixel is its area, with the anisotropy clamped to 16") {
   const auto taken = [](double width, double height) {
     TileFootprint at = placeIn(0.0, 0.0, 0.4, 0.25);
     at.dx = {float(width), 0.0f};
@@ -175,7 +175,7 @@ TEST_CASE("slanted pixels count by their area, and those of more than 16 to 1 as
   CHECK(taken(0.125, 0.125) == 3);
 }
 
-TEST_CASE("mean, variance and histogram stay wherever in a triangle a point lies", "[large]") {
+TEST_CASE("mean, variance and histogram are the same everywhere in a triangle", "[large]") {
   // One pixel per texel, at texel centres, where a fetch loses nothing. The limit of one tap is set
   // so that such pixels are in the transition to it.
   constexpr double kPixel = 1.0 / kTexels;
@@ -214,7 +214,7 @@ TEST_CASE("mean, variance and histogram stay wherever in a triangle a point lies
     }
 }
 
-TEST_CASE("what borders between tiles take from correlations is what is written down") {
+TEST_CASE("tile borders reduce correlations by the documented amount") {
   // Over a distance, the exemplar's correlation is multiplied by the mean of the sum of w w' / (W
   // W') over the tiles that two positions share. docs/decisions/023-fewer-taps.md lists it for 1/32
   // and 1/8 of a tile, computed by another program. 40000 pairs, whose products have a standard
@@ -259,7 +259,7 @@ TEST_CASE("what borders between tiles take from correlations is what is written 
   }
 }
 
-TEST_CASE("in the very middle of a triangle one tap is left, and the value is one") {
+TEST_CASE("at the centre of a triangle one tap with weight 1 remains") {
   // All weights are equal at this point, where the borders of three tiles meet. Floats may or may
   // not hit it exactly: the test checks both cases.
   Taps taps;
@@ -281,7 +281,8 @@ TEST_CASE("in the very middle of a triangle one tap is left, and the value is on
   }
 }
 
-TEST_CASE("as a pixel grows nothing pops, and away from the middles of triangles nothing jumps") {
+TEST_CASE("values change continuously with the size of a pixel, and with its position except at "
+          "triangle centres") {
   // The largest step of a value. A jump keeps its height at any step size; a continuous change is
   // proportional to the step size.
   const auto largestStep = [](const Plane& plane, const auto& footprintAt, int steps) {
@@ -326,7 +327,7 @@ TEST_CASE("as a pixel grows nothing pops, and away from the middles of triangles
   }
 }
 
-TEST_CASE("with fewer taps, views keep their mean colour and contrast at all distances",
+TEST_CASE("views with fewer taps have the same mean colour and contrast at all distances",
           "[large]") {
   constexpr int kPixels = 1200;
   for (const TilingQuality& quality : {TilingQuality{2, 0.0}, TilingQuality{2, 0.25}}) {
@@ -347,7 +348,7 @@ TEST_CASE("with fewer taps, views keep their mean colour and contrast at all dis
   }
 }
 
-TEST_CASE("a quality that is none is refused by its number") {
+TEST_CASE("the error for an invalid quality has its number") {
   const auto messageOf = [](const TilingQuality& quality) {
     const Result<TilingEvaluator> created = TilingEvaluator::create(exampleBundle(), 0, quality);
     REQUIRE_FALSE(created);

@@ -125,7 +125,7 @@ TEST_CASE("a view of more contrast than the exemplar's has that contrast too", "
       }
 }
 
-TEST_CASE("from afar a view has the mean colour of its supersampled pixels and no more contrast",
+TEST_CASE("a distant view has the mean colour of its supersampled pixels and no more contrast",
           "[large]") {
   for (const double tiles : {0.125, 1.0, 10.0, 100.0})
     for (const NamedPlane& one : planes()) {
@@ -138,7 +138,7 @@ TEST_CASE("from afar a view has the mean colour of its supersampled pixels and n
     }
 }
 
-TEST_CASE("a camera's move over a floor shimmers no more than its supersampled frames", "[large]") {
+TEST_CASE("a camera moving over a floor shimmers no more than supersampled frames do", "[large]") {
   for (const NamedPlane& one : planes()) {
     const CameraMove move = cameraMove(one.plane, 3);
     INFO(one.name << ": variance " << move.filteredVariance / move.sampledVariance << ", steps "
@@ -153,7 +153,7 @@ TEST_CASE("a camera's move over a floor shimmers no more than its supersampled f
   }
 }
 
-TEST_CASE("as a pixel grows nothing pops, and across a floor there is no line") {
+TEST_CASE("values change continuously with the size of a pixel and across a floor") {
   // The largest change of a value between consecutive steps. A continuous change halves with the
   // step; a jump does not.
   const auto largestStep = [](const Plane& plane, const auto& footprintAt, int steps) {
@@ -198,7 +198,7 @@ TEST_CASE("as a pixel grows nothing pops, and across a floor there is no line") 
   }
 }
 
-TEST_CASE("ten million tiles from the origin the pattern is as sharp as there") {
+TEST_CASE("the pattern is as sharp ten million tiles from the origin as at the origin") {
   const MapExemplar map = threeMaterials(kTexels, kTexels, 11);
   const Bundle bundle = bundleOf(bakeTiling("example", {&map, 1}, {}));
   Placement far;

@@ -98,7 +98,8 @@ double rootMeanSquare(const std::vector<float>& a, const std::vector<float>& b) 
 
 } // namespace
 
-TEST_CASE("Waves of the period are halved, shorter ones kept, longer ones and no mean removed") {
+TEST_CASE("flatten halves waves of the period, preserves shorter ones and the mean, and removes "
+          "longer ones") {
   constexpr int kWidth = 120, kHeight = 50;
   const auto waves = [](int x, int) {
     double sum = 0.25;
@@ -115,8 +116,7 @@ TEST_CASE("Waves of the period are halved, shorter ones kept, longer ones and no
   CHECK(amplitude(map, 16) == Approx(0.1).epsilon(1e-4));
 }
 
-TEST_CASE(
-    "A ramp is continued by its mirror image where the exemplar does not tile, else by itself") {
+TEST_CASE("flatten extends an exemplar by mirroring, or by wrapping if it tiles") {
   constexpr int kSide = 64;
   const MapExemplar ramp = slopes(kSide, kSide, [](int x, int) { return double(x) / kSide; });
   // The first pixel of a filtered row of `period` pixels, as the sum over its frequencies. The gain
@@ -147,7 +147,7 @@ TEST_CASE(
   CHECK(std::abs(mirrored) < 0.25 * std::abs(repeated));
 }
 
-TEST_CASE("Uneven light goes as a factor: what is left is what even light shows") {
+TEST_CASE("flatten divides by uneven light, and the result matches even light") {
   const MapExemplar lit = generatedExemplar(exemplars::slopingLight, 128);
   const MapExemplar even = generatedExemplar(exemplars::sand, 128);
   const MapExemplar flatLit = flattened(lit, 128.0, false);
@@ -163,7 +163,7 @@ TEST_CASE("Uneven light goes as a factor: what is left is what even light shows"
   CHECK(after == Approx(before).epsilon(0.01)); // except for clipped highlights
 }
 
-TEST_CASE("Detail faster than the period is kept") {
+TEST_CASE("flatten preserves detail faster than the period") {
   const MapExemplar carpet = generatedExemplar(exemplars::carpet, 128);
   const MapExemplar flat = flattened(carpet, 64.0);
   const auto power = [](const MapExemplar& map) {
@@ -178,7 +178,7 @@ TEST_CASE("Detail faster than the period is kept") {
   }
 }
 
-TEST_CASE("Auto flattens a cloudy exemplar no more than is needed") {
+TEST_CASE("auto flattens a cloudy exemplar no more than necessary") {
   const MapExemplar carpet = generatedExemplar(exemplars::carpet, 128);
   const std::optional<double> period = automaticPeriod(carpet, true);
   REQUIRE(period.has_value());
@@ -198,7 +198,7 @@ TEST_CASE("Auto flattens a cloudy exemplar no more than is needed") {
   CHECK(test::measuredCloudiness(flat, kSamples) < 0.11);
 }
 
-TEST_CASE("Auto takes a gradient and a vignette away") {
+TEST_CASE("auto removes a gradient and a vignette") {
   for (const auto& generate : {exemplars::slopingLight, exemplars::vignette}) {
     const MapExemplar map = generatedExemplar(generate, 128);
     const std::optional<double> period = automaticPeriod(map, false);
@@ -208,8 +208,7 @@ TEST_CASE("Auto takes a gradient and a vignette away") {
   }
 }
 
-TEST_CASE(
-    "Auto takes a vignette off fine plaster until its clouds are lost in the plaster's grain") {
+TEST_CASE("auto removes a vignette from fine plaster down to the level of its grain") {
   constexpr int kSide = 256;
   // Grain of 4 % of the light, with no period above 24 pixels.
   const exemplars::Field grain = exemplars::fractalNoise(kSide, {24.0f, 2.0f, 0.7f}, 7);
@@ -255,7 +254,7 @@ TEST_CASE(
   CHECK(std::sqrt(test::variance(after)) == Approx(contrast).epsilon(0.1));
 }
 
-TEST_CASE("Auto leaves alone what works, and what no period would mend") {
+TEST_CASE("auto changes neither an exemplar without risks nor one that no period improves") {
   CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::granite, 256), true).has_value());
   CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::rust, 256), true).has_value());
   const FlatteningChoice weave = automatic(generatedExemplar(exemplars::weave, 128), true);
@@ -263,7 +262,7 @@ TEST_CASE("Auto leaves alone what works, and what no period would mend") {
   CHECK_FALSE(weave.periodPixels.has_value());
 }
 
-TEST_CASE("Auto leaves an object alone, of which it would leave the outline") {
+TEST_CASE("auto leaves an object unchanged, because its outline would remain") {
   for (const int side : {128, 256}) {
     const MapExemplar stone = baseColor(exemplars::oneStone(side));
     MapExemplar map = stone;
@@ -275,7 +274,7 @@ TEST_CASE("Auto leaves an object alone, of which it would leave the outline") {
   }
 }
 
-TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly themselves") {
+TEST_CASE("auto flattens the colours, and other maps only if they vary slowly") {
   std::vector<MapExemplar> maps{generatedExemplar(exemplars::slopingLight, 128)};
   MapExemplar data;
   data.encoding = ValueEncoding::linear;
@@ -346,7 +345,7 @@ TEST_CASE("Flattening and assessing tell how far they are, and end where they ar
         "flattening: interrupted");
 }
 
-TEST_CASE("The maps of a set lose the same share of their sides") {
+TEST_CASE("the maps of a set are flattened at the same fraction of their sides") {
   const auto wave = [](int side) {
     return slopes(side, side, [side](int x, int) { return 0.1 * std::cos(kTurn * 2 * x / side); });
   };
@@ -356,7 +355,7 @@ TEST_CASE("The maps of a set lose the same share of their sides") {
   CHECK(amplitude(maps[1], 2) == Approx(0.05).epsilon(1e-4));
 }
 
-TEST_CASE("Maps of any size and content are flattened to finite values in range") {
+TEST_CASE("flattened values are finite and in range for maps of any size and content") {
   const auto check = [](const MapExemplar& map) {
     for (const bool periodic : {true, false})
       for (const float value : flattened(map, 4.0, periodic).values) {
@@ -373,7 +372,7 @@ TEST_CASE("Maps of any size and content are flattened to finite values in range"
   CHECK_FALSE(automaticPeriod(black, true).has_value());
 }
 
-TEST_CASE("Data stay within their range, and opacity stays as it is") {
+TEST_CASE("flatten keeps data in range and does not change opacity") {
   MapExemplar map;
   map.channels = {MapChannel::height};
   map.target = MapTarget::height;
@@ -392,7 +391,7 @@ TEST_CASE("Data stay within their range, and opacity stays as it is") {
   CHECK(flattened(map, 32.0).values == map.values);
 }
 
-TEST_CASE("A period or a map out of range is refused by name") {
+TEST_CASE("the error for a period or a map out of range names it") {
   std::vector<MapExemplar> maps{test::threeMaterials(8, 8, 1)};
   for (const double period : {3.9, 16385.0, std::numeric_limits<double>::quiet_NaN()}) {
     const Result<void> result = flatten(maps, period, true);

@@ -134,7 +134,7 @@ Bundle bakedBundle(const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("a bake that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("a bake reports exhausted memory, whichever allocation fails") {
   const MapExemplar color = test::threeMaterials(24, 20, 1, 1);
   const MapExemplar grey = oneChannel(color);
   TilingOptions options;
@@ -143,7 +143,7 @@ TEST_CASE("a bake that runs out of memory says so, whichever allocation fails") 
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
 }
 
-TEST_CASE("a bake of another kind of table that runs out of memory says so as well") {
+TEST_CASE("a bake of every other kind of table reports exhausted memory") {
   const MapExemplar color = test::threeMaterials(16, 12, 1, 1);
   TilingOptions separable, gaussian;
   separable.lut = LookupTable::separable;
@@ -152,13 +152,13 @@ TEST_CASE("a bake of another kind of table that runs out of memory says so as we
     CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
 }
 
-TEST_CASE("what a table has lost is not told where memory runs out, whichever allocation fails") {
+TEST_CASE("measuring the loss of a table reports exhausted memory, whichever allocation fails") {
   const MapExemplar map = oneChannel(test::threeMaterials(24, 20, 1, 1));
   const Bundle bundle = bakedBundle(map);
   CHECK(exhaustMemory(First::each, [&] { return precisionLoss(bundle, 0, 0, map, true); }) > 5);
 }
 
-TEST_CASE("a bake of a set that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("a bake of a set reports exhausted memory, whichever allocation fails") {
   const MapExemplar grey = oneChannel(test::threeMaterials(24, 20, 1, 1));
   MapExemplar height = grey;
   height.target = MapTarget::height;
@@ -169,18 +169,18 @@ TEST_CASE("a bake of a set that runs out of memory says so, whichever allocation
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", maps, {}); }) > 64);
 }
 
-TEST_CASE("an assessment that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("an assessment reports exhausted memory, whichever allocation fails") {
   const MapExemplar map = test::threeMaterials(132, 130, 1, 1); // large enough for every measure
   CHECK(exhaustMemory(First::sampled, [&] { return assessSuitability(map, false); }) > 10);
 }
 
-TEST_CASE("flattening that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("flattening reports exhausted memory, whichever allocation fails") {
   MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy, so that all steps are tried
   CHECK(exhaustMemory(First::each, [&] { return flattenAutomatically({&map, 1}, false); }) > 10);
   CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
 }
 
-TEST_CASE("reading a set that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("reading a set reports exhausted memory, whichever allocation fails") {
   const TemporaryFolder folder;
   const auto write = [&](const char* name, const SrgbImage& image) {
     REQUIRE(writeImage(folder / name, image));
@@ -202,7 +202,7 @@ TEST_CASE("reading a set that runs out of memory says so, whichever allocation f
   CHECK(exhaustRefusal([&] { return readMaterialSet(inputs, options); }) > 50);
 }
 
-TEST_CASE("an evaluation that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("an evaluation reports exhausted memory, whichever allocation fails") {
   const Bundle bundle = bakedBundle(oneChannel(test::threeMaterials(64, 64, 1, 1)));
   CHECK(exhaustMemory(First::each, [&] { return TilingEvaluator::create(bundle, 0); }) > 2);
   SynthesisOptions options;
@@ -213,7 +213,7 @@ TEST_CASE("an evaluation that runs out of memory says so, whichever allocation f
         }) > 3);
 }
 
-TEST_CASE("a bundle that cannot be encoded for want of memory says so, and no file is left") {
+TEST_CASE("encoding a bundle reports exhausted memory and leaves no file") {
   BundleFile file;
   MapExemplar height = oneChannel(test::threeMaterials(8, 8, 1, 1)); // its table is small
   height.target = MapTarget::height;
@@ -237,7 +237,7 @@ TEST_CASE("a bundle that cannot be encoded for want of memory says so, and no fi
   }
 }
 
-TEST_CASE("a merge that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("a merge reports exhausted memory, whichever allocation fails") {
   const MapExemplar height = oneChannel(test::threeMaterials(6, 4, 1, 1));
   Bundle bundle = bakedBundle(height);
   bundle.materials = {MaterialNoise{}};
@@ -247,7 +247,7 @@ TEST_CASE("a merge that runs out of memory says so, whichever allocation fails")
   CHECK(exhaustMemory(First::each, [&] { return mergeBundles(inputs); }) > 10);
 }
 
-TEST_CASE("a report that runs out of memory says so, whichever large allocation fails") {
+TEST_CASE("a report returns an error for exhausted memory, whichever large allocation fails") {
   const MapExemplar map = oneChannel(test::threeMaterials(24, 20, 1, 1));
   Bundle bundle = bakedBundle(map);
   bundle.materials = {MaterialNoise{}};
@@ -259,7 +259,7 @@ TEST_CASE("a report that runs out of memory says so, whichever large allocation 
   CHECK(exhaustWriting([&] { return encodeNoiseReport(record); }) > 10);
 }
 
-TEST_CASE("a measure that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("a measure reports exhausted memory, whichever allocation fails") {
   SrgbImage a(80, 72, 1);
   for (std::size_t i = 0; i < a.values.size(); ++i)
     a.values[i] = float(pcg(std::uint32_t(i)) >> 8u) * 0x1p-24f;
@@ -276,7 +276,7 @@ TEST_CASE("a measure that runs out of memory says so, whichever allocation fails
   CHECK(exhaustMemory(First::sampled, [&] { return measureResult(a, b); }) > 10);
 }
 
-TEST_CASE("a refusal that runs out of memory says so, whichever allocation fails") {
+TEST_CASE("returning an error reports exhausted memory, whichever allocation fails") {
   TilingOptions bits;
   bits.bits = 7;
   const MapExemplar map = oneChannel(test::threeMaterials(64, 64, 1, 1));

@@ -59,7 +59,8 @@ const std::vector<std::array<double, 2>> kPoints{{0.0, 0.0}, {0.21, 0.93}, {-1.3
 
 } // namespace
 
-TEST_CASE("texture coordinates reach the noise through the material's scale, rotation and offset") {
+TEST_CASE(
+    "the evaluator applies the material's scale, rotation and offset to texture coordinates") {
   const MaterialNoise material = movedMaterial();
   const Bundle tiling = syntheticBundle(std::vector<SyntheticMap>{{}}).bundle;
   const TilingEvaluator tilingTwin = TilingEvaluator::create(tiling, 0).value();
@@ -78,7 +79,7 @@ TEST_CASE("texture coordinates reach the noise through the material's scale, rot
   }
 }
 
-TEST_CASE("slopes turn back with the rotation of the texture coordinates") {
+TEST_CASE("slopes rotate against the rotation of the texture coordinates") {
   SyntheticTexton slopes;
   slopes.channels = 2;
   const Bundle bundle = syntheticTextonBundle(slopes).bundle;
@@ -94,7 +95,7 @@ TEST_CASE("slopes turn back with the rotation of the texture coordinates") {
   }
 }
 
-TEST_CASE("a mix takes the weight of its material: constant, or along a direction") {
+TEST_CASE("a mix uses its material's weight, constant or along a direction") {
   SyntheticTexton steps;
   steps.steps = 5;
   const Bundle bundle = syntheticTextonBundle(steps).bundle;
@@ -116,7 +117,7 @@ TEST_CASE("a mix takes the weight of its material: constant, or along a directio
   }
 }
 
-TEST_CASE("a noise out of range and a mapping that its method does not fit are usage errors") {
+TEST_CASE("a noise index out of range and a mapping that the method lacks are usage errors") {
   const Bundle bundle = syntheticBundle(std::vector<SyntheticMap>{{}}).bundle;
   MaterialNoise material;
   material.mapping = Mapping::surface;

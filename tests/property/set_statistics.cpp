@@ -223,7 +223,7 @@ TEST_CASE("a map of few values keeps its covariances with the others") {
   CHECK(found.error < limitOf(found));
 }
 
-TEST_CASE("a map of few values that has nothing to do with the others stays so") {
+TEST_CASE("a map of few values that is independent of the others stays independent") {
   const std::vector<MapExemplar> maps = coarseSet(false);
   const std::vector<double> wanted = crossCovariances(decodedMaps(maps));
   // Relative to the covariances that fully related maps would have.
@@ -236,7 +236,7 @@ TEST_CASE("a map of few values that has nothing to do with the others stays so")
   CHECK(found.error < limitOf(found));
 }
 
-TEST_CASE("the Gaussian values of a map on a line keep the order of its values beside others") {
+TEST_CASE("the Gaussian values of a one-dimensional map in a set have the order of its values") {
   const std::vector<MapExemplar> maps = coarseSet(true);
   const Bundle bundle = bakedBundle(maps);
   const std::vector<float> gaussian =

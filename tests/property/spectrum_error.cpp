@@ -101,7 +101,7 @@ double filterDecibels(int window) {
 
 } // namespace
 
-TEST_CASE("the spectrum's error is the power that the noise has over its exemplar", "[large]") {
+TEST_CASE("the spectrum error is the power ratio of the noise and its exemplar", "[large]") {
   const MapExemplar map = linearMap(whiteNoise(1));
   CHECK(spectrumErrorDb(map, gaussianImage(whiteNoise(2)), identityTable()) ==
         Approx(0.0).margin(kMargin));
@@ -110,7 +110,7 @@ TEST_CASE("the spectrum's error is the power that the noise has over its exempla
         Approx(filterDecibels(64)).margin(kMargin));
 }
 
-TEST_CASE("the error of colours is that of their luminance") {
+TEST_CASE("the spectrum error of colours is that of their luminance") {
   // All channels vary in the exemplar, only green in the noise: 0.7152 of luminance, a third of the
   // channels.
   MapExemplar map = linearMap({});
@@ -127,14 +127,14 @@ TEST_CASE("the error of colours is that of their luminance") {
         Approx(20.0 * std::log10(0.7152)).margin(kMargin));
 }
 
-TEST_CASE("exemplars too small for a window have no spectrum, and the usual share") {
+TEST_CASE("exemplars smaller than a window have no spectrum and get the default share") {
   CHECK(hasSpectrum(test::threeMaterials(64, 80, 7)));
   const MapExemplar small = test::threeMaterials(63, 80, 7);
   CHECK_FALSE(hasSpectrum(small));
   CHECK(fitMap(small, exemplar::colorSpaceOf(small), {}).share == exemplar::kUsualShare);
 }
 
-TEST_CASE("the share for a large map is that of its middle", "[large]") {
+TEST_CASE("the share of a large map is fitted on its middle", "[large]") {
   // Two of its channels: a table of two axes is faster, and one axis always gets the usual share.
   MapExemplar whole = test::threeMaterials(520, 64, 7, 3);
   for (std::size_t i = 0; i < whole.values.size() / 3; ++i)
@@ -159,7 +159,7 @@ TEST_CASE("the share for a large map is that of its middle", "[large]") {
   CHECK(share - fitMap(shuffled, exemplar::colorSpaceOf(whole), options).share > 0.2f);
 }
 
-TEST_CASE("a large map's fit can be stopped while a share is tried on its middle") {
+TEST_CASE("the caller can stop a large map's fit during the trials on its middle") {
   const MapExemplar large = test::threeMaterials(520, 64, 7, 3);
   MapFitOptions options;
   int calls = 0;
@@ -169,7 +169,7 @@ TEST_CASE("a large map's fit can be stopped while a share is tried on its middle
   CHECK(calls == 2);
 }
 
-TEST_CASE("a fit whose first share is good enough has told of nearly all its progress") {
+TEST_CASE("a fit that accepts its first share has reported nearly all its progress") {
   // Independent pixels in two dimensions.
   MapExemplar map = test::threeMaterials(64, 64, 7);
   map.target = MapTarget::occlusionRoughnessMetallic;
@@ -178,27 +178,26 @@ TEST_CASE("a fit whose first share is good enough has told of nearly all its pro
   map.values.clear();
   for (std::uint64_t i = 0; i < 2 * 64 * 64; ++i)
     map.values.push_back(float(transport::randomUniform(12, i)));
-  std::vector<double> told;
+  std::vector<double> reported;
   const Progress progress = [&](double fraction) {
-    told.push_back(fraction);
+    reported.push_back(fraction);
     return true;
   };
   MapFitOptions options;
   options.progress = ProgressPart(progress);
   const MapFit fit = fitMap(map, exemplar::colorSpaceOf(map), options);
-  const double reached = told.back();
-  const std::size_t steps = told.size();
-  told.clear();
+  const double reached = reported.back();
+  const std::size_t steps = reported.size();
+  reported.clear();
   options.share = fit.share;
   static_cast<void>(fitMap(map, exemplar::colorSpaceOf(map), options));
-  INFO("share " << fit.share << ", reached " << reached << " of " << told.back());
-  REQUIRE(told.size() == steps); // one trial is a fit with a given share
+  INFO("share " << fit.share << ", reached " << reached << " of " << reported.back());
+  REQUIRE(reported.size() == steps); // one trial is a fit with a given share
   // A fit may end with a step that it does not report, here its table.
-  CHECK(reached > 0.75 * told.back());
+  CHECK(reached > 0.75 * reported.back());
 }
 
-TEST_CASE("a fit has its exemplar's detail where the usual share of the surroundings has not",
-          "[large]") {
+TEST_CASE("a fitted share preserves detail that the default share loses", "[large]") {
   // Grain within patches of one colour each; transport alone spreads the grain over the Gaussian.
   const MapExemplar map = test::threeMaterials(96, 96, 7, 3);
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
@@ -231,7 +230,7 @@ TEST_CASE("a fit has its exemplar's detail where the usual share of the surround
   CHECK(spectrumDistanceDb(exemplar, result).value() < 0.6);
 }
 
-TEST_CASE("maps of a set share a share of the surroundings, which stays small", "[large]") {
+TEST_CASE("the maps of a set use one share of the surroundings, which is small", "[large]") {
   const MapExemplar first = test::threeMaterials(96, 96, 7, 3);
   CHECK(fitMap(first, exemplar::colorSpaceOf(first), {}).share > kLargestShareInSet);
   MapExemplar second = test::threeMaterials(96, 96, 8, 1);

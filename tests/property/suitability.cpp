@@ -98,7 +98,7 @@ double predictedCloudiness(const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("a small map of a set is judged by the texels that the set's texton has of it") {
+TEST_CASE("a small map of a set is assessed at the resolution of the set's texton") {
   // Two waves per side: a period of 32 of the map's own pixels, and of 64 texels of the largest
   // map.
   constexpr int kSide = 64;
@@ -117,8 +117,8 @@ TEST_CASE("a small map of a set is judged by the texels that the set's texton ha
   CHECK_THAT(remedyOf(slow(2 * kSide)), Catch::Contains("support 80"));
 }
 
-TEST_CASE("Outlines that a texton loses are told whatever their direction, and random phases have "
-          "none") {
+TEST_CASE(
+    "the risk of lost outlines does not depend on their direction, and random phases have none") {
   // The joints of paving fill the waves of all directions together as Gaussian noise does.
   for (auto* generate : {exemplars::paving, exemplars::terrazzo}) {
     const MapExemplar map = generatedExemplar(generate, 256);
@@ -142,7 +142,7 @@ TEST_CASE("Outlines that a texton loses are told whatever their direction, and r
   }
 }
 
-TEST_CASE("Exemplars that work have no severe risk, with a margin", "[large]") {
+TEST_CASE("suitable exemplars have no severe risk, with a margin", "[large]") {
   for (const exemplars::Material& material : exemplars::kMaterials)
     for (const Risk& risk : risksOf(generatedExemplar(material.generate, 256))) {
       INFO(material.name << ", " << risk.name << ": " << risk.score);
@@ -153,7 +153,7 @@ TEST_CASE("Exemplars that work have no severe risk, with a margin", "[large]") {
     }
 }
 
-TEST_CASE("Exemplars that fail have the risk they were made for, severe with a margin") {
+TEST_CASE("each unsuitable exemplar has its intended risk, severe with a margin") {
   for (const exemplars::Unsuitable& exemplar : exemplars::kUnsuitable) {
     const std::vector<Risk> risks =
         risksOf(generatedExemplar(exemplar.generate, 256), exemplar.periodic);
@@ -165,7 +165,7 @@ TEST_CASE("Exemplars that fail have the risk they were made for, severe with a m
   }
 }
 
-TEST_CASE("The closed form of cloudiness is the exact sum over all offsets") {
+TEST_CASE("the closed form of cloudiness equals the sum over all offsets") {
   constexpr int kWidth = 9, kHeight = 6;
   const std::vector<float> plane = standardized(kWidth, kHeight, [](int x, int y) {
     return uniform(x, y, 3) + 0.6 * std::sin(2.0 * std::numbers::pi * x / kWidth);
@@ -189,7 +189,7 @@ TEST_CASE("The closed form of cloudiness is the exact sum over all offsets") {
         Approx(std::sqrt(variance(variances))).epsilon(1e-5)); // float rounding
 }
 
-TEST_CASE("The cloudiness foretold is that of the decoded blend", "[large]") {
+TEST_CASE("the predicted cloudiness is that of the decoded blend", "[large]") {
   // The standard error of a standard deviation over 400 samples is 3.5 %, and somewhat more for
   // this skewed distribution. One channel by rank stands for three by transport; this made the
   // predicted values 7, 15 and 13 % larger.
@@ -202,7 +202,7 @@ TEST_CASE("The cloudiness foretold is that of the decoded blend", "[large]") {
   }
 }
 
-TEST_CASE("The plane of an exemplar that does not tile is continuous over its borders") {
+TEST_CASE("the extension of an exemplar that does not tile is continuous across its borders") {
   constexpr int kSide = 64;
   std::vector<float> ramp;
   for (int i = 0; i < kSide * kSide; ++i)
@@ -221,7 +221,7 @@ TEST_CASE("The plane of an exemplar that does not tile is continuous over its bo
   CHECK(jump(false) < 1.0);
 }
 
-TEST_CASE("A wave's share of the variance is found as a lattice, at any size") {
+TEST_CASE("a wave's share of the variance is its lattice score, at any size") {
   for (const auto& [width, height] : {std::array{128, 128}, std::array{97, 64}}) {
     // Noise of variance 1/12 and a wave of variance 1/12: half each.
     const std::vector<float> plane = standardized(width, height, [width = width](int x, int y) {
@@ -245,7 +245,7 @@ TEST_CASE("Noise has no lattice") {
   CHECK(lines < 2.0 * kLine);
 }
 
-TEST_CASE("Edges cohere across scales, and with random phases they do not") {
+TEST_CASE("edges cohere across scales, and random phases do not") {
   const SrgbImage stones = exemplars::paving(256);
   const Result<SrgbImage> random = phaseRandomized(stones, 5);
   REQUIRE(random.ok());
@@ -256,7 +256,7 @@ TEST_CASE("Edges cohere across scales, and with random phases they do not") {
   CHECK(coherenceOf(random.value()) < 0.1);
 }
 
-TEST_CASE("Slow variation is that of a ramp and of a wave, and no faster one") {
+TEST_CASE("slow variation counts a ramp and a slow wave, and no faster wave") {
   constexpr int kWidth = 96, kHeight = 64;
   const auto slow = [](const auto& valueAt) {
     std::vector<float> values;
@@ -274,7 +274,7 @@ TEST_CASE("Slow variation is that of a ramp and of a wave, and no faster one") {
   CHECK(slow([&](double x, double) { return 0.5 + 0.3 * std::sin(2.0 * turn * x); }) < 1e-6);
 }
 
-TEST_CASE("White and black pixels are counted where they mean lost detail") {
+TEST_CASE("white and black pixels count only if they mean lost detail") {
   MapExemplar map = baseColor(exemplars::sand(64));
   for (float& value : map.values)
     value = std::clamp(value, 0.1f, 0.9f);
@@ -293,7 +293,7 @@ TEST_CASE("White and black pixels are counted where they mean lost detail") {
   CHECK(named(risksOf(map), "clipping").score == 0.0);
 }
 
-TEST_CASE("The spacing of codes is that of their distribution, and few colours are counted") {
+TEST_CASE("the spacing of codes follows their distribution, and few colours are counted") {
   constexpr int kSide = 64, kPixels = kSide * kSide;
   // n levels k / n of equal frequency, 255 / n codes apart: entropy ln n, and the standard
   // deviation of n points at that spacing on a line, sqrt((n^2 - 1) / 12).
@@ -351,7 +351,7 @@ TEST_CASE("A map that does not vary has no risk") {
       CHECK(risk.score < 1e-6);
 }
 
-TEST_CASE("A map out of range is refused by what is wrong with it") {
+TEST_CASE("the error for an invalid map says what is invalid") {
   const Result<std::vector<Risk>> risks =
       assessSuitability(grey(2, 1, {0.0f, std::numeric_limits<float>::quiet_NaN()}), true);
   REQUIRE_FALSE(risks.ok());
@@ -368,7 +368,7 @@ TEST_CASE("Risks do not depend on the number of threads") {
     CHECK(many[k].score == alone[k].score);
 }
 
-TEST_CASE("A height has the cloudiness and low frequency of its slopes, not of itself") {
+TEST_CASE("cloudiness and low frequency of a height map are those of its slopes") {
   constexpr int kSide = 64;
   constexpr double kTurn = 2.0 * std::numbers::pi;
   // A slow wave that would be a risk for other data, and a fast one with nearly all the slope.
@@ -406,7 +406,7 @@ TEST_CASE("A height has the cloudiness and low frequency of its slopes, not of i
   CHECK(named(risksOf(data), "low-frequency").level != Risk::Level::none);
 }
 
-TEST_CASE("The slopes of heights above 1 are those of the heights, not of their logarithms") {
+TEST_CASE("slopes of heights above 1 are computed from heights, not logarithms") {
   constexpr int kSide = 32;
   constexpr float kHighest = 63.0f; // 6 as log2(1 + height)
   MapExemplar height = grey(kSide, kSide, {});
@@ -436,7 +436,7 @@ TEST_CASE("The slopes of heights above 1 are those of the heights, not of their 
   }
 }
 
-TEST_CASE("A height that rises evenly has no risk, for its slope is the same everywhere") {
+TEST_CASE("a height map with a uniform slope has no risk") {
   MapExemplar ramp = grey(64, 64, {});
   ramp.target = MapTarget::height;
   ramp.channels = {MapChannel::height};
@@ -446,8 +446,8 @@ TEST_CASE("A height that rises evenly has no risk, for its slope is the same eve
   CHECK(named(risksOf(ramp, false), "cloudiness").score == 0.0);
 }
 
-TEST_CASE(
-    "The concentration of slow gradients has the closed forms of waves, and tells an object") {
+TEST_CASE("the concentration of slow gradients matches the closed forms of waves, and detects an "
+          "object") {
   constexpr int kSide = 64;
   const auto of = [](const auto& valueAt, bool periodic) {
     std::vector<float> values;

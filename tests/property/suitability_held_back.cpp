@@ -212,7 +212,7 @@ constexpr std::uint32_t kPictures = 30;
 
 } // namespace
 
-TEST_CASE("Held-back exemplars that work have no risk", "[large]") {
+TEST_CASE("held-back suitable exemplars have no risk", "[large]") {
   for (std::uint32_t seed = 1; seed <= kPictures; ++seed)
     for (const Risk& risk : risksOf({anySuitable(seed)})) {
       INFO("seed " << seed << ", " << risk.name << ": " << risk.score);
@@ -220,8 +220,7 @@ TEST_CASE("Held-back exemplars that work have no risk", "[large]") {
     }
 }
 
-TEST_CASE("Held-back exemplars that fail have a severe risk, the one they were made for",
-          "[large]") {
+TEST_CASE("each held-back unsuitable exemplar has its intended risk, severe", "[large]") {
   for (std::uint32_t seed = 101; seed < 101 + kPictures; ++seed) {
     const Unsuitable& unsuitable = kUnsuitable[seed % kUnsuitable.size()];
     const std::vector<Risk> risks = risksOf(unsuitable.generate(seed));

@@ -168,7 +168,7 @@ TEST_CASE("the covariance in a tangent plane of any direction is that of noise i
   }
 }
 
-TEST_CASE("impacts, their weights and squared weights add up to what proposition 3 says") {
+TEST_CASE("the sums of impacts, weights and squared weights follow proposition 3") {
   // [GLM17] section 6: lambda r^3 impacts. The integral of the weight over t is r / 2 and that of
   // its square r / 3; the amplitude makes the variance that of the texton.
   const double area = double(kColour.coefficientsX + 1) * double(kColour.coefficientsY + 1);
@@ -206,7 +206,7 @@ TEST_CASE("impacts, their weights and squared weights add up to what proposition
     }
 }
 
-TEST_CASE("the kurtosis of the Poisson process on a surface is that of its closed form") {
+TEST_CASE("the kurtosis of the Poisson process on a surface matches its closed form") {
   // Cumulants by Campbell's theorem: lambda times the integral of the fourth power (r / 5 for the
   // weights, sum alpha^4 for the texton) over the squared variance.
   double squares = 0.0, fourths = 0.0;
@@ -266,8 +266,7 @@ TEST_CASE("the variance is the same all over a sphere") {
   CHECK(chiSquare < 94.6);
 }
 
-TEST_CASE(
-    "minified noise on a surface has the variance that mipLoss says, beyond the last mip too") {
+TEST_CASE("minified noise on a surface has the variance of mipLoss, also beyond the last mip") {
   const double variance = covarianceAt(kSteps, syntheticCoefficients(kSteps, 0), 0, 0)[0];
   const Evaluation noise(kSteps, materialOf(PointProcess::stratified, 30.0, 2));
   const Plane plane({1.0, 2.0, -2.0});
@@ -319,8 +318,7 @@ TEST_CASE("a whole-tile origin moves the noise on a surface exactly, however far
   CHECK(far.at(place, plane)[0] != Approx(near.at(place, plane)[0]).margin(1e-3));
 }
 
-TEST_CASE("a place far from the origin has the cubes of its tile, where there are more than an int "
-          "counts") {
+TEST_CASE("cube indices far from the origin are those of the tile, beyond the range of int") {
   const SyntheticTexton fine{.texelsPerTileX = 16384, .texelsPerTileY = 16384, .channels = 1};
   const Plane plane({1.0, 1.0, -0.3});
   for (const std::int64_t tile : {std::int64_t(1) << 24, -(std::int64_t(1) << 27)}) {
@@ -338,7 +336,7 @@ TEST_CASE("a place far from the origin has the cubes of its tile, where there ar
   }
 }
 
-TEST_CASE("a direction is of the texture coordinates, wherever in space the tile origin is") {
+TEST_CASE("the direction of a mix is in texture coordinates, whatever the tile origin in space") {
   MaterialNoise material = materialOf(PointProcess::poisson, 12.0, 6);
   material.mix = {.source = MixSource::direction, .start = {0.5, -2.0}, .end = {3.0, 1.0}};
   Placement placement;
@@ -353,7 +351,7 @@ TEST_CASE("a direction is of the texture coordinates, wherever in space the tile
   CHECK(double(moved.texton.mixPerV) == Approx(3.0 / 15.25));
 }
 
-TEST_CASE("noise turns with its tangent, is mirrored by the tangent's w, and needs no tangent") {
+TEST_CASE("noise rotates with the tangent, is mirrored by its w, and works without a tangent") {
   MaterialNoise material = materialOf(PointProcess::stratified, 30.0, 6);
   const Evaluation plain(kColour, material);
   material.rotation = 0.7;
@@ -392,7 +390,7 @@ TEST_CASE("noise turns with its tangent, is mirrored by the tangent's w, and nee
   }
 }
 
-TEST_CASE("impacts in space and their grid are those of the specification's test vectors") {
+TEST_CASE("impacts in space and their grid match the specification's test vectors") {
   std::ifstream file(sourcePath("docs/gltf_extension/test_vectors.json"));
   const nlohmann::json vectors = nlohmann::json::parse(file);
   std::size_t count = 0;

@@ -182,7 +182,7 @@ TEST_CASE("a texton's noise has the exemplar's covariance, for every order") {
   }
 }
 
-TEST_CASE("half floats keep a texton's covariance to their rounding") {
+TEST_CASE("half floats preserve a texton's covariance up to rounding") {
   const MapExemplar map = test::threeMaterials(64, 64, 6);
   const MatrixXd wanted = exemplarCovariance({&map, 1});
   const TextonBake bake = bakeOf({&map, 1}, supportOf(32, 1, 8));
@@ -197,7 +197,7 @@ TEST_CASE("half floats keep a texton's covariance to their rounding") {
   CHECK(bake.quality.covarianceError == Approx(measured).epsilon(1e-3));
 }
 
-TEST_CASE("a faint map of a set is fitted like a strong one, its covariances as exactly") {
+TEST_CASE("a low-contrast map of a set is fitted as exactly as a high-contrast one") {
   // A power of 2, so that floats round alike: 1/16384 of the variance.
   constexpr float kGain = 1.0f / 128.0f;
   const std::vector<MapExemplar> faint = colorAndRoughness(kGain);
@@ -211,7 +211,7 @@ TEST_CASE("a faint map of a set is fitted like a strong one, its covariances as 
         kGain * strongBake.noise.maps[1].as<TextonMap>().scale[0]);
 }
 
-TEST_CASE("the maps of a set keep their covariances with one another") {
+TEST_CASE("the maps of a set preserve their covariances") {
   const std::vector<MapExemplar> maps = materialSet(test::threeMaterials(64, 64, 7));
   const MatrixXd wanted = exemplarCovariance(maps);
   const TextonBake bake = bakeOf(maps, supportOf(24));
@@ -220,7 +220,7 @@ TEST_CASE("the maps of a set keep their covariances with one another") {
   CHECK(bake.noise.maps[1].mean.size() == 2);
 }
 
-TEST_CASE("grey stored as RGB, a constant channel and one colour are usual exemplars") {
+TEST_CASE("textons support grey stored as RGB, a constant channel and a single colour") {
   MapExemplar grey = test::threeMaterials(48, 48, 8);
   for (std::size_t i = 0; i < grey.values.size(); i += 3)
     grey.values[i + 1] = grey.values[i + 2] = grey.values[i];
@@ -242,7 +242,7 @@ TEST_CASE("grey stored as RGB, a constant channel and one colour are usual exemp
   CHECK(oneBake.noise.maps[0].as<TextonMap>().scale == std::vector<double>{0.0, 0.0, 0.0});
 }
 
-TEST_CASE("an exemplar of one pixel, and one that is thinner than the support, make textons") {
+TEST_CASE("an exemplar of one pixel and one narrower than the support give textons") {
   const MapExemplar map = test::threeMaterials(64, 64, 10);
   for (const auto& [width, height] : {std::pair{1, 1}, {64, 3}, {7, 64}}) {
     const MapExemplar part = test::cropped(map, 0, 0, width, height);
@@ -253,7 +253,7 @@ TEST_CASE("an exemplar of one pixel, and one that is thinner than the support, m
   }
 }
 
-TEST_CASE("a slope of light from border to border is refused, since no texton has it") {
+TEST_CASE("a linear gradient is an error, because no texton reproduces it") {
   MapExemplar map = test::threeMaterials(32, 32, 11);
   for (std::size_t i = 0; i < map.values.size(); ++i)
     map.values[i] = float(i / 3 % 32) / 31.0f;
@@ -262,7 +262,7 @@ TEST_CASE("a slope of light from border to border is refused, since no texton ha
   CHECK(baked.error().kind == ErrorKind::badInput);
 }
 
-TEST_CASE("fewer coefficients than colours are refused, with what helps") {
+TEST_CASE("the error for fewer coefficients than colours names the remedy") {
   const MapExemplar map = test::threeMaterials(32, 32, 19);
   const Result<TextonBake> baked = bakeTexton("stone", {&map, 1}, supportOf(4, 3));
   REQUIRE_FALSE(baked);
@@ -271,7 +271,7 @@ TEST_CASE("fewer coefficients than colours are refused, with what helps") {
   CHECK_THAT(baked.error().message, Catch::Contains("larger support"));
 }
 
-TEST_CASE("what a texton does not vary by is left out below a thousandth, and refused above") {
+TEST_CASE("variance that a texton cannot show is dropped below a thousandth, and an error above") {
   // Two identical channels: (1, 1) spans the range of their covariance. For unit variances and
   // correlation 1 - e, the part outside that range is e / 2 in every entry.
   texton::TextonCoefficients coefficients{8, 8, 2, std::vector<float>(128)};
@@ -314,7 +314,7 @@ TEST_CASE("a texton's frame is 0 outside the coefficients, and its mips are aver
   }
 }
 
-TEST_CASE("the losses of a texton's mips are those of the noise that is fetched from them") {
+TEST_CASE("the losses of a texton's mips are those of noise fetched from them") {
   const MapExemplar map = test::threeMaterials(64, 64, 12);
   const TextonBake bake = bakeOf({&map, 1}, supportOf(32));
   const NoiseMap& noise = bake.noise.maps[0];
@@ -360,7 +360,7 @@ TEST_CASE("the bytes of a texton bake do not depend on the number of threads") {
     CHECK(all.tables[i].texels == alone.tables[i].texels);
 }
 
-TEST_CASE("each option of a texton changes what it says") {
+TEST_CASE("each texton option changes what it names") {
   MapExemplar map = test::threeMaterials(64, 64, 14);
   for (std::size_t i = 0; i < map.values.size(); ++i) // light that falls off to one side
     map.values[i] *= 0.5f + 0.5f * float(i / 3 % 64) / 63.0f;
@@ -380,7 +380,7 @@ TEST_CASE("each option of a texton changes what it says") {
   CHECK_FALSE(bakeOf({&map, 1}, supportOf(40)).quality.heldOutError.has_value());
 }
 
-TEST_CASE("options and maps out of range are refused, each with its value") {
+TEST_CASE("the errors for options and maps out of range have the value") {
   const MapExemplar map = test::threeMaterials(32, 32, 15);
   const auto refused = [&](const TextonOptions& options, const std::string& words) {
     const Result<TextonBake> baked = bakeTexton("stone", {&map, 1}, options);
@@ -397,7 +397,7 @@ TEST_CASE("options and maps out of range are refused, each with its value") {
   CHECK_FALSE(bakeTexton("stone", twice, supportOf(16)));
 }
 
-TEST_CASE("a texton bake tells its progress, and stops when told") {
+TEST_CASE("a texton bake reports progress, and the caller can stop it") {
   const MapExemplar map = test::threeMaterials(64, 64, 16);
   std::vector<double> fractions;
   TextonOptions options = supportOf(16);

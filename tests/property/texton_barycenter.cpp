@@ -134,7 +134,7 @@ TEST_CASE("the barycentre of two is that of three of which two are the same") {
   CHECK(aligned[1].channels[2].values == b.channels[2].values);
 }
 
-TEST_CASE("phases of three textures are the best of all phases") {
+TEST_CASE("the phases of three textures are the optimum over all phases") {
   const std::vector<gaussian::GaussianModel> models{
       randomModel(7, 6, 3, 11), randomModel(7, 6, 3, 12), randomModel(7, 6, 3, 13)};
   const std::vector<double> weights{0.25, 0.35, 0.4};
@@ -162,7 +162,7 @@ TEST_CASE("phases of three textures are the best of all phases") {
   CHECK(found.rankError < 0.02);
 }
 
-TEST_CASE("of several maxima over the phases of three textures the highest is found") {
+TEST_CASE("the fit finds the highest of several maxima over the phases of three textures") {
   // Two channels, for which two maxima are more frequent.
   const std::vector<gaussian::GaussianModel> models{
       randomModel(601, 1, 2, 21), randomModel(601, 1, 2, 22), randomModel(601, 1, 2, 23)};
@@ -180,7 +180,7 @@ TEST_CASE("of several maxima over the phases of three textures the highest is fo
   }
 }
 
-TEST_CASE("three textures with two best mixtures are one of them, and no kernel is missing") {
+TEST_CASE("three textures with two optimal mixtures give one of them, with every kernel") {
   // At 120 degrees, the phases may go around in either direction, and any law between the two is a
   // barycentre: |m|^2 = 1/2, a set of circles.
   std::vector<gaussian::GaussianModel> models;
@@ -191,7 +191,7 @@ TEST_CASE("three textures with two best mixtures are one of them, and no kernel 
   CHECK(found.rankError < 1e-3);
 }
 
-TEST_CASE("what four textures lack for one kernel is measured") {
+TEST_CASE("the rank error measures what one kernel cannot show of four textures") {
   // Vectors whose directions are the corners of a tetrahedron: |t_k^* t_l|^2 = 1/3. Their Gram
   // matrix G has the eigenvalues 2, 2, 0, 0 and is itself the best correlation matrix, because tr(G
   // X) <= 2 tr X = 8 = tr G^2. The barycentre is 1/4 of the identity: power 1/2, two kernels.
@@ -218,7 +218,7 @@ TEST_CASE("what four textures lack for one kernel is measured") {
   CHECK(found.rankError == Approx(std::sqrt(distance / 0.5)).epsilon(1e-3));
 }
 
-TEST_CASE("a covariance between two is that of the straight line of their transport") {
+TEST_CASE("the covariance between two textures follows the geodesic of their transport") {
   const std::vector<MatrixXd> pair{randomCovariance(3, 3, 1), randomCovariance(3, 3, 2)};
   const MatrixXd map = transport::covarianceMap(pair[0], pair[1]);
   for (const double rho : {0.0, 0.05, 0.5, 0.8, 1.0}) {
@@ -231,7 +231,7 @@ TEST_CASE("a covariance between two is that of the straight line of their transp
   }
 }
 
-TEST_CASE("covariances that commute, and such without variance in some direction, are mixed") {
+TEST_CASE("commuting covariances and singular covariances can be mixed") {
   MatrixXd axes = Eigen::HouseholderQR<MatrixXd>(randomCovariance(4, 4, 3)).householderQ();
   const auto along = [&](double a, double b, double c, double d) -> MatrixXd {
     return axes * Eigen::Vector4d(a, b, c, d).asDiagonal() * axes.transpose();

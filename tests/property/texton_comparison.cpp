@@ -195,7 +195,7 @@ TEST_CASE("the alternating projections of order 0 are algorithm 2") {
   }
 }
 
-TEST_CASE("whole, every comparison kernel has the model's texture") {
+TEST_CASE("without cropping every comparison kernel has the model's texture") {
   const gaussian::GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18));
   CHECK(relativeModelError(model, gaussian::exemplarKernel(model, 21, 18), 0) < kNoError);
   FitOptions whole;
@@ -313,7 +313,8 @@ TEST_CASE("starts scatter by less than 1 % of the error") {
   CHECK(std::sqrt(squares - sum * sum) < 0.01 * sum);
 }
 
-TEST_CASE("of one support the texton is nearest to the model, and as flat as a random part",
+TEST_CASE("for a given support the texton is nearest to the model, and as flat as a cropped "
+          "random-phase texture",
           "[large]") {
   // [GLM14] figure 4, with the paper's support of 31 pixels.
   for (const auto& material : exemplars::kMaterials) {
@@ -363,7 +364,8 @@ double fourthPowerDeviation(const std::array<double, kOrders>& cumulants) {
 
 } // namespace
 
-TEST_CASE("at 30 impacts a pixel a texton gives nearly normal noise, the luminance texton not",
+TEST_CASE("with 30 impacts per pixel a texton gives nearly normal noise, and the luminance texton "
+          "does not",
           "[large]") {
   constexpr int kSupport = 31, kSamples = 16384;
   constexpr double kImpacts = 30.0, kIntensity = kImpacts / (kSupport * kSupport);

@@ -158,8 +158,8 @@ TEST_CASE("the covariance at a lag is sum b(k - l) alpha alpha^T, for both proce
   }
 }
 
-TEST_CASE("the kurtosis of each process is that of its closed form, and variance does not know the "
-          "grid") {
+TEST_CASE("the kurtosis of each process matches its closed form, and the variance does not depend "
+          "on the grid") {
   const double variance = covarianceAt(kHeight, syntheticCoefficients(kHeight, 0), 0, 0)[0];
   for (const PointProcess process : kProcesses) {
     const Evaluation noise(kHeight, process, 4.0, 9);
@@ -197,7 +197,7 @@ TEST_CASE("the kurtosis of each process is that of its closed form, and variance
         0.5 + excessKurtosis(any, PointProcess::stratified));
 }
 
-TEST_CASE("minified noise has the variance that mipLoss says, beyond the last mip too, and is the "
+TEST_CASE("minified noise has the variance of mipLoss, also beyond the last mip, and is the "
           "average of the noise") {
   const double variance = covarianceAt(kHeight, syntheticCoefficients(kHeight, 0), 0, 0)[0];
   const Evaluation noise(kHeight, PointProcess::stratified, 30.0, 2);
@@ -251,7 +251,7 @@ TEST_CASE("minified noise has the variance that mipLoss says, beyond the last mi
   }
 }
 
-TEST_CASE("impacts and their grid are those of the specification's test vectors") {
+TEST_CASE("impacts and their grid match the specification's test vectors") {
   std::ifstream file(sourcePath("docs/gltf_extension/test_vectors.json"));
   const nlohmann::json vectors = nlohmann::json::parse(file);
   for (const nlohmann::json& v : vectors["poissonCount"])
@@ -329,7 +329,7 @@ TEST_CASE("integer parts of the origin are exact for texton noise") {
       REQUIRE(second.pixel(x - 16, y - 24)[0] == Approx(first.pixel(x, y)[0]).margin(1e-3));
 }
 
-TEST_CASE("an evaluator of textons refuses other noises by name") {
+TEST_CASE("the error of a texton evaluator for another noise names that noise") {
   Bundle bundle = syntheticTextonBundle(kColour).bundle;
   CHECK_FALSE(TextonEvaluator::create(bundle, 1));
   bundle.noises[0].data = TilingNoise();

@@ -199,7 +199,8 @@ TEST_CASE("on an exemplar of 256 x 256 a texton is nearer to the model than the 
   }
 }
 
-TEST_CASE("a texton of what is nearly all slower than itself has no border that is seen as cloth") {
+TEST_CASE(
+    "the border of a texton of slower structure is less visible than with the papers' algorithm") {
   // Power falls with frequency to the -4: 97 % of it is slower than the support.
   constexpr int kSide = 256;
   gaussian::GaussianModel model;
@@ -256,8 +257,8 @@ TEST_CASE("no material's texton has few bright texels, whatever its spectrum") {
                    kLuminanceWeights) <= 4.0);
 }
 
-TEST_CASE("a support as large as the exemplar holds the model whole by the papers' algorithm, and "
-          "all but what an even texton costs by ours") {
+TEST_CASE("a support as large as the exemplar reproduces the model with the papers' algorithm, and "
+          "up to the cost of flatness with ours") {
   const gaussian::GaussianModel model = modelOf(threeMaterials(24, 20, 9));
   struct Cost {
     int order;

@@ -130,7 +130,7 @@ TEST_CASE("a stored texton has the error and flatness that its bake found, at ev
 }
 
 TEST_CASE(
-    "a spot as large as the exemplar is its Gaussian texture but for the colours' correction") {
+    "a spot as large as the exemplar has its Gaussian texture, up to the correction of colours") {
   // The covariance of a spot's noise is that of its texels within the support, and the model's is
   // that of texels on the torus. They agree for order 0; other orders lack the products across the
   // border.

@@ -153,7 +153,7 @@ GaussianModel modelOf(const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("counts of points follow the Poisson law, of small means and of large") {
+TEST_CASE("counts of points follow the Poisson distribution, for small and large means") {
   constexpr int kSide = 256;
   for (const double mean : {0.03, 0.7, 5.0, 32.0, 33.0, 200.0}) {
     const std::vector<float> counts = poissonCounts({-7, 90, kSide, kSide, false}, mean, 3);
@@ -211,7 +211,7 @@ TEST_CASE("Gaussian white noise is normal, and white") {
   CHECK(distance < 2.47 / std::sqrt(count));
 }
 
-TEST_CASE("summing point by point and by transforms is the same noise, on planes and on tori") {
+TEST_CASE("direct and Fourier summation give the same noise, on planes and tori") {
   const Spot spot = skewedSpot(7, 4);
   for (const bool periodic : {false, true}) {
     // Odd, prime, smaller than the spot, one pixel; far from the origin.
@@ -240,7 +240,7 @@ TEST_CASE("a crop of a noise is the noise of the crop") {
         CHECK(at(part, x, y, c) == at(whole, x + 3 + 9, y + 10 - 4, c));
 }
 
-TEST_CASE("a crop of a circular noise is the plane's where the margin holds the spot, only there") {
+TEST_CASE("a crop of a circular noise equals the plane's only if the margin contains the spot") {
   const Spot spot = skewedSpot(5, 6);
   const PixelDomain plane{2, 3, 30, 26, false};
   PixelDomain torus = plane;
@@ -276,7 +276,8 @@ TEST_CASE("a spot noise has the mean, covariances and cumulants of its spot") {
   }
 }
 
-TEST_CASE("its Gaussian limit has the covariances of the spot, and no other cumulant") {
+TEST_CASE(
+    "the Gaussian limit of spot noise has the covariances of the spot and no higher cumulant") {
   const Spot spot = skewedSpot(3, 4);
   checkMoments(spot, 0.0, [&](std::uint64_t seed) {
     return gaussianSpotNoise(spot, {0, 0, 12, 10, true}, seed);

@@ -131,8 +131,8 @@ TEST_CASE("the mean colour of any view, from magnified to one pixel per 100 tile
   }
 }
 
-TEST_CASE("contrast above one keeps the mean colour of far views, though more is hidden than the "
-          "whole variance") {
+TEST_CASE("contrast above 1 preserves the mean colour of distant views, although filtering removes "
+          "more than the whole variance") {
   const View view(bakedBundle(exemplars::moss(128)), 2.0);
   for (const double pixelTiles : {8.0 / 128, 1.0, 100.0}) {
     INFO(pixelTiles << " tiles a pixel");
@@ -321,7 +321,7 @@ TEST_CASE("a floor that recedes has the mean of its supersampled pixels and the 
     }
 }
 
-TEST_CASE("midway between two mips textons keep the variance that the two mips tell") {
+TEST_CASE("between two mips textons have the variance that both mips store") {
   // White coefficients under a bell, then smoother and smoother ones.
   for (const int smoothings : {0, 1, 3, 10, 30}) {
     const SyntheticTexton source{.coefficientsX = 40,
@@ -352,7 +352,8 @@ TEST_CASE("midway between two mips textons keep the variance that the two mips t
   }
 }
 
-TEST_CASE("each channel of a view keeps what its own losses leave, beyond the last mip too") {
+TEST_CASE(
+    "each channel of a view has the variance that its losses leave, also beyond the last mip") {
   constexpr int kSide = 128;
   const View view(bakedBundle(exemplars::rust(kSide)));
   const NoiseMap& map = view.bundle.noises[0].maps[0];
@@ -380,7 +381,7 @@ TEST_CASE("each channel of a view keeps what its own losses leave, beyond the la
   }
 }
 
-TEST_CASE("a cell has its number however far it is, modulo 2^32 or in its period") {
+TEST_CASE("the index of a distant cell is exact, modulo 2^32 or the period") {
   shader::LichenNoise noise{};
   shader::LichenTexton texton{};
   texton.texelsPerTileX = texton.texelsPerTileY = 16384.0f;

@@ -191,7 +191,7 @@ Moments momentsOf(const std::vector<double>& values) {
 
 } // namespace
 
-TEST_CASE("the steps of tiles are even, independent of their neighbours' and of the offsets") {
+TEST_CASE("tile rotations are uniform, and independent of neighbours and offsets") {
   // One false alarm in a million each; 24 comparisons in all.
   for (const std::uint32_t seed : {1u, 2u, 77u})
     for (const std::uint32_t steps : {2u, 4u, 7u, kMostTileRotation}) {
@@ -228,7 +228,7 @@ TEST_CASE("the steps of tiles are even, independent of their neighbours' and of 
     }
 }
 
-TEST_CASE("a step is its part of a turn, and quarters are exact") {
+TEST_CASE("a rotation step is its fraction of a full rotation, and quarters are exact") {
   for (const std::uint32_t steps : {2u, 3u, 4u, 5u, 12u, 1000u, kMostTileRotation})
     for (std::uint32_t step = 0; step < steps; step += std::max(1u, steps / 97u)) {
       const auto [cosine, sine] = tileTurn(step, steps);
@@ -242,7 +242,7 @@ TEST_CASE("a step is its part of a turn, and quarters are exact") {
   CHECK(tileTurn(49152, kMostTileRotation) == std::array{0.0f, -1.0f});
 }
 
-TEST_CASE("slopes are the gradient of the height, turned as its tiles are") {
+TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {
   // One tap, so that the height is not blended: a gradient of weights is not one of the exemplar's.
   constexpr TilingQuality kOneTap{3, 1e-5};
   for (const auto& [width, height] : {std::pair{256u, 256u}, {256u, 128u}, {128u, 256u}}) {
@@ -284,7 +284,7 @@ TEST_CASE("slopes are the gradient of the height, turned as its tiles are") {
   }
 }
 
-TEST_CASE("turned colours keep mean, variance and histogram wherever in a triangle a point lies",
+TEST_CASE("rotated colours have the same mean, variance and histogram everywhere in a triangle",
           "[large]") {
   const Bundle& bundle = colorBundle();
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
@@ -324,7 +324,8 @@ TEST_CASE("turned colours keep mean, variance and histogram wherever in a triang
     }
 }
 
-TEST_CASE("turning makes the correlations of stripes the same along both axes, half turns do not") {
+TEST_CASE(
+    "rotation makes the correlations of stripes equal along both axes, and half rotations do not") {
   const Bundle bundle = waveBundle(stripes, 256, 256);
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
   constexpr double kHalfWave = 1.0 / 16.0; // tiles
@@ -354,7 +355,7 @@ TEST_CASE("turning makes the correlations of stripes the same along both axes, h
   CHECK(std::abs(differenceOf(kMostTileRotation)) < 0.12);
 }
 
-TEST_CASE("turned slopes keep their second moment, and their mean turns away") {
+TEST_CASE("rotated slopes have the same second moment and a mean of 0") {
   constexpr double kMeanSlope = 0.06;
   const Bundle bundle = waveBundle(slanted, 256, 256, kMeanSlope);
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
@@ -388,7 +389,7 @@ TEST_CASE("turned slopes keep their second moment, and their mean turns away") {
   }
 }
 
-TEST_CASE("turned tiles do not depend on the host's origin, near or far") {
+TEST_CASE("rotated tiles do not depend on the host's origin") {
   for (const auto& [width, height] : {std::pair{256u, 256u}, {256u, 128u}}) {
     const Bundle bundle = waveBundle(slanted, width, height);
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
@@ -417,7 +418,7 @@ TEST_CASE("turned tiles do not depend on the host's origin, near or far") {
   }
 }
 
-TEST_CASE("turned tiles repeat where the lattice does") {
+TEST_CASE("rotated tiles repeat with the period of the lattice") {
   const Bundle bundle = waveBundle(slanted, 256, 128);
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
   for (const auto& [x, y] : {std::pair{2.0, 3.0}, {1.37, 1.37}})
@@ -442,7 +443,7 @@ TEST_CASE("turned tiles repeat where the lattice does") {
     }
 }
 
-TEST_CASE("turned tiles meet without a seam at the borders of triangles") {
+TEST_CASE("rotated tiles are continuous across triangle borders") {
   const Bundle bundle = waveBundle(slanted, 256, 128);
   for (const TilingQuality& quality : {TilingQuality{}, TilingQuality{2, 0.0}}) {
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, quality).value();

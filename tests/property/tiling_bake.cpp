@@ -137,7 +137,7 @@ TEST_CASE("the bake of a set does not depend on the number of threads", "[large]
     CHECK(one.noise.maps[m].as<TilingMap>().mipLoss == many.noise.maps[m].as<TilingMap>().mipLoss);
 }
 
-TEST_CASE("one map that does not tile makes the whole set be blended") {
+TEST_CASE("one map that does not tile makes the bake blend the whole set") {
   const auto red = [](MapExemplar map) { // a table of one axis is the fastest
     for (std::size_t i = 0; i < map.values.size() / 3; ++i)
       map.values[i] = map.values[3 * i];
@@ -161,7 +161,7 @@ TEST_CASE("one map that does not tile makes the whole set be blended") {
   CHECK(wasPeriodic({crop}));
 }
 
-TEST_CASE("options and maps out of range are refused") {
+TEST_CASE("options and maps out of range are errors") {
   const MapExemplar map = test::threeMaterials(8, 8, 1, 1);
   TilingOptions options;
   options.bits = 9;
@@ -200,8 +200,8 @@ TEST_CASE("options and maps out of range are refused") {
   CHECK(refused(broken, TilingOptions{}));
 }
 
-TEST_CASE(
-    "values beyond what tables hold are refused by value and range, up to it they are baked") {
+TEST_CASE("the error for values beyond the tables has value and range, and values up to it can be "
+          "baked") {
   MapExemplar map = test::threeMaterials(8, 8, 1, 1);
   const auto bakeWith = [&map](ValueEncoding encoding, float value) {
     map.encoding = encoding;

@@ -13,7 +13,7 @@ using namespace lichen;
 using namespace lichen::test;
 using namespace lichen::tiling;
 
-TEST_CASE("an exemplar that tiles is told from a crop that does not") {
+TEST_CASE("an exemplar tiles, and a crop of it does not") {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
     const MapExemplar whole = threeMaterials(128, 128, seed);
     CHECK(exemplar::isPeriodic(whole));
@@ -22,14 +22,14 @@ TEST_CASE("an exemplar that tiles is told from a crop that does not") {
   }
 }
 
-TEST_CASE("a strip too short to judge across is judged along") {
+TEST_CASE("a strip too narrow for seam detection across is tested along its length") {
   MapExemplar ramp = threeMaterials(256, 6, 1, 1);
   for (std::size_t i = 0; i < ramp.values.size(); ++i)
     ramp.values[i] = float(i / 3 % 256) / 255.0f;
   CHECK_FALSE(exemplar::isPeriodic(ramp));
 }
 
-TEST_CASE("the seam itself shows the displaced image alone, at every size") {
+TEST_CASE("at the seam a blended image is the displaced image, at every size") {
   for (const int side : {8, 16, 64}) {
     const Baked b = baked(threeMaterials(side, side, 2, 1));
     const std::vector<Point> faded = gaussian::crossFadeBorders(b.gaussian.matched, side, side);
@@ -44,9 +44,7 @@ TEST_CASE("the seam itself shows the displaced image alone, at every size") {
   }
 }
 
-TEST_CASE(
-    "on its border a blended image is the displaced one, which goes on there, and inside it is "
-    "as it was") {
+TEST_CASE("a blended image continues across its borders, and its middle is that of the exemplar") {
   constexpr int kWidth = 96, kHeight = 80;
   // A sixteenth of each side is blended, except in the first and the last line.
   constexpr int kBandX = kWidth / 16, kBandY = kHeight / 16;
@@ -69,7 +67,7 @@ TEST_CASE(
   CHECK(unlike == 0);
 }
 
-TEST_CASE("the weights of a blend keep the variance and change little from pixel to pixel") {
+TEST_CASE("the weights of a blend preserve the variance and change little from pixel to pixel") {
   constexpr int kSide = 256, kBand = kSide / 16, kRow = kSide / 2;
   // Only one half differs from the mean beside the left border: its deviation is its weight.
   const auto weights = [&](bool displaced) {

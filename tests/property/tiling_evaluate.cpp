@@ -73,7 +73,7 @@ TEST_CASE("the blend weights sum to 1 and the three vertices surround the point"
   }
 }
 
-TEST_CASE("taps lie whole texels away from the point, so that a texel grid stays aligned") {
+TEST_CASE("taps are offset by whole texels, so that the texel grid stays aligned") {
   const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
   for (int k = 0; k < 500; ++k) {
     const std::array<float, 2> p{(float(k) + 0.5f) / 128.0f, (float(3 * k) + 0.5f) / 128.0f};
@@ -196,7 +196,7 @@ TEST_CASE("minified views keep the mean colour of a supersampled reference", "[l
   }
 }
 
-TEST_CASE("far beyond the tile only the mean colour is left") {
+TEST_CASE("pixels much larger than a tile have the mean colour") {
   SynthesisOptions options = sized(32, 32);
   options.texelsPerTile = 0.01;
   const LinearImage image = synthesized(options);
@@ -217,7 +217,7 @@ TEST_CASE("a window far from the origin shows exactly what an overlapping window
         REQUIRE(first.pixel(x, y)[c] == second.pixel(x - 32, y - 16)[c]);
 }
 
-TEST_CASE("with a stride an image has every so-manieth pixel of the larger one, bit for bit") {
+TEST_CASE("with a stride of n an image has every nth pixel of the larger one, bit for bit") {
   const LinearImage whole = synthesized(sized(60, 60));
   SynthesisOptions options = sized(20, 20);
   options.stride = 3;
@@ -246,7 +246,7 @@ TEST_CASE("crossing an integer tile origin changes nothing") {
       REQUIRE(first.pixel(x, y)[0] == Approx(second.pixel(x - 128, y - 128)[0]).margin(9e-4));
 }
 
-TEST_CASE("an offset of the material is exact however far it goes") {
+TEST_CASE("large offsets of the material are exact") {
   // A billion tiles and three eighths become a tile origin and an offset; for a periodic lattice,
   // whole periods and a remainder. All are binary fractions: only the origin's position is rounded.
   MaterialNoise far;
@@ -347,7 +347,7 @@ TEST_CASE("a synthesized image does not depend on the number of threads") {
   CHECK(withThreads(1) == withThreads(4));
 }
 
-TEST_CASE("sizes, origins and maps out of range are refused") {
+TEST_CASE("sizes, origins and maps out of range are errors") {
   const auto refused = [](const SynthesisOptions& options) {
     const Result<LinearImage> image = synthesize(exampleBundle(), options);
     return !image && image.error().kind == ErrorKind::usage;
@@ -390,7 +390,7 @@ TEST_CASE("sizes, origins and maps out of range are refused") {
   CHECK_FALSE(synthesizePreview(exampleBundle(), material, MapTarget::baseColor, 1));
 }
 
-TEST_CASE("a noise that this version cannot evaluate is refused by name") {
+TEST_CASE("the error for a noise that this version cannot evaluate names it") {
   Bundle bundle = exampleBundle();
   bundle.noises[0].data = TextonShape();
   const Result<TilingEvaluator> otherMethod = TilingEvaluator::create(bundle, 0);

@@ -85,7 +85,7 @@ TEST_CASE("the Gaussianized image is a permutation of the stratified set") {
     }
 }
 
-TEST_CASE("flat regions stay smooth once Gaussianized") {
+TEST_CASE("flat regions stay smooth when Gaussianized") {
   // Half of the pixels share one colour: their order is free and follows the surroundings.
   MapExemplar map = threeMaterials(96, 96, 12, 6);
   for (std::size_t i = 0; i < map.values.size(); i += 3)
@@ -115,7 +115,8 @@ TEST_CASE("flat regions stay smooth once Gaussianized") {
   CHECK(steps / double(count) < 0.5 * arbitrary);
 }
 
-TEST_CASE("equal values are ordered as their surroundings are, within half a step of the file") {
+TEST_CASE(
+    "equal values are sorted by their surroundings, within half a quantization step of the file") {
   MapExemplar map;
   map.channels = {MapChannel::red};
   map.width = 64;

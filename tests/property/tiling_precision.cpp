@@ -34,7 +34,7 @@ PrecisionLoss lossOf(const Bundle& bundle, const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure", "[large]") {
+TEST_CASE("8 bits lose little more than 16, in every measure", "[large]") {
   const MapExemplar map = test::threeMaterials(128, 128, 12);
   const PrecisionLoss eight = lossOf(bakedWith(map, 8), map);
   const PrecisionLoss sixteen = lossOf(bakedWith(map, 16), map);
@@ -61,7 +61,7 @@ TEST_CASE("8 bits lose little more of an exemplar than 16, in every measure", "[
   CHECK(*eight.roundTrip < *sixteen.roundTrip + kRounded);
 }
 
-TEST_CASE("an image that is stored in fewer steps has lost more") {
+TEST_CASE("coarser quantization loses more") {
   const MapExemplar map = test::threeMaterials(96, 96, 12);
   Bundle bundle = bakedWith(map, 8);
   const PrecisionLoss before = lossOf(bundle, map);
@@ -72,7 +72,7 @@ TEST_CASE("an image that is stored in fewer steps has lost more") {
   CHECK(*after.roundTrip > 1.5 * *before.roundTrip);
 }
 
-TEST_CASE("the measures are those of the decoded texels") {
+TEST_CASE("precision is measured on the decoded texels") {
   // A constant table: the whole variance is lost, and the distance is that of the exemplar to a
   // single colour.
   const MapExemplar map = test::threeMaterials(64, 64, 3);
@@ -91,7 +91,7 @@ TEST_CASE("the measures are those of the decoded texels") {
         Approx(std::sqrt(squares / double(map.values.size() / 3) / 3.0)).epsilon(0.05));
 }
 
-TEST_CASE("an exemplar of another shape is refused") {
+TEST_CASE("an exemplar of another shape is an error") {
   const MapExemplar map = test::threeMaterials(32, 32, 3);
   const Bundle bundle = bakedWith(map, 8);
   CHECK_FALSE(precisionLoss(bundle, 0, 0, test::threeMaterials(32, 16, 3), true));

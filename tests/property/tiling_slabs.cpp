@@ -30,7 +30,7 @@ double deviate(std::uint64_t seed, std::uint64_t counter) {
 
 } // namespace
 
-TEST_CASE("the mips of white noise lose what averaging of white noise must lose", "[large]") {
+TEST_CASE("mips of white noise lose the variance that averaging removes", "[large]") {
   // Each mip averages four independent texels: it keeps a quarter of the variance of the level
   // before.
   Gaussianized white{
@@ -179,7 +179,7 @@ TEST_CASE("slabs blur a step along any axis as the Gaussian does", "[large]") {
     }
 }
 
-TEST_CASE("a slab holds the expectation of the table under what a fetch has lost") {
+TEST_CASE("a slab stores the expectation of the table over the variance that a fetch loses") {
   const Baked b = baked(threeMaterials(96, 96, 4));
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, light(b.map), 3, transport::TransportOptions{});

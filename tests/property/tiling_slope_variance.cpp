@@ -61,8 +61,7 @@ SlopeTable slopeTable(const MapExemplar& map, bool shuffled) {
 
 } // namespace
 
-TEST_CASE("the third channel of a slope table is the variance of what a fetch has lost",
-          "[large]") {
+TEST_CASE("the third channel of a slope table is the variance that a fetch loses", "[large]") {
   const SlopeTable t = slopeTable(slopes(), true);
   const double whole = interpolatedMoments(t.table).covariance.trace() / 2.0;
   std::mt19937 random(5);
@@ -92,7 +91,7 @@ TEST_CASE("the third channel of a slope table is the variance of what a fetch ha
     }
 }
 
-TEST_CASE("on every slab shown and hidden variance of the slopes add up to the exemplar's",
+TEST_CASE("on every slab the visible and the lost variance of slopes sum to the exemplar's",
           "[large]") {
   for (const bool flatAcross : {false, true}) {
     const MapExemplar map = slopes(flatAcross);
@@ -131,7 +130,7 @@ TEST_CASE("on every slab shown and hidden variance of the slopes add up to the e
   }
 }
 
-TEST_CASE("over the fetches of mips that are not Gaussian they add up too") {
+TEST_CASE("visible and lost variance also sum up over mips that are not Gaussian") {
   const SlopeTable t = slopeTable(slopes(), false);
   const double whole = interpolatedMoments(t.table).covariance.trace() / 2.0;
   for (std::size_t k = 1; k + 1 < t.slabs.size(); ++k) {
@@ -142,7 +141,7 @@ TEST_CASE("over the fetches of mips that are not Gaussian they add up too") {
   }
 }
 
-TEST_CASE("magnified slopes hide nothing, and far away they hide everything") {
+TEST_CASE("magnified slopes lose no variance, and distant slopes lose all of it") {
   const MapExemplar map = slopes();
   Result<TilingBake> bake = bakeTiling("slopes", {&map, 1}, {});
   REQUIRE(bake);

@@ -83,7 +83,7 @@ TEST_CASE("the table stays inside the hull of the exemplar's colours", "[large]"
   }
 }
 
-TEST_CASE("cells beside each other in the tails of slopes differ by no more than means do") {
+TEST_CASE("neighbouring cells in the tails of slopes differ no more than their means") {
   // Two independent slopes with Laplace's distribution, standard deviation 1, in random order. The
   // outermost 1/64 of one slope has an exponential distribution of standard deviation sqrt(1/2)
   // beyond the quantile. T of one slope does not depend on the other, so all cells along that edge

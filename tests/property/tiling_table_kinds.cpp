@@ -82,7 +82,7 @@ exemplar::Moments lightMoments(const MapExemplar& map) {
 
 } // namespace
 
-TEST_CASE("exemplars that are Gaussian are told from those that are not", "[large]") {
+TEST_CASE("the bake distinguishes Gaussian exemplars from others", "[large]") {
   for (const std::uint64_t seed : {1u, 2u, 3u})
     for (const int radius : {0, 1, 2}) {
       INFO("radius " << radius << ", distance "
@@ -98,7 +98,8 @@ TEST_CASE("exemplars that are Gaussian are told from those that are not", "[larg
   CHECK_FALSE(gaussian::isGaussian(test::threeMaterials(128, 128, 4)));
 }
 
-TEST_CASE("of two exemplars as far from a Gaussian, only the one that chance took there passes") {
+TEST_CASE("of two exemplars at the same distance from a Gaussian, only the one within sampling "
+          "error passes") {
   // Between half a step and one step of 8 bits, surrogates decide. 16,384 independent values prove
   // the skew; patches of 15 x 15 texels hold only some seventy.
   const MapExemplar skewed = gaussianExemplar(128, 0, 0.08, 4, 0.45);
@@ -111,7 +112,7 @@ TEST_CASE("of two exemplars as far from a Gaussian, only the one that chance too
   CHECK(gaussian::isGaussian(smooth));
 }
 
-TEST_CASE("the distance to a Gaussian is that of the quantiles") {
+TEST_CASE("the distance to a Gaussian is the distance of the quantiles") {
   // The uniform distribution on an interval with standard deviation s: its squared distance to the
   // Gaussian of the same moments is 2 s^2 (1 - integral of sqrt(12) (u - 1/2) q(u)) = 2 s^2 (1 -
   // sqrt(3 / pi)).
@@ -183,7 +184,7 @@ TEST_CASE("only exemplars that span all their channels can do without a table") 
   CHECK(bakedWith(grey, options).noises[0].maps[0].as<TilingMap>().inverseTable.has_value());
 }
 
-TEST_CASE("dither of a 16-bit file is too thin a dimension to do without a table") {
+TEST_CASE("a dimension with only the dither of a 16-bit file needs a table") {
   // The covariance exceeds rounding, but the format has too few digits to store it as definite.
   MapExemplar dithered = gaussianExemplar(64, 1, 0.2, 8);
   dithered.encoding = ValueEncoding::linear;
@@ -295,8 +296,7 @@ TEST_CASE("a noise with a separable table has the exemplar's light, near and far
   CHECK((far.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.004);
 }
 
-TEST_CASE(
-    "a colour that hardly varies in light has a joint table where a separable one is wanted") {
+TEST_CASE("a colour with little variance gets a joint table although separable is requested") {
   // Dark red and green vary by one code step. This is negligible beside full blue, whose code step
   // is seventeen times the light.
   constexpr int kSide = 64;
@@ -314,8 +314,7 @@ TEST_CASE(
   CHECK(bakedWith(dark, options).noises[0].maps[0].as<TilingMap>().tableBasis.empty());
 }
 
-TEST_CASE("maps of one dimension, slopes and light above 1 have a joint table in any case",
-          "[large]") {
+TEST_CASE("one-dimensional maps, slopes and light above 1 always have a joint table", "[large]") {
   MapExemplar grey = test::threeMaterials(48, 48, 2);
   for (std::size_t i = 0; i < grey.values.size(); ++i)
     grey.values[i] = grey.values[i - i % 3];

@@ -98,7 +98,7 @@ TEST_CASE("a smaller step of the prices gives a closer bound") {
   CHECK(missing(kFine) < missing(kCoarse));
 }
 
-TEST_CASE("sets that are one, shifted, have their distance for a bound") {
+TEST_CASE("the bound of a set and its translation is their distance") {
   const Points source = gaussianCloud(1000, 10);
   Points target = source;
   for (Point& p : target)
@@ -151,7 +151,7 @@ TEST_CASE("a linear map between two clouds has the prices of its closed form") {
   CHECK(residual < 1e-3 * variance);
 }
 
-TEST_CASE("an auction makes any matching nearly optimal, and bounds what is left") {
+TEST_CASE("an auction makes any matching nearly optimal, and bounds the remaining error") {
   for (const NamedSet& source : everyKindOfSet(300, 14)) {
     const Points target = gaussianCloud(300, 15);
     const std::vector<std::uint32_t> exact = exactAssignment(source.points, target);

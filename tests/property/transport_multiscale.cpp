@@ -62,7 +62,7 @@ TEST_CASE("a partition of a set and itself, shifted, matches every point with it
   CHECK(order.source == order.target);
 }
 
-TEST_CASE("an auction among all sites ends within one increment a pair of the optimum") {
+TEST_CASE("an auction among all sites ends within one increment per pair of the optimum") {
   constexpr std::size_t kCount = 200;
   for (const NamedSet& set : everyKindOfSet(kCount, 7)) {
     const Points target = gaussianCloud(kCount, 8);
@@ -93,7 +93,7 @@ TEST_CASE("an auction among all sites ends within one increment a pair of the op
   }
 }
 
-TEST_CASE("an auction gives a site to one buyer only, also when it ends early") {
+TEST_CASE("an auction assigns each site to one buyer, also when it ends early") {
   const PointArrays buyers = arrays(clusters(100, 9));
   const PointArrays sites = arrays(gaussianCloud(100, 10));
   LeafAuction auction(buyers, sites, std::vector<float>(100, 0.0f));

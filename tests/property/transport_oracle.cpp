@@ -48,7 +48,7 @@ TEST_CASE("a problem of one block is solved exactly") {
       }
 }
 
-TEST_CASE("a problem of several blocks is solved to within 0.8 %, or 6.5 % of mere noise",
+TEST_CASE("a problem of several blocks is solved to within 0.8 %, or 6.5 % for pure noise",
           "[large]") {
   double sum = 0.0;
   int problems = 0;

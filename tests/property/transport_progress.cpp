@@ -8,7 +8,7 @@
 
 using namespace lichen;
 
-TEST_CASE("a bake's progress rises from 0 to 1 and does not change what is made") {
+TEST_CASE("a bake's progress rises from 0 to 1 and does not change the result") {
   const MapExemplar map = test::threeMaterials(48, 48, 1);
   std::vector<double> fractions;
   TilingOptions watched;
@@ -28,7 +28,7 @@ TEST_CASE("a bake's progress rises from 0 to 1 and does not change what is made"
   CHECK(fractions.back() == 1.0);
 }
 
-TEST_CASE("a bake whose caller stops it makes nothing and says so, at every step") {
+TEST_CASE("a bake that the caller stops returns an error, at every step") {
   const MapExemplar map = test::threeMaterials(24, 24, 2);
   int steps = 0;
   TilingOptions options;
@@ -56,27 +56,26 @@ MapExemplar greyOf(MapExemplar map) {
 
 } // namespace
 
-TEST_CASE(
-    "bakes of every kind tell how far they are at many steps, and end where they are stopped") {
+TEST_CASE("bakes of every kind report progress often, and end when the caller stops them") {
   MapExemplar map = test::threeMaterials(48, 48, 4);
   const auto check = [&](const TilingOptions& wanted, const MapExemplar& exemplar,
                          std::size_t fewest) {
     TilingOptions options = wanted;
-    std::vector<double> told;
+    std::vector<double> reported;
     options.progress = [&](double fraction) {
-      told.push_back(fraction);
+      reported.push_back(fraction);
       return true;
     };
-    REQUIRE(bakeTiling("told", {&exemplar, 1}, options).ok());
-    CHECK(told.size() >= fewest);
-    CHECK(std::is_sorted(told.begin(), told.end()));
-    CHECK(told.back() == 1.0);
-    for (std::size_t last = 1; last <= told.size(); ++last) {
+    REQUIRE(bakeTiling("reported", {&exemplar, 1}, options).ok());
+    CHECK(reported.size() >= fewest);
+    CHECK(std::is_sorted(reported.begin(), reported.end()));
+    CHECK(reported.back() == 1.0);
+    for (std::size_t last = 1; last <= reported.size(); ++last) {
       std::size_t calls = 0;
       options.progress = [&](double) { return ++calls < last; };
-      const Result<TilingBake> stopped = bakeTiling("told", {&exemplar, 1}, options);
+      const Result<TilingBake> stopped = bakeTiling("reported", {&exemplar, 1}, options);
       REQUIRE_FALSE(stopped.ok());
-      CHECK(stopped.error().message == "told: interrupted");
+      CHECK(stopped.error().message == "reported: interrupted");
       CHECK(calls == last);
     }
   };

@@ -78,7 +78,7 @@ TEST_CASE("in one dimension the matching is the sorted one") {
   }
 }
 
-TEST_CASE("moving all points by one vector leaves the matching as it is") {
+TEST_CASE("translating all points does not change the matching") {
   // Coordinates in 1/256 and a power of two of points: sums, means and shifted values are exact.
   constexpr std::size_t kCount = 4096;
   const auto onGrid = [](Points points, float shift) {
@@ -110,7 +110,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("a good start is not made worse") {
+TEST_CASE("the matching is never worse than its start") {
   const Points source = quantizedColors(2000, 9);
   const Points target = gaussianCloud(2000, 10);
   const std::vector<std::uint32_t> start = assign(source, target, {});
@@ -133,7 +133,7 @@ TEST_CASE("one thread and two give the same matching, and so does a second run")
   }
 }
 
-TEST_CASE("exchanges that only rounding calls better come to an end") {
+TEST_CASE("exchanges that gain only by rounding end") {
   // Two clusters. In each, the sources lie on a line and the targets on an orthogonal one, so that
   // the products of their differences are only rounding.
   const Point a{0.26726124f, 0.53452248f, 0.80178373f};

@@ -103,8 +103,8 @@ const Vec3 kNormals[] = {
 
 } // namespace
 
-TEST_CASE("variance and histogram are those of one plane whatever the normal; those of plain "
-          "triplanar blending are not") {
+TEST_CASE("variance and histogram are those of one plane for every normal, unlike linear triplanar "
+          "blending") {
   const Tiling& t = tiling();
   const shader::LichenNoise noise = shaderNoise(t.bundle, triplanarMaterial(), {});
   const auto blended = [&](const TriplanarFootprint& at) { return t.twin.evaluate(0, noise, at); };
@@ -136,7 +136,7 @@ TEST_CASE("variance and histogram are those of one plane whatever the normal; th
   }
 }
 
-TEST_CASE("where one plane counts, the noise is that of its texture coordinates") {
+TEST_CASE("where one plane has all the weight, the noise is that of its texture coordinates") {
   const Tiling& t = tiling();
   MaterialNoise material = triplanarMaterial();
   material.scale = 1.3;
@@ -166,7 +166,7 @@ TEST_CASE("where one plane counts, the noise is that of its texture coordinates"
   }
 }
 
-TEST_CASE("from any tile origin, the pattern is the same") {
+TEST_CASE("the pattern does not depend on the tile origin") {
   const Tiling& t = tiling();
   for (const double rotation : {0.0, 0.7}) {
     MaterialNoise material = triplanarMaterial();
@@ -202,7 +202,7 @@ TEST_CASE("from any tile origin, the pattern is the same") {
   }
 }
 
-TEST_CASE("the gradient in space is that of the height which all planes show") {
+TEST_CASE("the gradient in space is that of the blended height") {
   // Order 3, whose derivatives are continuous; a tile is 0.8 m wide.
   const SyntheticTexton source{.order = 3, .channels = 1};
   Bundle bundle = syntheticTextonBundle(source).bundle;
@@ -285,7 +285,7 @@ struct Textons {
 
 } // namespace
 
-TEST_CASE("weights, places and gradients of planes are those of the published test vectors") {
+TEST_CASE("weights, positions and gradients of planes match the published test vectors") {
   for (const nlohmann::json& v : vectors()["planeWeights"]) {
     shader::LichenNoise noise = shaderNoise(tiling().bundle, triplanarMaterial(), {});
     noise.planeSharpness = v["planeSharpness"];
@@ -328,7 +328,7 @@ TEST_CASE("weights, places and gradients of planes are those of the published te
   }
 }
 
-TEST_CASE("the origins of planes are those of the published test vectors") {
+TEST_CASE("the origins of planes match the published test vectors") {
   for (const nlohmann::json& v : vectors()["planeOrigins"]) {
     Textons textons(v);
     textons.material.offset = v["offset"].get<std::array<double, 2>>();
