@@ -252,11 +252,11 @@ TEST_CASE("a photograph is baked upright, as its EXIF orientation says") {
   for (int y = 0; y < 16; ++y)
     for (int x = 0; x < 24; ++x)
       *upright.pixel(x, y) = float(samples::pngCode(stored, y, 23 - x, 0)) / 255.0f;
-  const std::string turned = workplace.write("stored.png", file);
-  bake(workplace, turned, "a.glb", {"--name", "x"});
+  const std::string rotated = workplace.write("stored.png", file);
+  bake(workplace, rotated, "a.glb", {"--name", "x"});
   bake(workplace, workplace.write("upright.png", upright), "b.glb", {"--name", "x"});
   CHECK((workplace.read("a.glb") == workplace.read("b.glb")));
-  const std::vector<nlohmann::json> notes = notesOf(workplace, turned);
+  const std::vector<nlohmann::json> notes = notesOf(workplace, rotated);
   CHECK(std::find(notes.begin(), notes.end(),
                   "rotated or mirrored according to its EXIF orientation 6") != notes.end());
 }

@@ -147,8 +147,8 @@ TEST_CASE("enlarging interpolates a linear ramp exactly") {
 TEST_CASE("resampling wraps around borders that fit") {
   const MapExemplar map = test::threeMaterials(32, 32, 9);
   const MapExemplar direct = resampled(map, 16, 8, true);
-  const MapExemplar turned = resampled(rolled(map, 6, 12), 16, 8, true);
-  CHECK(largestDifference(turned, rolled(direct, 3, 3)) < kRounding);
+  const MapExemplar shiftedFirst = resampled(rolled(map, 6, 12), 16, 8, true);
+  CHECK(largestDifference(shiftedFirst, rolled(direct, 3, 3)) < kRounding);
   CHECK(largestDifference(resampled(rolled(map, 6, 12), 16, 8, false), rolled(direct, 3, 3)) >
         0.01);
 }
@@ -322,20 +322,20 @@ TEST_CASE("rotating a normal map rotates its normals, which still match the heig
   for (const bool greenPointsDown : {false, true})
     for (int orientation = 1; orientation <= 8; ++orientation) {
       INFO("orientation " << orientation << ", green points down " << greenPointsDown);
-      const ImageFile turned = upright({height, 8, orientation, {}});
+      const ImageFile rotated = upright({height, 8, orientation, {}});
       const NamedImage normals{upright({normalsOf(height, greenPointsDown), 8, orientation, {}}),
                                "normals", "normals"};
       std::vector<std::string> notes;
       const MapExemplar map = normalMap(normals, greenPointsDown, notes).value();
-      const auto& seen = std::get<SrgbImage>(turned.pixels);
-      REQUIRE(map.width == seen.width);
+      const auto& actual = std::get<SrgbImage>(rotated.pixels);
+      REQUIRE(map.width == actual.width);
       double worst = 0.0;
       for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x)
           for (std::size_t c = 0; c < 2; ++c)
             worst = std::max(
                 worst, std::abs(double(map.values[std::size_t(2 * (y * map.width + x) + int(c))]) -
-                                slopesAt(seen, x, y)[c]));
+                                slopesAt(actual, x, y)[c]));
       CHECK(worst < kRounding);
     }
 }

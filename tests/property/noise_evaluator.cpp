@@ -88,10 +88,11 @@ TEST_CASE("slopes rotate against the rotation of the texture coordinates") {
   const double cosine = std::cos(material.rotation), sine = std::sin(material.rotation);
   for (const auto& [u, v] : kPoints) {
     const Value tile = noise->evaluate(0, onTiles(material, u, v));
-    const Value turned = noise->evaluateUv(0, {{float(u), float(v)}, {}, {}});
+    const Value rotated = noise->evaluateUv(0, {{float(u), float(v)}, {}, {}});
     // x' = cos x + sin y, y' = -sin x + cos y with v down: slopes have y up.
-    checkSame(turned, {float(cosine * double(tile[0]) + sine * double(tile[1])),
-                       float(cosine * double(tile[1]) - sine * double(tile[0])), tile[2], tile[3]});
+    checkSame(rotated,
+              {float(cosine * double(tile[0]) + sine * double(tile[1])),
+               float(cosine * double(tile[1]) - sine * double(tile[0])), tile[2], tile[3]});
   }
 }
 

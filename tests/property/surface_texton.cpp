@@ -100,7 +100,7 @@ void atIndependentPlaces(int count, const Act& act) {
 
 /// The share of the covariance that remains between parallel tangent planes `distance` apart: int
 /// w(t) w(t + d) dt / int w^2 dt with w(t) = (1 - 2 |t| / r)+.
-double keptAcrossPlanes(double distance, double thickness) {
+double attenuationAcrossPlanes(double distance, double thickness) {
   constexpr int kSamples = 4000;
   const auto weight = [&](double t) { return std::max(0.0, 1.0 - 2.0 * std::abs(t) / thickness); };
   double product = 0.0, square = 0.0;
@@ -150,7 +150,7 @@ TEST_CASE("the covariance in a tangent plane of any direction is that of noise i
             products[3 * c + d] += here[c] * there[d] / kCount;
         }
       });
-      const double kept = keptAcrossPlanes(across, thicknessOf(kColour));
+      const double attenuation = attenuationAcrossPlanes(across, thicknessOf(kColour));
       const std::vector<double> inPlane = covarianceAt(kColour, alpha, lagX, lagY);
       INFO("lag " << lagX << ", " << lagY << ", " << across << ", " << nameOf(one.process));
       for (std::size_t c = 0; c < 3; ++c) {
@@ -158,7 +158,7 @@ TEST_CASE("the covariance in a tangent plane of any direction is that of noise i
         // kurtosis.
         CHECK(std::abs(mean[c]) < 5.0 * std::sqrt(whole[4 * c] / kCount));
         for (std::size_t d = 0; d < 3; ++d) {
-          const double expected = kept * inPlane[3 * c + d];
+          const double expected = attenuation * inPlane[3 * c + d];
           const double error =
               std::sqrt((whole[4 * c] * whole[4 * d] + expected * expected) / kCount);
           CHECK(std::abs(products[3 * c + d] - expected) < 5.0 * 1.1 * error);
@@ -360,18 +360,18 @@ TEST_CASE("noise rotates with the tangent, is mirrored by its w, and works witho
   const Vec place{7.0, -3.0, 20.0};
   const SurfaceFootprint at = plain.footprint(place, plane);
   // p = (c u + s v, -s u + c v): the exemplar's x grows along (c, s).
-  SurfaceFootprint turned = at;
+  SurfaceFootprint rotatedAt = at;
   const Vec along = sum(std::cos(0.7), plane.right, std::sin(0.7), plane.down);
   for (std::size_t k = 0; k < 3; ++k)
-    turned.tangent[k] = float(along[k]);
-  const auto expected = plain.twin.gaussian(0, plain.noise, plain.texton, turned);
+    rotatedAt.tangent[k] = float(along[k]);
+  const auto expected = plain.twin.gaussian(0, plain.noise, plain.texton, rotatedAt);
   const auto value = rotated.twin.gaussian(0, rotated.noise, rotated.texton, at);
   for (std::size_t c = 0; c < 3; ++c)
     CHECK(value[c] == Approx(expected[c]).margin(1e-5));
 
   // Flipping the bitangent and the direction rotates the exemplar by 180 degrees.
-  const auto gaussianAt = [&](const SurfaceFootprint& seen) {
-    return plain.twin.gaussian(0, plain.noise, plain.texton, seen)[0];
+  const auto gaussianAt = [&](const SurfaceFootprint& footprint) {
+    return plain.twin.gaussian(0, plain.noise, plain.texton, footprint)[0];
   };
   SurfaceFootprint mirrored = at, halfTurn = at, behind = at;
   mirrored.tangent[3] = halfTurn.tangent[3] = -1.0f;

@@ -88,7 +88,8 @@ struct Evaluation {
 
 } // namespace
 
-TEST_CASE("the ends of a mix have the statistics of their exemplars, and means lie between") {
+TEST_CASE("the ends of a mix have the statistics of their exemplars, and means between them are "
+          "interpolated") {
   const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1),
                                              exemplarOf("c", 9)};
   const TextonMixBake bake = bakeOf(exemplars, smallOptions(5));
@@ -116,7 +117,7 @@ TEST_CASE("the ends of a mix have the statistics of their exemplars, and means l
   }
 }
 
-TEST_CASE("weights make one texton of the exemplars' mean") {
+TEST_CASE("weights give one texton with the exemplars' weighted mean") {
   const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1),
                                              exemplarOf("c", 9)};
   TextonMixOptions options = smallOptions(21);
@@ -135,7 +136,8 @@ TEST_CASE("weights make one texton of the exemplars' mean") {
   checkStatistics(alone.noise.maps[0].mean, alone.noise.maps[0].covariance, exemplars[1].maps[0]);
 }
 
-TEST_CASE("a quiet map of a set has its covariance at both ends, beside a loud one") {
+TEST_CASE(
+    "a low-contrast map of a set has its covariance at both ends, beside a high-contrast one") {
   std::vector<MixedExemplar> exemplars;
   for (const std::uint64_t seed : {7u, 8u}) {
     const MapExemplar color = threeMaterials(48, 48, seed);
@@ -155,7 +157,8 @@ TEST_CASE("a quiet map of a set has its covariance at both ends, beside a loud o
   }
 }
 
-TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what that step keeps") {
+TEST_CASE("the variance of filtered noise at each step of a mix is that of its losses, also beyond "
+          "the last mip") {
   // Steps with 1, 1.5 and 2 times the first standard deviation, of unrelated white coefficients.
   BundleFile file = syntheticTextonBundle(
       {.coefficientsX = 12, .coefficientsY = 10, .mipLevels = 2, .steps = 3, .channels = 1});
@@ -195,7 +198,7 @@ TEST_CASE("filtered variance at each step of a mix, and beyond its mips, is what
     }
 }
 
-TEST_CASE("along a ramp local mean and variance stay those between the steps") {
+TEST_CASE("along a ramp local mean and variance interpolate between the steps") {
   const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1)};
   const TextonMixBake bake = bakeOf(exemplars, smallOptions(9));
   // One texel per pixel; windows as wide as a texton, at least two per step of 27 columns.
@@ -236,7 +239,7 @@ TEST_CASE("along a ramp local mean and variance stay those between the steps") {
   CHECK(all == Approx(1.0).margin(4.0 * windowError / std::sqrt(double(sums.size())) + 0.02));
 }
 
-TEST_CASE("what cannot be mixed is refused by name") {
+TEST_CASE("the error for exemplars that cannot be mixed names them") {
   const MixedExemplar moss = exemplarOf("moss", 7), rock = exemplarOf("rock", 8);
   const auto message = [](const std::vector<MixedExemplar>& exemplars,
                           const TextonMixOptions& options, ErrorKind kind) {

@@ -80,8 +80,7 @@ std::string messageOf(const Result<TextonMix>& result, ErrorKind kind) {
 
 } // namespace
 
-TEST_CASE(
-    "the textons at the ends of a path are nearly as near their exemplars as their own fits") {
+TEST_CASE("the textons at the ends of a path have nearly the error of separate fits") {
   // Sharing one phase per frequency between two spectra costs up to 7 % here and 1 % on
   // photographs. A low-contrast exemplar is not neglected.
   for (const int order : {0, 1, 3}) {
@@ -118,7 +117,7 @@ TEST_CASE("every step has the covariance of the exemplars' transport barycentre"
   }
 }
 
-TEST_CASE("a grey exemplar stored as colour, and one of one colour, can be an end") {
+TEST_CASE("a path can end at a grey exemplar stored as colour and at one of a single colour") {
   const MixExemplar color = exemplarOf(threeMaterials(32, 32, 7));
   const MixExemplar grey = exemplarOf(greyed(threeMaterials(32, 32, 9)));
   for (const auto& [first, second] : {std::pair{grey, color}, {color, grey}, {grey, grey}}) {
@@ -146,7 +145,7 @@ TEST_CASE("a grey exemplar stored as colour, and one of one colour, can be an en
       CHECK(std::abs(value) < 1e-6f);
 }
 
-TEST_CASE("neighbouring textons are near, and much nearer than those of fits by themselves") {
+TEST_CASE("neighbouring textons of a path differ much less than separate fits") {
   const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(48, 48, 7)),
                                            exemplarOf(threeMaterials(48, 48, 8, 1))};
   const TextonMix mix = pathOf(exemplars, support(16, 20));
@@ -178,7 +177,7 @@ TEST_CASE("neighbouring textons are near, and much nearer than those of fits by 
   CHECK(error < 1.05 * errorAlone);
 }
 
-TEST_CASE("a path leads through all exemplars, and exemplars of other sizes share its tile") {
+TEST_CASE("a path goes through all exemplars, and exemplars of other sizes use its tile") {
   const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(32, 24, 1)),
                                            exemplarOf(threeMaterials(16, 16, 2, 1)),
                                            exemplarOf(threeMaterials(30, 40, 3))};
@@ -206,7 +205,7 @@ TEST_CASE("a path leads through all exemplars, and exemplars of other sizes shar
   CHECK(inside.value().steps[0].modelError < 1.0);
 }
 
-TEST_CASE("what cannot be mixed is refused with its reason") {
+TEST_CASE("the error for exemplars that cannot be mixed gives the reason") {
   const MixExemplar color = exemplarOf(threeMaterials(16, 16, 1), "moss.png");
   MapExemplar grey{MapTarget::baseColor, {MapChannel::red}, ValueEncoding::srgb, 8, 8, {}};
   for (int i = 0; i < 64; ++i)
@@ -241,7 +240,8 @@ TEST_CASE("what cannot be mixed is refused with its reason") {
         "photograph with detail");
 }
 
-TEST_CASE("a mix tells how far it is, ends when it is told to, and is the same on any threads") {
+TEST_CASE(
+    "a mix reports progress, the caller can stop it, and the result does not depend on threads") {
   const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(24, 24, 1)),
                                            exemplarOf(threeMaterials(24, 24, 2))};
   MixOptions options = support(8, 3);
@@ -345,7 +345,8 @@ double stepVisibility(const std::vector<std::vector<double>>& fields) {
 
 } // namespace
 
-TEST_CASE("no step of a path shows in the local mean and variance; those of fits apart do") {
+TEST_CASE("the steps of a path are invisible in local mean and variance, and those of separate "
+          "fits are not") {
   const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(48, 48, 7)),
                                            exemplarOf(threeMaterials(48, 48, 8, 1))};
   std::vector<TextonCoefficients> path;

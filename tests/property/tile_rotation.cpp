@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::array<std::uint32_t, 5> kSteps{2, 3, 4, 5, kMostTileRotation};
 
-MaterialNoise turnedBy(std::uint32_t steps) {
+MaterialNoise rotatedBy(std::uint32_t steps) {
   MaterialNoise material;
   material.tileRotation = steps;
   return material;
@@ -249,7 +249,7 @@ TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {
     const Bundle bundle = waveBundle(slanted, width, height);
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, kOneTap).value();
     for (const std::uint32_t steps : kSteps) {
-      const shader::LichenNoise noise = shaderNoise(bundle, turnedBy(steps), {});
+      const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
       int compared = 0;
       double largest = 0.0;
       for (std::uint32_t k = 0; k < 2000; ++k) {
@@ -290,7 +290,7 @@ TEST_CASE("rotated colours have the same mean, variance and histogram everywhere
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
   constexpr double kTexels = 128.0;
   const auto samples = [&](std::uint32_t steps, double f, double g) {
-    const shader::LichenNoise noise = shaderNoise(bundle, turnedBy(steps), {});
+    const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
     std::vector<double> values;
     for (int j = 0; j < 90; ++j)
       for (int i = 0; i < 90; ++i) {
@@ -330,7 +330,7 @@ TEST_CASE(
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
   constexpr double kHalfWave = 1.0 / 16.0; // tiles
   const auto differenceOf = [&](std::uint32_t steps) {
-    const shader::LichenNoise noise = shaderNoise(bundle, turnedBy(steps), {});
+    const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
     double alongX = 0.0, alongY = 0.0, squares = 0.0;
     for (std::uint32_t k = 0; k < 20000; ++k) {
       const TileFootprint at = randomPoint(k, 200.0);
@@ -360,7 +360,7 @@ TEST_CASE("rotated slopes have the same second moment and a mean of 0") {
   const Bundle bundle = waveBundle(slanted, 256, 256, kMeanSlope);
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
   const auto measure = [&](std::uint32_t steps) {
-    const shader::LichenNoise noise = shaderNoise(bundle, turnedBy(steps), {});
+    const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
     std::array<double, 3> sums{};
     constexpr int kPoints = 20000;
     for (std::uint32_t k = 0; k < kPoints; ++k) {
@@ -398,8 +398,8 @@ TEST_CASE("rotated tiles do not depend on the host's origin") {
         Placement here, there;
         here.tileOriginX = far, here.tileOriginY = -far;
         there.tileOriginX = far - 3, there.tileOriginY = 5 - far;
-        const shader::LichenNoise a = shaderNoise(bundle, turnedBy(steps), here);
-        const shader::LichenNoise b = shaderNoise(bundle, turnedBy(steps), there);
+        const shader::LichenNoise a = shaderNoise(bundle, rotatedBy(steps), here);
+        const shader::LichenNoise b = shaderNoise(bundle, rotatedBy(steps), there);
         for (std::uint32_t k = 0; k < 300; ++k) {
           const TileFootprint at = randomPoint(k, 4.0);
           TileFootprint moved = at;
@@ -427,7 +427,7 @@ TEST_CASE("rotated tiles repeat with the period of the lattice") {
       placement.periodic = true;
       placement.periodTilesX = x;
       placement.periodTilesY = y;
-      const shader::LichenNoise noise = shaderNoise(bundle, turnedBy(steps), placement);
+      const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), placement);
       for (std::uint32_t k = 0; k < 500; ++k) {
         const TileFootprint at = randomPoint(k, 3.0);
         for (const auto& [columns, rows] : {std::pair{1, 0}, {0, 1}, {-2, 1}}) {
@@ -448,7 +448,7 @@ TEST_CASE("rotated tiles are continuous across triangle borders") {
   for (const TilingQuality& quality : {TilingQuality{}, TilingQuality{2, 0.0}}) {
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, quality).value();
     for (const std::uint32_t steps : kSteps) {
-      const shader::LichenNoise noise = shaderNoise(bundle, turnedBy(steps), {});
+      const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
       // A jump keeps its height at any step size; a continuous change is proportional to the step
       // size.
       const auto largestStep = [&](std::size_t map, double texels) {

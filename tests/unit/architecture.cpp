@@ -24,7 +24,7 @@ std::string textOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Our own C++, by path relative to the root. Shaders and tests have rooms of their own.
+/// Our own C++, by path relative to the root. Not shaders and tests, which have folders by method.
 std::map<std::string, std::string> sources() {
   std::map<std::string, std::string> texts;
   for (const char* folder : {"analysis", "bundle", "engine_plugin", "image", "files", "samples"})
@@ -35,8 +35,8 @@ std::map<std::string, std::string> sources() {
   return texts;
 }
 
-/// Whether a file lies in a method's room: a folder or a file that has the method's name.
-bool isInRoom(const std::string& path) {
+/// Whether a file belongs to a method: its folder or its name has the name of the method.
+bool belongsToMethod(const std::string& path) {
   for (const Method method : allMethods()) {
     const std::string name(nameOf(method));
     if (path.find("/" + name + "/") != std::string::npos ||
@@ -63,11 +63,11 @@ TEST_CASE("the files that name a method are those that docs/architecture.md list
   std::set<std::string> listed, found;
   const std::string page = textOf(sourcePath("docs/architecture.md"));
   const std::regex row("\n\\| `([\\w/.]+\\.(?:cpp|h|js))` \\|");
-  const std::string list = page.substr(page.find("## Files outside the rooms"));
+  const std::string list = page.substr(page.find("## Files outside a method's folders"));
   for (std::sregex_iterator hit(list.begin(), list.end(), row), end; hit != end; ++hit)
     listed.insert((*hit)[1]);
   for (const auto& [path, text] : sources())
-    if (!isInRoom(path) && path.find("samples/exemplars/") != 0 && namesMethod(text))
+    if (!belongsToMethod(path) && path.find("samples/exemplars/") != 0 && namesMethod(text))
       found.insert(path);
   CHECK(found == listed);
 }
