@@ -216,11 +216,24 @@ private:
     (void)place->integer("texCoord", 0, 1, 0);
     place->number("scale", -kLargest, kLargest, 1);
     place->number("strength", 0, 1, 1);
-    const Place transform = place->extension("KHR_texture_transform");
+    textureTransform(*place);
+  }
+
+  static void textureTransform(const Place& info) {
+    const Place transform = info.extension("KHR_texture_transform");
     transform.numbers("offset", 2, -kLargest, kLargest);
     transform.numbers("scale", 2, -kLargest, kLargest);
     transform.number("rotation", -kLargest, kLargest, 0);
     (void)transform.integer("texCoord", 0, 1, 0);
+  }
+
+  /// Checks the texture transform of a mix's mask. The noise plugin checks the rest, if it knows
+  /// the noise's revision.
+  static void maskTransform(const Place& noise) {
+    const auto mix = noise.find("mix");
+    const auto info = mix && mix->json().is_object() ? mix->find("texture") : std::nullopt;
+    if (info && info->json().is_object())
+      textureTransform(*info);
   }
 
   void material(const Place& place) const {
@@ -235,6 +248,7 @@ private:
     textureInfo(place, "normalTexture");
     textureInfo(place, "occlusionTexture");
     textureInfo(place, "emissiveTexture");
+    maskTransform(place.extension(kExtensionName.data()));
     place.numbers("emissiveFactor", 3, 0, 1);
     place.extension("KHR_materials_emissive_strength").number("emissiveStrength", 0, kLargest, 1);
     if (const auto mode = place.string("alphaMode");
