@@ -227,15 +227,6 @@ private:
     (void)transform.integer("texCoord", 0, 1, 0);
   }
 
-  /// Checks the texture transform of a mix's mask. The noise plugin checks the rest, if it knows
-  /// the noise's revision.
-  static void maskTransform(const Place& noise) {
-    const auto mix = noise.find("mix");
-    const auto info = mix && mix->json().is_object() ? mix->find("texture") : std::nullopt;
-    if (info && info->json().is_object())
-      textureTransform(*info);
-  }
-
   void material(const Place& place) const {
     (void)place.string("name");
     if (const auto pbr = place.find("pbrMetallicRoughness")) {
@@ -248,7 +239,11 @@ private:
     textureInfo(place, "normalTexture");
     textureInfo(place, "occlusionTexture");
     textureInfo(place, "emissiveTexture");
-    maskTransform(place.extension(kExtensionName.data()));
+    // The noise plugin checks the rest of a mix, if it knows the noise's revision.
+    const auto mix = place.extension(kExtensionName.data()).find("mix");
+    const auto mask = mix && mix->json().is_object() ? mix->find("texture") : std::nullopt;
+    if (mask && mask->json().is_object())
+      textureTransform(*mask);
     place.numbers("emissiveFactor", 3, 0, 1);
     place.extension("KHR_materials_emissive_strength").number("emissiveStrength", 0, kLargest, 1);
     if (const auto mode = place.string("alphaMode");
