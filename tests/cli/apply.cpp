@@ -147,7 +147,7 @@ TEST_CASE("the error for a mapping that the method or the meshes do not support 
                  code, words);
   };
   refused(moss, "surface", "0", usage, {"--mapping surface", "tiling", "uv or triplanar"});
-  // The file format reserves solid, but no method supports it.
+  // No method supports solid, so it is not offered.
   refused(wool, "solid", "0", usage, {"--mapping solid", "expected uv, triplanar or surface"});
   refused(moss, "uv", "glass", bad,
           {"primitive 1 of mesh 'table'", "material 'glass'", "TEXCOORD_0"});
