@@ -167,7 +167,8 @@ TEST_CASE("channels that a noise's ORM map lacks come from the core texture") {
   CHECK(picture(byTexture).values != picture(byFactor).values);
 }
 
-TEST_CASE("a mask has the same holes in the picture and in the shadow, with and without a noise") {
+TEST_CASE("a masked surface has the same holes in the picture and in its shadow, with and "
+          "without a noise") {
   GltfScene scene = noiseBall({kBaseColor});
   addHoles(scene);
   materialOf(scene)["alphaMode"] = "MASK";

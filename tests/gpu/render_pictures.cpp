@@ -265,7 +265,7 @@ TEST_CASE("the views of roughness, metallic and occlusion show the values used f
   }
 }
 
-TEST_CASE("a white ball is invisible in a white furnace, whatever its roughness") {
+TEST_CASE("a white ball is invisible in a white furnace at any roughness") {
   // Half floats, and a table of the specular albedo with 32 steps.
   constexpr double kTolerance = 0.01;
   for (const double metallic : {0.0, 1.0})

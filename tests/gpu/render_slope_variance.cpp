@@ -351,8 +351,7 @@ TEST_CASE("under sun and sky, unresolved bumps are as bright as in a supersample
   CHECK(flatPlane.seen(32.0, towardSun(), kPixels).meanError > 0.2);
 }
 
-TEST_CASE(
-    "diffuse light of unresolved bumps is that of all their slopes, under sun and under sky") {
+TEST_CASE("diffuse light of unresolved bumps averages all their slopes, under sun and under sky") {
   constexpr double kRoughness = 0.9;
   LitPlane plane(testDevice(), bumpyBundle(smoothBumps(0.2f)), kTexels, kRoughness, 0.0);
   // A single normal would be 3 % too bright under the sun and 2 % too dark under the sky.
