@@ -60,8 +60,8 @@ std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshF
                                                  more, more == 1 ? "mesh has" : "meshes have")
                                    : "";
     notes.push_back(fmt::format(
-        "{}: {}: the directions have {} singular {}, around which the noise "
-        "rotates, at {} of the mesh{}",
+        "{}: {}: the noise swirls around {} singular {} of its direction field, at {} "
+        "in the mesh's coordinates{}",
         scene.path().string(), singular->mesh, count, count == 1 ? "triangle" : "triangles",
         placesOf(singular->singularities), others));
   }

@@ -82,27 +82,26 @@ Result<ChosenMaterials> findMaterials(const GltfScene& scene,
 Result<ChosenMaterials> shadedMaterials(const GltfScene& scene, ChosenMaterials chosen,
                                         std::vector<std::string>& notes) {
   std::vector<std::string> others;
-  std::string first; // reason for the first skipped material
+  std::string reason; // what the first of them has
   std::erase_if(chosen.indices, [&](std::size_t material) {
     const nlohmann::json& described = scene.document()["materials"][material];
     for (const char* extension : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"})
       if (described.contains(
               nlohmann::json::json_pointer("/extensions/" + std::string(extension)))) {
         others.push_back(scene.materialTitle(material));
-        if (first.empty())
-          first = fmt::format("{} has {}, which noise cannot be combined with", others.front(),
-                              extension);
+        if (reason.empty())
+          reason = fmt::format("has {}, which noise cannot be combined with", extension);
         return true;
       }
     return false;
   });
   constexpr const char* kInstead = "choose a material without that extension";
   if (!others.empty() && (!chosen.areAll || chosen.indices.empty()))
-    return Error{ErrorKind::badInput,
-                 fmt::format("{}: {}; {}", scene.path().string(), first, kInstead)};
+    return Error{ErrorKind::badInput, fmt::format("{}: {} {}; {}", scene.path().string(),
+                                                  others.front(), reason, kInstead)};
   if (!others.empty())
-    notes.push_back(fmt::format("{}: {} left out, since {}; {}", scene.path().string(),
-                                shortList(others), first, kInstead));
+    notes.push_back(fmt::format("{}: skipped {}: {} {}", scene.path().string(), shortList(others),
+                                others.size() == 1 ? "it" : "the first", reason));
   return chosen;
 }
 
@@ -113,7 +112,7 @@ Result<std::vector<std::size_t>> materialsWith(const std::string& attribute, con
                                                std::vector<std::string>& notes) {
   std::vector<std::size_t> fit;
   std::vector<std::string> others;
-  std::string first; // the first material without the attribute
+  std::string first; // the first primitive without the attribute
   for (const std::size_t material : chosen.indices) {
     const std::vector<PrimitivePlace>& places = scene.primitivesOf(material);
     const auto without = std::find_if(places.begin(), places.end(), [&](PrimitivePlace place) {
@@ -125,16 +124,17 @@ Result<std::vector<std::size_t>> materialsWith(const std::string& attribute, con
     }
     others.push_back(scene.materialTitle(material));
     if (first.empty())
-      first = fmt::format("{} with {} has no {}, which {} needs", scene.primitiveTitle(*without),
-                          scene.materialTitle(material), attribute, option);
+      first = scene.primitiveTitle(*without);
   }
   if (others.empty())
     return fit;
+  const std::string reason = fmt::format("has no {}, which {} needs", attribute, option);
   if (!chosen.areAll || fit.empty())
     return Error{ErrorKind::badInput,
-                 fmt::format("{}: {}; use {}", scene.path().string(), first, instead)};
-  notes.push_back(fmt::format("{}: {} left out, since {}; use {} there", scene.path().string(),
-                              shortList(others), first, instead));
+                 fmt::format("{}: {} with {} {}; use {}", scene.path().string(), first,
+                             others.front(), reason, instead)};
+  notes.push_back(fmt::format("{}: skipped {}: {} {}; use {} there", scene.path().string(),
+                              shortList(others), first, reason, instead));
   return fit;
 }
 
@@ -158,7 +158,7 @@ Result<std::vector<std::size_t>> materialsWithFrames(const GltfScene& scene,
   if (first && (!chosen.areAll || fit.empty()))
     return *first;
   if (first)
-    notes.push_back(fmt::format("{}; left out: {}", first->message, shortList(others)));
+    notes.push_back(fmt::format("{}; skipped {}", first->message, shortList(others)));
   return fit;
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -15,6 +16,8 @@ namespace lichen::cli {
 namespace {
 
 constexpr int kMostColorSet = 15;
+/// Sources of the weight that need no texture coordinates.
+constexpr const char* kWithoutTexCoords = "--mix or --mix-vertex-color";
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
@@ -64,27 +67,16 @@ Result<void> check(const MixOptions& options, const Noise& noise) {
   return {};
 }
 
-/// Checks that every primitive of the materials has the attribute.
-Result<void> checkAttribute(const GltfScene& scene, std::span<const std::size_t> materials,
-                            const std::string& attribute, const char* option) {
-  for (const std::size_t material : materials)
-    for (const PrimitivePlace place : scene.primitivesOf(material))
-      if (!scene.attribute(place, attribute))
-        return Error{ErrorKind::badInput,
-                     fmt::format("{}: {} with {} has no {}, which {} needs; choose another source "
-                                 "of the weight",
-                                 scene.path().string(), scene.primitiveTitle(place),
-                                 scene.materialTitle(material), attribute, option)};
-  return {};
-}
-
-/// Checks that the primitives have the texture coordinates of the direction. For the mapping uv the
-/// caller checks them in any case.
-Result<void> checkDirection(const GltfScene& scene, std::span<const std::size_t> materials,
-                            const MaterialNoise& use, const char* whose) {
+/// Returns the materials whose meshes have the texture coordinates of the direction. For the
+/// mapping uv the caller has chosen them already. `whose` names the direction in messages.
+Result<std::vector<std::size_t>> withDirection(const GltfScene& scene,
+                                               const ChosenMaterials& chosen,
+                                               const MaterialNoise& use, const char* whose,
+                                               std::vector<std::string>& notes) {
   if (use.mapping == Mapping::uv)
-    return {};
-  return checkAttribute(scene, materials, fmt::format("TEXCOORD_{}", use.texCoord), whose);
+    return chosen.indices;
+  return materialsWith(fmt::format("TEXCOORD_{}", use.texCoord), scene, chosen, whose,
+                       kWithoutTexCoords, notes);
 }
 
 /// Returns the scene's texture with the index `wanted`, or a new texture from the image file
@@ -149,74 +141,140 @@ std::array<bool, 2> repeats(const GltfScene& scene, std::size_t texture) {
   return {isRepeated("wrapS"), isRepeated("wrapT")};
 }
 
-/// Adds a note if texture coordinates lie outside the mask.
-Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materials,
-                           std::size_t texture, std::vector<std::string>& notes) {
-  constexpr float kSlack = 0.001f; // rounding errors of exporters, far below a texel
+/// Adds a note on the first primitive of the materials for which `describe` returns a text, with
+/// the number of the others. `describe` gets the range of the primitive's attribute.
+template <class Describe>
+Result<void> noteRanges(GltfScene& scene, std::span<const std::size_t> materials,
+                        const std::string& attribute, const Describe& describe,
+                        std::vector<std::string>& notes) {
   std::string first;
   std::size_t count = 0;
   for (const std::size_t material : materials)
     for (const PrimitivePlace place : scene.primitivesOf(material)) {
-      const Result<std::optional<GltfScene::Range2>> read = scene.rangeOf(place, "TEXCOORD_0");
+      const Result<std::optional<GltfScene::Range2>> read = scene.rangeOf(place, attribute);
       if (!read)
         return read.error();
       if (!read.value())
         continue; // compressed vertices
-      const auto& [least, most] = *read.value();
-      const auto leaves = [&](std::size_t axis) {
-        return least[axis] < -kSlack || most[axis] > 1.0f + kSlack;
-      };
-      if (!(leaves(0) || leaves(1)) || count++ > 0)
-        continue;
-      const auto [repeatsU, repeatsV] = repeats(scene, texture);
-      const bool isClamped = (leaves(0) && !repeatsU) || (leaves(1) && !repeatsV);
-      first = fmt::format("{}: TEXCOORD_0 from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g}) exceeds 0 to "
-                          "1, the range of the mask; outside, {}",
-                          scene.primitiveTitle(place), least[0], least[1], most[0], most[1],
-                          isClamped ? "its border continues" : "it repeats");
+      const std::string text = describe(*read.value());
+      if (!text.empty() && count++ == 0)
+        first = scene.primitiveTitle(place) + ": " + text;
     }
   if (count > 0)
-    notes.push_back(fmt::format(
-        "{}: {}{}", scene.path().string(), first,
-        count > 1 ? fmt::format("; {} more {} so", count - 1, count == 2 ? "does" : "do") : ""));
+    notes.push_back(fmt::format("{}: {}{}", scene.path().string(), first,
+                                count == 1 ? ""
+                                : count == 2
+                                    ? "; the same for 1 more primitive"
+                                    : fmt::format("; the same for {} more primitives", count - 1)));
   return {};
 }
 
+/// Returns "TEXCOORD_0 from (0, 0) to (2, 1)".
+std::string textOf(const std::string& attribute, const GltfScene::Range2& range) {
+  return fmt::format("{} from ({:.4g}, {:.4g}) to ({:.4g}, {:.4g})", attribute, range.least[0],
+                     range.least[1], range.most[0], range.most[1]);
+}
+
+/// Adds a note if texture coordinates lie outside the mask.
+Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materials,
+                           std::size_t texture, std::vector<std::string>& notes) {
+  constexpr float kSlack = 0.001f; // rounding errors of exporters, far below a texel
+  const std::array<bool, 2> isRepeated = repeats(scene, texture);
+  const auto describe = [&](const GltfScene::Range2& range) -> std::string {
+    const auto leaves = [&](std::size_t axis) {
+      return range.least[axis] < -kSlack || range.most[axis] > 1.0f + kSlack;
+    };
+    if (!leaves(0) && !leaves(1))
+      return "";
+    const bool isClamped = (leaves(0) && !isRepeated[0]) || (leaves(1) && !isRepeated[1]);
+    return fmt::format("{} exceeds 0 to 1, the range of the mask; outside, {}",
+                       textOf("TEXCOORD_0", range),
+                       isClamped ? "its border continues" : "it repeats");
+  };
+  return noteRanges(scene, materials, "TEXCOORD_0", describe, notes);
+}
+
+/// Adds a note if a direction is so short, or so far off, that its change of weight hardly shows.
+/// `whose` names the direction.
+Result<void> noteDirectionRange(GltfScene& scene, std::span<const std::size_t> materials,
+                                const MaterialNoise& use, const MixWeight& mix, const char* whose,
+                                std::vector<std::string>& notes) {
+  constexpr double kLeastShare = 0.1; // of the mesh: less looks like a border, not like a change
+  const std::string attribute = fmt::format("TEXCOORD_{}", use.texCoord);
+  const auto describe = [&](const GltfScene::Range2& range) -> std::string {
+    // Range of the unclamped weight over the corners of the rectangle.
+    double least = 0.0, most = 0.0, squared = 0.0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double along = mix.end[k] - mix.start[k];
+      const double a = along * (double(range.least[k]) - mix.start[k]);
+      const double b = along * (double(range.most[k]) - mix.start[k]);
+      least += std::min(a, b);
+      most += std::max(a, b);
+      squared += along * along;
+    }
+    if (most <= 0.0 || least >= squared)
+      return fmt::format("{} lies outside {}, so the weight is {} everywhere",
+                         textOf(attribute, range), whose, most <= 0.0 ? 0 : 1);
+    const double share = squared / (most - least);
+    if (share >= kLeastShare)
+      return "";
+    return fmt::format("{} spans {:.2g} % of {}; elsewhere the weight is 0 or 1", whose,
+                       100.0 * share, textOf(attribute, range));
+  };
+  return noteRanges(scene, materials, attribute, describe, notes);
+}
+
+/// chosenMix() for a direction.
+Result<ChosenMix> directedMix(MixWeight mix, const MaterialNoise& use,
+                              const ChosenMaterials& chosen, const char* whose, GltfScene& scene,
+                              std::vector<std::string>& notes) {
+  Result<std::vector<std::size_t>> fit = withDirection(scene, chosen, use, whose, notes);
+  if (!fit)
+    return fit.error();
+  if (Result<void> noted = noteDirectionRange(scene, fit.value(), use, mix, whose, notes); !noted)
+    return noted.error();
+  return ChosenMix{mix, std::move(fit).value()};
+}
+
 /// chosenMix() when the user gave options.
-Result<MixWeight> givenMix(const MixOptions& options, const MaterialNoise& use,
-                           std::span<const std::size_t> materials, GltfScene& scene,
+Result<ChosenMix> givenMix(const MixOptions& options, const MaterialNoise& use,
+                           const ChosenMaterials& chosen, GltfScene& scene,
                            std::vector<std::string>& notes) {
   MixWeight mix;
   mix.channel = options.channel.value_or(0);
-  Result<void> there;
   if (options.weight) {
     mix.weight = *options.weight;
-  } else if (options.direction) {
+    return ChosenMix{mix, chosen.indices};
+  }
+  if (options.direction) {
     const auto [startU, startV, endU, endV] = *options.direction;
     mix.source = MixSource::direction;
     mix.start = {startU, startV};
     mix.end = {endU, endV};
-    there = checkDirection(scene, materials, use, "--mix-direction");
-  } else if (options.colorSet) {
+    return directedMix(mix, use, chosen, "--mix-direction", scene, notes);
+  }
+  if (options.colorSet) {
     mix.source = MixSource::vertexColor;
     mix.colorSet = *options.colorSet;
-    there = checkAttribute(scene, materials, fmt::format("COLOR_{}", mix.colorSet),
-                           "--mix-vertex-color");
-  } else {
-    mix.source = MixSource::texture;
-    there = checkAttribute(scene, materials, "TEXCOORD_0", "--mix-texture");
+    Result<std::vector<std::size_t>> fit =
+        materialsWith(fmt::format("COLOR_{}", mix.colorSet), scene, chosen, "--mix-vertex-color",
+                      "--mix, --mix-direction or --mix-texture", notes);
+    if (!fit)
+      return fit.error();
+    return ChosenMix{mix, std::move(fit).value()};
   }
-  if (!there)
-    return there.error();
-  if (mix.source != MixSource::texture)
-    return mix;
+  mix.source = MixSource::texture;
+  Result<std::vector<std::size_t>> fit =
+      materialsWith("TEXCOORD_0", scene, chosen, "--mix-texture", kWithoutTexCoords, notes);
+  if (!fit)
+    return fit.error();
   const Result<std::size_t> texture = textureOf(options.texture, mix.channel, scene);
   if (!texture)
     return texture.error();
   mix.texture = texture.value();
-  if (Result<void> noted = noteMaskRange(scene, materials, mix.texture, notes); !noted)
+  if (Result<void> noted = noteMaskRange(scene, fit.value(), mix.texture, notes); !noted)
     return noted.error();
-  return mix;
+  return ChosenMix{mix, std::move(fit).value()};
 }
 
 } // namespace
@@ -241,21 +299,19 @@ void addMixOptions(CLI::App& verb, MixOptions& options) {
       .group(kGroup);
 }
 
-Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise, const MaterialNoise& use,
-                            std::span<const std::size_t> materials, GltfScene& scene,
+Result<ChosenMix> chosenMix(const MixOptions& options, const Noise& noise, const MaterialNoise& use,
+                            const ChosenMaterials& chosen, GltfScene& scene,
                             std::vector<std::string>& notes) {
   if (options.isGiven()) {
     if (Result<void> checked = check(options, noise); !checked)
       return checked.error();
-    return givenMix(options, use, materials, scene, notes);
+    return givenMix(options, use, chosen, scene, notes);
   }
   if (use.mix.source == MixSource::texture)
-    return MixWeight{}; // its texture belongs to another file
+    return ChosenMix{MixWeight{}, chosen.indices}; // its texture belongs to another file
   if (use.mix.source == MixSource::direction && isMix(noise))
-    if (Result<void> there = checkDirection(scene, materials, use, "the direction of its mix");
-        !there)
-      return there.error();
-  return use.mix;
+    return directedMix(use.mix, use, chosen, "the bundle's mix direction", scene, notes);
+  return ChosenMix{use.mix, chosen.indices};
 }
 
 } // namespace lichen::cli

@@ -2,13 +2,13 @@
 // `lichen apply`: the options that choose the source of a material's mix weight.
 #pragma once
 
+#include "apply_materials.h"
 #include "options.h"
 
 #include <lichen/gltf_scene.h>
 
 #include <array>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -28,13 +28,18 @@ struct MixOptions {
 
 void addMixOptions(CLI::App& verb, MixOptions& options);
 
+struct ChosenMix {
+  MixWeight weight;
+  std::vector<std::size_t> materials; ///< whose meshes have what the source of the weight needs
+};
+
 /// Returns the source that the options choose; without options, the source of `use`, whose mapping
-/// and texture coordinates must be final. An image file becomes a texture of the scene, and texture
-/// coordinates outside that image get a note. Errors: usage for options that contradict each other
-/// or do not fit the noise, badInput if the scene or the file does not have what the options need.
-[[nodiscard]] Result<MixWeight> chosenMix(const MixOptions& options, const Noise& noise,
-                                          const MaterialNoise& use,
-                                          std::span<const std::size_t> materials, GltfScene& scene,
-                                          std::vector<std::string>& notes);
+/// and texture coordinates must be final. An image file becomes a texture of the scene. Notes name
+/// materials that are skipped, texture coordinates outside the image, and a direction that is short
+/// for the texture coordinates. Errors: usage for options that contradict each other or do not fit
+/// the noise; badInput for an unusable image, and as materialsWith().
+[[nodiscard]] Result<ChosenMix> chosenMix(const MixOptions& options, const Noise& noise,
+                                          const MaterialNoise& use, const ChosenMaterials& chosen,
+                                          GltfScene& scene, std::vector<std::string>& notes);
 
 } // namespace lichen::cli

@@ -104,7 +104,7 @@ std::vector<std::string> notesOnTextures(const GltfScene& scene,
     }
   if (staying.empty())
     return {};
-  return {fmt::format("{}: {} {}: the noise has no such map, or not all its channels",
+  return {fmt::format("{}: {} {} visible: the noise has no such map, or not all its channels",
                       scene.path().string(), shortList(staying),
                       staying.size() == 1 ? "stays" : "stay")};
 }

@@ -94,7 +94,7 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
   if (mappingFits(noise.method(), mapping))
     return {};
   std::vector<std::string> mappings, methods;
-  for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
+  for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface})
     if (mappingFits(noise.method(), each))
       mappings.emplace_back(nameOf(each));
   for (const Method each : allMethods())
@@ -236,37 +236,39 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!chosen)
     return chosen.error();
   MaterialNoise use = parametersOf(bundle, index, arguments);
-  const Result<std::vector<std::size_t>> materials =
+  Result<std::vector<std::size_t>> suitable =
       suitableMaterials(scene, chosen.value(), noise, use, outcome.notes);
-  if (!materials)
-    return materials.error();
-  const Result<MixWeight> mix =
-      chosenMix(arguments.mix, noise, use, materials.value(), scene, outcome.notes);
+  if (!suitable)
+    return suitable.error();
+  const Result<ChosenMix> mix =
+      chosenMix(arguments.mix, noise, use, {std::move(suitable).value(), chosen.value().areAll},
+                scene, outcome.notes);
   if (!mix)
     return mix.error();
-  use.mix = mix.value();
+  use.mix = mix.value().weight;
+  const std::vector<std::size_t>& materials = mix.value().materials;
   // Frames for `surface` read the same vertices and report their own errors.
   if (use.mapping != Mapping::surface)
-    if (Result<void> sound = checkMeshes(scene, materials.value(), outcome.notes); !sound)
+    if (Result<void> sound = checkMeshes(scene, materials, outcome.notes); !sound)
       return sound.error();
   Result<AddedFrames> frames =
-      addFrames(scene, materials.value(), noise, use.mapping, arguments.grain, arguments.shared);
+      addFrames(scene, materials, noise, use.mapping, arguments.grain, arguments.shared);
   if (!frames)
     return frames.error();
   outcome.frames = std::move(frames.value().meshes);
-  Result<AppliedNoise> applied = scene.applyNoise(bundle, index, use, materials.value());
+  Result<AppliedNoise> applied = scene.applyNoise(bundle, index, use, materials);
   if (!applied)
     return applied.error();
   outcome.noise = std::move(applied).value();
   if (arguments.setsFactors)
-    setFactorsToOne(scene, materials.value(), noise);
-  leaveReplacedImages(scene, materials.value(), noise, use.mix, outcome.notes);
+    setFactorsToOne(scene, materials, noise);
+  leaveReplacedImages(scene, materials, noise, use.mix, outcome.notes);
   if (Result<void> written = scene.write(arguments.output); !written)
     return written.error();
   noteName(arguments.scene, noise.name, outcome.noise, outcome.notes);
-  for (const std::size_t material : materials.value())
+  for (const std::size_t material : materials)
     outcome.materials.push_back(scene.materialTitle(material));
-  for (std::string& text : notesOnLook(arguments, scene, materials.value(), noise))
+  for (std::string& text : notesOnLook(arguments, scene, materials, noise))
     outcome.notes.push_back(std::move(text));
   outcome.notes.insert(outcome.notes.end(), frames.value().notes.begin(),
                        frames.value().notes.end());
@@ -298,14 +300,11 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addTexts(verb, "--material", arguments->materials, "NAME|INDEX|all",
            "Name or index of a material that gets the noise; repeat it for more; or all")
       .required();
-  const Choices<Mapping> mappings{{"uv", Mapping::uv},
-                                  {"triplanar", Mapping::triplanar},
-                                  {"surface", Mapping::surface},
-                                  {"solid", Mapping::solid}};
-  addValue(
-      verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
-      "Where the noise lies: in texture coordinates, on three planes, on the surface itself, or "
-      "in the volume");
+  const Choices<Mapping> mappings{
+      {"uv", Mapping::uv}, {"triplanar", Mapping::triplanar}, {"surface", Mapping::surface}};
+  addValue(verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
+           "Where the noise lies: in texture coordinates, on three planes, or on the surface "
+           "itself");
   const Choices<NoiseSpace> spaces{{"world", NoiseSpace::world}, {"object", NoiseSpace::object}};
   addValue(verb, "--space", arguments->space, optional(oneOf(spaces)), "",
            "triplanar, surface: one pattern continues from mesh to mesh (world), or it moves with "

@@ -38,10 +38,11 @@ placesWithoutFrame(const GltfScene& scene, std::span<const std::size_t> material
       if (const auto reader = tangentReader(scene.document()["materials"][material], bringsNormals))
         return Error{ErrorKind::badInput,
                      scene.path().string() + ": " + scene.primitiveTitle(place) +
-                         ": has no TANGENT, and " + scene.materialTitle(material) + " has " +
-                         *reader +
-                         ", which needs those of its texture coordinates; export the mesh with "
-                         "tangents, or choose a material without it"};
+                         ": has no TANGENT, and " + *reader + " of " +
+                         scene.materialTitle(material) +
+                         " needs one that follows its texture coordinates; export the mesh with "
+                         "tangents, or choose a material without " +
+                         *reader};
       places[place.mesh].push_back(place);
     }
   return places;

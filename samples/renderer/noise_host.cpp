@@ -167,7 +167,7 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
       roles.map[*role] = int(m);
     else
       changeNotes_.insert("the height map of the noise " + printable(properties.name) +
-                          " is ignored");
+                          " is ignored: this renderer does not displace surfaces");
     if (map.target == LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC)
       for (std::uint32_t c = 0; c < map.channelCount; ++c)
         if (map.channels[c] >= LICHEN_CHANNEL_OCCLUSION &&

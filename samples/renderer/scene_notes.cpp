@@ -119,11 +119,44 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
   }
 }
 
+/// Notes a debug view that no material of the scene has.
+void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
+  bool hasBaseColor = false;
+  for (std::size_t m = 0; m < scene_.materials.size(); ++m)
+    hasBaseColor =
+        hasBaseColor || (noises_.hasNoise(m) && noises_.roles(m).map[NOISE_BASE_COLOR] >= 0);
+  const bool hasTiling = noises_.hasTilingNoises(), hasTextons = noises_.hasTextonNoises();
+  const auto note = [&](const char* view, bool isThere, const char* needed) {
+    if (!isThere)
+      notes.push_back(fmt::format("debug view {}: no material of the scene has {}, so all surfaces "
+                                  "are grey",
+                                  view, needed));
+  };
+  switch (debugView_) {
+  case DEBUG_WEIGHTS:
+    return note("weights", hasTiling, "a noise of the method tiling");
+  case DEBUG_LATTICE:
+    return note("lattice", hasTiling, "a noise of the method tiling");
+  case DEBUG_IMPACTS:
+    return note("impacts", hasTextons, "a noise of the method texton");
+  case DEBUG_PLANES:
+    return note("planes", noises_.hasTriplanarNoises(), "a noise with triplanar mapping");
+  case DEBUG_MIP_LEVEL:
+    return note("mip-level", hasTextons || (hasTiling && hasBaseColor),
+                "a noise of the method texton, or of the method tiling with a base colour");
+  case DEBUG_GAUSSIAN:
+    return note("gaussian", hasBaseColor, "a noise with a base colour");
+  default:
+    return;
+  }
+}
+
 std::vector<std::string> SceneRenderer::notes() const {
   std::vector<std::string> notes = noises_.notes();
   noteCoarseVertices(notes);
   noteInvisibleNoise(notes);
   noteMissingTexCoords(notes);
+  noteEmptyView(notes);
   std::set<std::string> faults; // several nodes may share a camera
   for (const Camera& camera : scene_.cameras)
     if (!camera.fault.empty() && faults.insert(camera.fault).second)

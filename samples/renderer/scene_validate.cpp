@@ -216,7 +216,11 @@ private:
     (void)place->integer("texCoord", 0, 1, 0);
     place->number("scale", -kLargest, kLargest, 1);
     place->number("strength", 0, 1, 1);
-    const Place transform = place->extension("KHR_texture_transform");
+    textureTransform(*place);
+  }
+
+  static void textureTransform(const Place& info) {
+    const Place transform = info.extension("KHR_texture_transform");
     transform.numbers("offset", 2, -kLargest, kLargest);
     transform.numbers("scale", 2, -kLargest, kLargest);
     transform.number("rotation", -kLargest, kLargest, 0);
@@ -235,6 +239,11 @@ private:
     textureInfo(place, "normalTexture");
     textureInfo(place, "occlusionTexture");
     textureInfo(place, "emissiveTexture");
+    // The noise plugin checks the rest of a mix, if it knows the noise's revision.
+    const auto mix = place.extension(kExtensionName.data()).find("mix");
+    const auto mask = mix && mix->json().is_object() ? mix->find("texture") : std::nullopt;
+    if (mask && mask->json().is_object())
+      textureTransform(*mask);
     place.numbers("emissiveFactor", 3, 0, 1);
     place.extension("KHR_materials_emissive_strength").number("emissiveStrength", 0, kLargest, 1);
     if (const auto mode = place.string("alphaMode");

@@ -11,11 +11,12 @@
 namespace lichen::renderer {
 namespace {
 
-/// A Failure with GLFW's reason appended.
+/// A Failure with GLFW's reason and what to do.
 Failure windowFailure(const std::string& what) {
   const char* reason = nullptr;
   glfwGetError(&reason);
-  return {{ErrorKind::environment, what + (reason != nullptr ? std::string(": ") + reason : "")}};
+  return {{ErrorKind::environment, what + (reason != nullptr ? std::string(": ") + reason : "") +
+                                       "; lichen-render renders to a file without a display"}};
 }
 
 } // namespace

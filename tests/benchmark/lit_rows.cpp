@@ -31,32 +31,17 @@ struct View {
   const char* name;
   test::Viewpoint from;
 };
-constexpr std::array<View, 3> kViews{
-    {{"above", {}}, {"toward the sun", test::kTowardSun}, {"away from it", test::kAwayFromSun}}};
-
-/// Two passes of a box filter over 5 x 5 texels of a tile that repeats: details become larger than
-/// texels, so that interpolation between texels, which the reference sees, does not flatten them.
-std::vector<float> smoothed(std::vector<float> values, int side) {
-  constexpr int kPasses = 2, kRadius = 2;
-  for (int pass = 0; pass < kPasses; ++pass) {
-    std::vector<float> mean(values.size());
-    for (int y = 0; y < side; ++y)
-      for (int x = 0; x < side; ++x)
-        for (int dy = -kRadius; dy <= kRadius; ++dy)
-          for (int dx = -kRadius; dx <= kRadius; ++dx)
-            mean[std::size_t(y * side + x)] +=
-                values[std::size_t((y + dy + side) % side * side + (x + dx + side) % side)] /
-                float((2 * kRadius + 1) * (2 * kRadius + 1));
-    values = std::move(mean);
-  }
-  return values;
+std::array<View, 3> views() {
+  return {{{"above", {}},
+           {"toward the sun", test::towardSun()},
+           {"away from it", test::awayFromSun()}}};
 }
 
 /// The generated set with a smoother relief, in rough and smooth parts, without height and metal.
 std::vector<MapExemplar> smoothSet() {
   constexpr int kSide = kExemplarSide;
   std::vector<MapExemplar> maps = materialSet(kSide);
-  const std::vector<float> height = smoothed(maps.back().values, kSide);
+  const std::vector<float> height = test::smoothed(maps.back().values, kSide, 1);
   maps.pop_back();
   const auto heightAt = [&](int x, int y) {
     return height[std::size_t((y + kSide) % kSide * kSide + (x + kSide) % kSide)];
@@ -105,7 +90,7 @@ void appendRows(std::vector<Row>& rows, const std::string& what, test::LitPlane 
   for (const double texels : kFootprints) {
     double worst = 0.0;
     std::string note;
-    for (const View& view : kViews) {
+    for (const View& view : views()) {
       const test::LitError error = plane.seen(texels, view.from, kMostPixels);
       worst = std::max(worst, 100.0 * std::abs(error.meanError));
       note += fmt::format("{}{} {:+.1f} %, pixels {:.2f} of {:.2f}", note.empty() ? "" : "; ",

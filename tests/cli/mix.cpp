@@ -408,9 +408,62 @@ TEST_CASE("the direction of a mix needs texture coordinates also with mapping su
   // The pyramid, made of glass, has no texture coordinates; the bundle's own weight follows a
   // direction.
   checkRefusal(onSurface({"--material", "glass", "--mix-direction", "0,1,2,1"}, "new.glb"),
-               kBadInput, {"has no TEXCOORD_0, which --mix-direction needs"});
+               kBadInput,
+               {"has no TEXCOORD_0, which --mix-direction needs; use --mix or --mix-vertex-color"});
   checkRefusal(onSurface({"--material", "glass"}, "new.glb"), kBadInput,
-               {"has no TEXCOORD_0, which the direction of its mix needs"});
+               {"has no TEXCOORD_0, which the bundle's mix direction needs"});
   CHECK(runLichen(onSurface({"--material", "glass", "--mix", "0.5"}, "out.glb")).code == 0);
   CHECK(runLichen(onSurface({"--material", "wood"}, "out.glb")).code == 0);
+}
+
+TEST_CASE("all materials skips those whose meshes lack what the weight of a mix needs") {
+  const Workplace workplace;
+  const std::string file = workplace.write("scene.glb", example::tableScene().glb());
+  const auto onAll = [&](const Arguments& more, const char* out) {
+    Arguments all{"apply",     file, "--noise",           made().bundle, "--mapping",
+                  "triplanar", "-o", workplace.path(out), "--material",  "all"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  for (const Arguments& more : {Arguments{"--mix-direction", "0,0,1,1"}, Arguments{},
+                                Arguments{"--mix-texture", made().grey}}) {
+    const Ended ended = runLichen(onAll(more, "out.glb"));
+    INFO(ended.errors);
+    REQUIRE(ended.code == 0);
+    CHECK_THAT(ended.errors, Catch::Contains("skipped material 'glass': primitive 1 of mesh "
+                                             "'table' has no TEXCOORD_0, which") &&
+                                 Catch::Contains("use --mix or --mix-vertex-color there"));
+    const json materials =
+        GltfScene::open(workplace.path("out.glb")).value().document()["materials"];
+    CHECK(materials[0]["extensions"].contains(kExtension));
+    CHECK(!materials[1].contains("extensions"));
+  }
+  checkRefusal(onAll({"--mix-vertex-color", "0"}, "new.glb"), kBadInput,
+               {"has no COLOR_0, which --mix-vertex-color needs; use --mix, --mix-direction or "
+                "--mix-texture"});
+}
+
+TEST_CASE("a note names a mesh on which the direction of a mix is short or ends outside") {
+  const Workplace workplace;
+  example::TinyScene scene = example::tableScene();
+  scene.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+      scene.addFloats({0.0f, 0.0f, 20.0f, 0.0f, 20.0f, 1.0f, 0.0f, 1.0f}, "VEC2", 2);
+  const std::string file = workplace.write("scene.glb", scene.glb());
+  const auto errorsOf = [&](const char* direction) {
+    const Ended ended = runLichen({"apply", file, "--noise", made().bundle, "--material", "wood",
+                                   "--mix-direction", direction, "-o", workplace.path("out.glb")});
+    INFO(ended.errors);
+    CHECK(ended.code == 0);
+    return ended.errors;
+  };
+  CHECK_THAT(errorsOf("0,0,1,0"),
+             Catch::Contains("scene.glb: primitive 0 of mesh 'table': --mix-direction spans 5 % of "
+                             "TEXCOORD_0 from (0, 0) to (20, 1); elsewhere the weight is 0 or 1"));
+  CHECK_THAT(errorsOf("21,0,22,0"),
+             Catch::Contains("TEXCOORD_0 from (0, 0) to (20, 1) lies outside --mix-direction, so "
+                             "the weight is 0 everywhere"));
+  CHECK_THAT(errorsOf("-1,0,-2,0"), Catch::Contains("so the weight is 0 everywhere"));
+  CHECK_THAT(errorsOf("-2,0,-1,0"), Catch::Contains("so the weight is 1 everywhere"));
+  for (const char* direction : {"20,0,0,0", "0,0,2,0", "0,0,0,1", "5,0,15,0"})
+    CHECK_THAT(errorsOf(direction), !Catch::Contains("mix-direction"));
 }

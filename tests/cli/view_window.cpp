@@ -215,4 +215,5 @@ TEST_CASE("the viewer reports what it cannot show in one line") {
   const std::string scene =
       bake(workplace, workplace.write("grain.png", smoothGrey(16)), "scene.glb");
   refuses({scene}, 4, "no display");
+  refuses({scene}, 4, "lichen-render renders to a file without a display");
 }

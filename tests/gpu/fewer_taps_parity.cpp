@@ -121,8 +121,8 @@ LichenUniformInfo sharpUniformInfo() {
 
 } // namespace
 
-TEST_CASE("with fewer taps the shader is the CPU twin's: 99.9 % within 1/1024 and all within "
-          "1/255") {
+TEST_CASE("the shader with fewer taps matches its CPU twin: 99.9 % within 1/1024 and all "
+          "within 1/255") {
   struct Level {
     TilingQuality quality;
     std::span<const std::uint32_t> spirv;
@@ -148,7 +148,7 @@ TEST_CASE("with fewer taps the shader is the CPU twin's: 99.9 % within 1/1024 an
   }
 }
 
-TEST_CASE("in three planes it is too") {
+TEST_CASE("the triplanar shader with fewer taps matches its CPU twin") {
   OnDevice noise({2, kOneTapTiles});
   LichenUniformInfo info = movedUniformInfo();
   info.overrides |= LICHEN_OVERRIDE_MAPPING;
@@ -163,7 +163,7 @@ TEST_CASE("in three planes it is too") {
   CHECK(difference.beyond <= 0.001 * difference.count);
 }
 
-TEST_CASE("as a specialization constant the number of taps does what it does as a macro") {
+TEST_CASE("the number of taps has the same effect as a specialization constant and as a macro") {
   OnDevice noise({2, 0.0});
   const std::vector<Point> points = flattened(noise.points);
   const auto equals = [&](int taps, std::span<const std::uint32_t> spirv) {
@@ -179,7 +179,7 @@ TEST_CASE("as a specialization constant the number of taps does what it does as 
   equals(3, committedShader("tiling_evaluate.comp"));
 }
 
-TEST_CASE("the committed shader takes three taps everywhere") {
+TEST_CASE("the committed shader uses three taps everywhere") {
   // The levels must differ where they should; otherwise the tests above compare nothing.
   OnDevice noise({3, 0.0});
   const std::vector<Point> points = flattened(noise.points);

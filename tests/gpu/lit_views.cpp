@@ -66,7 +66,43 @@ double luminanceAt(const LinearImage& image, std::uint32_t x, std::uint32_t y) {
   return 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
 }
 
+/// Unit vector from the plane to the sun of a scene without lights.
+glm::dvec3 builtInSun() { return renderer::arrangeLights({}, {}, false).towardSun; }
+
+double azimuthOf(const glm::dvec3& direction) {
+  return std::atan2(direction.x, direction.z) / kDegree;
+}
+
 } // namespace
+
+Viewpoint towardSun() {
+  const glm::dvec3 sun = builtInSun();
+  return {std::asin(sun.y) / kDegree, azimuthOf(-sun)};
+}
+
+Viewpoint awayFromSun() {
+  constexpr double kElevation = 30.0;
+  return {kElevation, azimuthOf(builtInSun())};
+}
+
+std::vector<float> smoothed(std::vector<float> values, int side, int channels) {
+  constexpr int kPasses = 2, kRadius = 2;
+  constexpr float kTaps = float((2 * kRadius + 1) * (2 * kRadius + 1));
+  const auto index = [&](int x, int y, int c) {
+    return std::size_t(((y + side) % side * side + (x + side) % side) * channels + c);
+  };
+  for (int pass = 0; pass < kPasses; ++pass) {
+    std::vector<float> mean(values.size());
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x)
+        for (int c = 0; c < channels; ++c)
+          for (int dy = -kRadius; dy <= kRadius; ++dy)
+            for (int dx = -kRadius; dx <= kRadius; ++dx)
+              mean[index(x, y, c)] += values[index(x + dx, y + dy, c)] / kTaps;
+    values = std::move(mean);
+  }
+  return values;
+}
 
 LitPlane::LitPlane(VulkanDevice& device, const BundleFile& file, int texels, double roughnessFactor,
                    double metallicFactor)
@@ -75,6 +111,7 @@ LitPlane::LitPlane(VulkanDevice& device, const BundleFile& file, int texels, dou
 
 LinearImage LitPlane::picture(double halfSide, const Viewpoint& from, std::uint32_t side,
                               LitBy light) {
+  scene_.lights.clear(); // of the previous picture
   scene_.cameras = {cameraAt(from, halfSide)};
   // Large enough for any direction of view; not larger, because texture coordinates are floats.
   const float reach = float(2.0 * halfSide * slantOf(from));
@@ -97,7 +134,6 @@ LinearImage LitPlane::picture(double halfSide, const Viewpoint& from, std::uint3
         skies_.prepare(lighting.towardSun, sun.color * sun.intensity, lighting.skyIrradiance)
             .environment.panorama;
   }
-  scene_.lights.clear();
   if (light == LitBy::sun) // without an environment the renderer adds its own sun
     scene_.lights = {renderer::arrangeLights(scene_, {}, false).lights[0]};
   return taken(renderer::renderScene(device_, scene_, settings)).pixels;
@@ -132,10 +168,10 @@ LitError LitPlane::seen(double texelsPerPixel, const Viewpoint& from, std::uint3
         }
     }
   LitError error;
-  error.mean = sum / pixels;
+  const double mean = sum / pixels;
   error.meanError = frameSum / sum - 1.0;
-  error.pixelError = std::sqrt(squares / pixels) / error.mean;
-  error.aliasing = std::sqrt(aliased / pixels) / error.mean;
+  error.pixelError = std::sqrt(squares / pixels) / mean;
+  error.aliasing = std::sqrt(aliased / pixels) / mean;
   return error;
 }
 

@@ -11,6 +11,7 @@
 #include <lichen/vulkan_device.h>
 
 #include <cstdint>
+#include <vector>
 
 namespace lichen::test {
 
@@ -21,9 +22,14 @@ struct Viewpoint {
 };
 
 /// Opposite to the built-in sun, at its height: a mirror reflects the sun to the camera.
-inline constexpr Viewpoint kTowardSun{41.2, 124.7};
-/// The sun is behind the camera.
-inline constexpr Viewpoint kAwayFromSun{30.0, -55.3};
+[[nodiscard]] Viewpoint towardSun();
+/// The built-in sun is behind the camera, which is 30 degrees above the plane.
+[[nodiscard]] Viewpoint awayFromSun();
+
+/// Averages a map that repeats over 5 x 5 texels, twice. Its details become larger than texels, so
+/// that interpolation between texels, which a supersampled picture shows, does not flatten them.
+/// Row-major, `side` x `side` texels of `channels` values.
+[[nodiscard]] std::vector<float> smoothed(std::vector<float> values, int side, int channels);
 
 /// What lights the plane: the built-in sun and sky, or one of them alone.
 enum class LitBy { both, sun, sky };
@@ -31,9 +37,9 @@ enum class LitBy { both, sun, sky };
 /// Luminances (Rec. 709 weights, of light before tone mapping) of a frame with one sample per pixel
 /// and of its supersampled reference.
 struct LitError {
-  double mean = 0.0;      ///< of the reference
   double meanError = 0.0; ///< of the frame's mean, relative to the reference's
-  /// Root mean square difference of the frame's pixels from the reference's, relative to `mean`.
+  /// Root mean square difference of the frame's pixels from the reference's, relative to the
+  /// reference's mean.
   double pixelError = 0.0;
   /// The same for one unfiltered sample per pixel: the noise of aliasing, without any filter.
   double aliasing = 0.0;
@@ -55,6 +61,8 @@ public:
   [[nodiscard]] LitError seen(double texelsPerPixel, const Viewpoint& from, std::uint32_t side,
                               LitBy light = LitBy::both);
 
+  /// Limits the memory and time of a reference: 2048 x 2048 pixels take 48 MiB, and 64 MiB on the
+  /// device.
   static constexpr std::uint32_t kReferenceSide = 2048;
 
 private:

@@ -36,7 +36,8 @@ std::vector<Words> ask(Function function, const std::vector<Words>& questions) {
 
 } // namespace
 
-TEST_CASE("the shader's hash is the C++ hash, bit for bit, negative and wrapping cells included") {
+TEST_CASE("the hash is the same in GLSL and C++, bit for bit, also for negative and wrapping "
+          "cells") {
   std::mt19937 generator(1u);
   const auto random = [&] { return std::uint32_t(generator()); };
   std::vector<Words> questions;
@@ -87,7 +88,7 @@ TEST_CASE("the triangle's vertices surround the point and its weights are baryce
   }
 }
 
-TEST_CASE("the Gaussian's distribution function is std::erf's within 1.2e-6") {
+TEST_CASE("the Gaussian's distribution function matches std::erf within 1.2e-6") {
   std::vector<Words> questions;
   const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
   for (float g = -4.0f; g <= 5.0f; g += 0.001f)
@@ -124,7 +125,8 @@ TEST_CASE("division that rounds down is exact below 2^22") {
     }
 }
 
-TEST_CASE("a texton's cell has its exact number in any period, as far as floats hold cells") {
+TEST_CASE("the number of a texton's cell is exact in any period, for all cells that floats can "
+          "represent") {
   // Up to 2^28 tiles of 2^19 cells, the most that placements and grids have between them; a period
   // of few cells is never of so fine a grid.
   constexpr int kMostBits = 47, kMostBitsOfFewCells = 44;

@@ -197,6 +197,13 @@ const std::vector<Fault> kFaults{
        s.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
              ["KHR_texture_transform"]["scale"] = {2};
      }},
+    {"a rotation of a mix's mask that overflows a float",
+     "/extensions/LICHEN_materials_exemplar_noise/mix/texture/extensions/KHR_texture_transform/"
+     "rotation: 1e+300 is invalid",
+     [](GltfScene& s) {
+       s.json["materials"][0]["extensions"]["LICHEN_materials_exemplar_noise"]["mix"]["texture"]
+             ["extensions"]["KHR_texture_transform"]["rotation"] = 1e300;
+     }},
     {"a base colour of three numbers", "/materials/0/pbrMetallicRoughness/baseColorFactor",
      [](GltfScene& s) {
        s.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1};

@@ -167,7 +167,8 @@ TEST_CASE("channels that a noise's ORM map lacks come from the core texture") {
   CHECK(picture(byTexture).values != picture(byFactor).values);
 }
 
-TEST_CASE("a mask has the same holes in the picture and in the shadow, with and without a noise") {
+TEST_CASE("a masked surface has the same holes in the picture and in its shadow, with and "
+          "without a noise") {
   GltfScene scene = noiseBall({kBaseColor});
   addHoles(scene);
   materialOf(scene)["alphaMode"] = "MASK";
@@ -288,6 +289,7 @@ TEST_CASE("a note names each ignored map of a noise once") {
   const GltfScene scene = ballOf(encodeGlb(file).value());
   const auto notes = renderPicture(scene.glb(), settingsOf(16, 16, 1)).notes;
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "the height map of the noise synthetic is ignored");
+  CHECK(notes[0] == "the height map of the noise synthetic is ignored: this renderer does not "
+                    "displace surfaces");
   CHECK(renderPicture(noiseBall({kBaseColor}).glb(), settingsOf(16, 16, 1)).notes.empty());
 }

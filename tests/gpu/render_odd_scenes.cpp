@@ -266,7 +266,7 @@ std::pair<int, int> misplaced(const LinearImage& picture, const LinearImage& sky
 
 } // namespace
 
-TEST_CASE("odd scenes are drawn where they are, and the validation layers say nothing") {
+TEST_CASE("odd scenes are drawn in the right place, without validation messages") {
   const LinearImage sky = lightOf(withoutBall(plainScene())), plain = lightOf(plainScene());
   const float darkest = darkestInside(plain, kBall);
   REQUIRE(darkest > 0.0f);
@@ -288,7 +288,7 @@ TEST_CASE("odd scenes are drawn where they are, and the validation layers say no
   }
 }
 
-TEST_CASE("an image or a primitive too large for the device is refused with its size") {
+TEST_CASE("the error for an image or a primitive too large for the device names its size") {
   renderer::Scene scene;
   scene.images.resize(1);
   scene.images[0].width = 9;
@@ -312,7 +312,7 @@ TEST_CASE("an image or a primitive too large for the device is refused with its 
         std::string::npos);
 }
 
-TEST_CASE("a scene of more lights than are drawn says so once") {
+TEST_CASE("one note says that a scene has more lights than are used") {
   GltfScene scene = plainScene();
   for (int i = 0; i < 20; ++i) {
     scene.addSun(1.0f);
@@ -324,7 +324,7 @@ TEST_CASE("a scene of more lights than are drawn says so once") {
   CHECK(notes[0] == "the scene has 20 lights; only the 16 strongest are used");
 }
 
-TEST_CASE("a camera that nothing can be seen through and that is not used is noted once") {
+TEST_CASE("one note names an unusable camera that is not chosen") {
   GltfScene scene = triangleScene();
   scene.addCamera(4.0f, 0.6f);
   scene.json["cameras"].push_back(

@@ -229,6 +229,26 @@ TEST_CASE("a debug view is grey where a noise does not have what it shows") {
     CHECK(picture.pixel(64, 36)[c] == 0.5f); // in the middle of the ball
 }
 
+TEST_CASE("a note says that no material has what a debug view shows") {
+  const std::vector<std::byte> tiling = noiseBall(false, false), textons = textonBall(false);
+  const auto notesOf = [](const std::vector<std::byte>& scene, const char* view) {
+    const std::vector<std::string> notes = renderPicture(scene, viewOf(view)).notes;
+    return notes.empty() ? "" : notes.back();
+  };
+  CHECK(notesOf(tiling, "impacts") == "debug view impacts: no material of the scene has a noise of "
+                                      "the method texton, so all surfaces are grey");
+  CHECK(notesOf(tiling, "planes") == "debug view planes: no material of the scene has a noise with "
+                                     "triplanar mapping, so all surfaces are grey");
+  for (const char* view : {"weights", "lattice"})
+    CHECK_THAT(notesOf(textons, view), Catch::Contains("a noise of the method tiling"));
+  for (const char* view : {"mip-level", "gaussian"})
+    CHECK_THAT(notesOf(triangleScene().glb(), view), Catch::Contains("with a base colour"));
+  for (const char* view : {"weights", "lattice", "mip-level", "gaussian", "normals"})
+    CHECK(notesOf(tiling, view).empty());
+  for (const char* view : {"impacts", "mip-level", "gaussian"})
+    CHECK(notesOf(textons, view).empty());
+}
+
 TEST_CASE("the views of roughness, metallic and occlusion show the values used for shading") {
   GltfScene scene;
   const auto material = scene.addMaterial(
@@ -245,7 +265,7 @@ TEST_CASE("the views of roughness, metallic and occlusion show the values used f
   }
 }
 
-TEST_CASE("a white ball is invisible in a white furnace, whatever its roughness") {
+TEST_CASE("a white ball is invisible in a white furnace at any roughness") {
   // Half floats, and a table of the specular albedo with 32 steps.
   constexpr double kTolerance = 0.01;
   for (const double metallic : {0.0, 1.0})

@@ -100,7 +100,7 @@ TEST_CASE("a strip counts as its triangles") {
   CHECK(error.message.find(std::to_string(renderer::kMaxSceneVertices)) != std::string::npos);
 }
 
-TEST_CASE("a point counts as its solid") {
+TEST_CASE("a point counts as the triangles of its octahedron") {
   const TemporaryFolder folder;
   GltfScene scene = triangleScene();
   const std::size_t count = renderer::kMaxSceneVertices / 50;

@@ -198,7 +198,7 @@ TEST_CASE("tangents follow the texture coordinates of the normals") {
   }
 }
 
-TEST_CASE("tangents of the file belong to its normal texture") {
+TEST_CASE("tangents of the file are used for its normal texture") {
   const glm::vec3 stored(0, 0.6f, 0.8f);
   GltfScene scene = quadOfTwoCoordinates();
   nlohmann::json& material = scene.json["materials"][0];

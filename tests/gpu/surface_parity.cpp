@@ -136,8 +136,7 @@ MixPlace mixOf(const SurfacePoint& point) {
 
 } // namespace
 
-TEST_CASE("the shader of surface noise and its CPU twin agree: 99.9 % within 1/1024 and all within "
-          "1/255") {
+TEST_CASE("the surface shader matches its CPU twin: 99.9 % within 1/1024 and all within 1/255") {
   for (const SyntheticTexton& texton :
        {SyntheticTexton{},
         SyntheticTexton{
@@ -175,7 +174,7 @@ TEST_CASE("the shader of surface noise and its CPU twin agree: 99.9 % within 1/1
   }
 }
 
-TEST_CASE("shader and twin of surface noise sum what the oracle sums over all impacts") {
+TEST_CASE("the surface shader and its CPU twin match the oracle, which sums over all impacts") {
   for (const auto& [order, steps] :
        {std::pair{0, 1}, std::pair{1, 1}, std::pair{1, 3}, std::pair{3, 1}})
     for (const std::uint32_t mip : {0u, 1u, 2u}) {
@@ -231,9 +230,8 @@ TEST_CASE("shader and twin of surface noise sum what the oracle sums over all im
     }
 }
 
-TEST_CASE(
-    "a place on a surface far from the origin has the cubes of its tile, where there are more "
-    "than an int counts") {
+TEST_CASE("surface noise far from the origin uses the cubes of its tile, even if their number "
+          "overflows an int") {
   TextonTwins twins(
       kPass, SyntheticTexton{.texelsPerTileX = 16384, .texelsPerTileY = 16384, .channels = 1});
   for (const std::int64_t tile : {std::int64_t(1) << 24, -(std::int64_t(1) << 27)}) {
@@ -258,7 +256,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("on a surface the constant weight of a mix is the material's") {
+TEST_CASE("surface mapping uses the material's constant mix weight") {
   const SyntheticTexton texton{.steps = 5, .channels = 1};
   BundleFile file = syntheticTextonBundle(texton);
   file.bundle.materials[0]->mix.weight = 0.6;
@@ -277,7 +275,7 @@ TEST_CASE("on a surface the constant weight of a mix is the material's") {
   CHECK(strangers == 0);
 }
 
-TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") {
+TEST_CASE("the shader counts as many impacts on a surface as proposition 3 predicts") {
   const SyntheticTexton texton;
   TextonTwins twins(kPass, texton);
   std::vector<SurfacePoint> points = samplePoints(texton, 400);
@@ -296,7 +294,7 @@ TEST_CASE("the shader counts the impacts on a surface that proposition 3 says") 
   CHECK(mean == Approx(expected).margin(5.0 * std::sqrt(90.0 / 4.0 / 400.0)));
 }
 
-TEST_CASE("a period is refused for noise on a surface") {
+TEST_CASE("a period is an error for surface mapping") {
   TextonTwins twins(kPass, SyntheticTexton{});
   LichenUniformInfo info = surfaceUniformInfo();
   info.periodTiles[0] = info.periodTiles[1] = 2.0;

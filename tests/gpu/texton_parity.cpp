@@ -106,7 +106,7 @@ const std::vector<SyntheticTexton> kTextons = {
 
 } // namespace
 
-TEST_CASE("the texton shader and its CPU twin agree: 99.9 % within 1/1024 and all within 1/255") {
+TEST_CASE("the texton shader matches its CPU twin: 99.9 % within 1/1024 and all within 1/255") {
   for (const SyntheticTexton& texton : kTextons) {
     TextonTwins twins(kPass, texton);
     const std::vector<MixedPoint> points = samplePoints(texton, 400);
@@ -143,7 +143,8 @@ TEST_CASE("the texton shader and its CPU twin agree: 99.9 % within 1/1024 and al
   }
 }
 
-TEST_CASE("textons of order 0 agree but for points on the border of a coefficient") {
+TEST_CASE("textons of order 0 match their CPU twin, except at points on the border of a "
+          "coefficient") {
   TextonTwins twins(kPass, SyntheticTexton{.order = 0});
   const std::vector<MixedPoint> points = samplePoints({}, 600);
   for (const LichenUniformInfo& info : manyUniforms()) {
@@ -191,7 +192,8 @@ std::vector<OracleCase> oracleCases() {
 
 } // namespace
 
-TEST_CASE("shader and twin sum what the oracle sums over all impacts of a periodic domain") {
+TEST_CASE("the shader and its CPU twin match the oracle, which sums over all impacts of a "
+          "periodic domain") {
   for (const OracleCase& one : oracleCases()) {
     TextonTwins twins(kPass, one.texton);
     std::vector<MixedPoint> points = samplePoints(one.texton, 30);
@@ -231,7 +233,7 @@ TEST_CASE("shader and twin sum what the oracle sums over all impacts of a period
   }
 }
 
-TEST_CASE("derivatives of order 3 are those of the spline, and the count is of impacts in reach") {
+TEST_CASE("derivatives of order 3 match the spline, and only impacts in reach are counted") {
   const SyntheticTexton texton{.order = 3, .channels = 1, .wholeFloats = true};
   TextonTwins twins(kPass, texton);
   std::vector<MixedPoint> points = samplePoints(texton, 200);
@@ -267,8 +269,8 @@ TEST_CASE("derivatives of order 3 are those of the spline, and the count is of i
   CHECK(mean == Approx(30.0).margin(1.0));
 }
 
-TEST_CASE("value and differences of a height agree in shader and twin, at all levels, orders and "
-          "parameters, and of a mix") {
+TEST_CASE("a height's value and differences match the CPU twin at all levels, orders and "
+          "parameters, also for a mix") {
   // Only three of the uniforms: each needs a pipeline, and pipelines take most of the time.
   std::vector<LichenUniformInfo> infos = manyUniforms();
   infos = {infos[1], infos[2], infos[3]};
@@ -298,9 +300,8 @@ TEST_CASE("value and differences of a height agree in shader and twin, at all le
   }
 }
 
-TEST_CASE(
-    "a point far from the origin has the impacts of its tile, where cells are more than an int "
-    "counts") {
+TEST_CASE("a point far from the origin has the impacts of its tile, even if the number of "
+          "cells overflows an int") {
   TextonTwins twins(
       kPass, SyntheticTexton{.texelsPerTileX = 16384, .texelsPerTileY = 16384, .channels = 1});
   for (const auto& [period, tile] :
@@ -340,7 +341,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("with gradients left to a sampler without anisotropy, all is as with levels") {
+TEST_CASE("a sampler without anisotropy gives the same result from gradients as from levels") {
   for (const int order : {0, 1, 3}) {
     // A square tile, so that gradients at right angles are also the footprint's axes in texels. The
     // footprints have whole levels, because lavapipe approximates levels in between.
@@ -372,7 +373,8 @@ TEST_CASE("with gradients left to a sampler without anisotropy, all is as with l
   }
 }
 
-TEST_CASE("the gradient of a mix is that of the oracle in shader and twin, with the mean's slope") {
+TEST_CASE("the gradient of a mix includes the mean's slope and matches the oracle in shader "
+          "and CPU twin") {
   const SyntheticTexton texton{.order = 3, .steps = 3, .channels = 1, .wholeFloats = true};
   TextonTwins twins(kPass, texton);
   std::vector<MixedPoint> points = samplePoints(texton, 200);
@@ -412,7 +414,8 @@ TEST_CASE("the gradient of a mix is that of the oracle in shader and twin, with 
   }
 }
 
-TEST_CASE("the weight of a direction is the material's, whatever its placement") {
+TEST_CASE("a constant or a direction of the weight follows the material, not the noise's "
+          "placement") {
   const SyntheticTexton texton{.order = 1, .steps = 5};
   BundleFile file = syntheticTextonBundle(texton);
   MixWeight& mix = file.bundle.materials[0]->mix;

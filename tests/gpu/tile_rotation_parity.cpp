@@ -96,7 +96,7 @@ constexpr std::array kMaps{SyntheticMap{3, 64, 64}, SyntheticMap{2, 64, 32, fals
 
 } // namespace
 
-TEST_CASE("turned tiles with fewer taps, in the plane and in three, are the CPU twin's") {
+TEST_CASE("rotated tiles with fewer taps match the CPU twin, with uv and with triplanar mapping") {
   VulkanDevice* const device = sharedDevice();
   for (const SyntheticMap& map : kMaps) {
     const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
@@ -126,7 +126,8 @@ TEST_CASE("turned tiles with fewer taps, in the plane and in three, are the CPU 
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("a shader without turning shows tiles as they are, and one with it turns them") {
+TEST_CASE("a shader without the code of tile rotation does not rotate tiles, and one with it "
+          "does") {
   VulkanDevice* const device = sharedDevice();
   for (const SyntheticMap& map : kMaps) {
     const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));

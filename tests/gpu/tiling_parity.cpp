@@ -152,7 +152,7 @@ const std::vector<SyntheticMap> kSixteenBits = {{3, 64, 64},
 
 } // namespace
 
-TEST_CASE("16-bit tiling is the oracle's: 99.9 % within 1/1024 and all within 1/255") {
+TEST_CASE("16-bit tiling matches the oracle: 99.9 % within 1/1024 and all within 1/255") {
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
   for (const SyntheticMap& map : kSixteenBits) {
     int uniforms = 0;
@@ -166,7 +166,7 @@ TEST_CASE("16-bit tiling is the oracle's: 99.9 % within 1/1024 and all within 1/
   }
 }
 
-TEST_CASE("a shader without the code of other tables decodes as the whole shader does") {
+TEST_CASE("a shader without the code of other kinds of table decodes like the full shader") {
   struct Variant {
     SyntheticTable table;
     std::span<const std::uint32_t> spirv;
@@ -190,12 +190,12 @@ TEST_CASE("a shader without the code of other tables decodes as the whole shader
     }
 }
 
-TEST_CASE("a shader without the code of joint tables takes no notice of one") {
+TEST_CASE("a shader without the code of joint tables does not read one") {
   for (const Parity& parity : parities({3, 64, 64}, tiling_evaluate_comp_no_table))
     CHECK(parity.value.largest > 0.1);
 }
 
-TEST_CASE("8-bit tiling differs from the oracle by what 8-bit filtering explains") {
+TEST_CASE("8-bit tiling differs from the oracle by no more than 8-bit filtering explains") {
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
   // A sampler that filters in 8 bits rounds G twice (within a level and between levels), by at most
   // 1/255 each. Blending three taps multiplies that by at most sqrt(3), contrast by up to 1.4, the
@@ -216,7 +216,7 @@ TEST_CASE("8-bit tiling differs from the oracle by what 8-bit filtering explains
   }
 }
 
-TEST_CASE("the shader and its CPU twin agree in every operator") {
+TEST_CASE("the shader matches its CPU twin in every operator") {
   const std::pair<Operator, BlendOperator> operators[] = {
       {kHistogram, BlendOperator::histogramPreserving},
       {kLinear, BlendOperator::linear},
@@ -296,7 +296,7 @@ TEST_CASE("the comparison operators blend the decoded tiles linearly, and about 
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("with gradients left to the sampler, only the driver's level of detail differs") {
+TEST_CASE("gradients passed to the sampler change only the driver's level of detail") {
   // lavapipe approximates the level, and levels of independent texels differ strongly: measured
   // 0.016, and 0.025 with contrast 1.4.
   for (const Parity& parity :

@@ -228,8 +228,8 @@ const std::vector<SyntheticMap> kMaps = {{3, 64, 64},
 
 } // namespace
 
-TEST_CASE("triplanar tiling in the shader is the CPU twin's and the oracle's: 99.9 % within 1/1024 "
-          "and all within 1/255") {
+TEST_CASE("triplanar tiling matches the CPU twin and the oracle: 99.9 % within 1/1024 and all "
+          "within 1/255") {
   const std::vector<LichenUniformInfo> uniforms = manyUniforms();
   for (std::size_t m = 0; m < kMaps.size(); ++m) {
     const SyntheticMap& map = kMaps[m];
@@ -270,8 +270,7 @@ TEST_CASE("triplanar tiling in the shader is the CPU twin's and the oracle's: 99
   }
 }
 
-TEST_CASE("triplanar textons in the shader are the CPU twin's: 99.9 % within 1/1024 and all within "
-          "1/255") {
+TEST_CASE("triplanar textons match the CPU twin: 99.9 % within 1/1024 and all within 1/255") {
   const std::vector<LichenUniformInfo> uniforms = manyUniforms();
   const SyntheticTexton textons[] = {{},
                                      {.mipLevels = 2, .channels = 2},
@@ -297,7 +296,8 @@ TEST_CASE("triplanar textons in the shader are the CPU twin's: 99.9 % within 1/1
   }
 }
 
-TEST_CASE("planes of too small a weight do not count, and the squares of the others' sum to 1") {
+TEST_CASE("planes with a small weight are dropped, and the squares of the other weights sum to "
+          "1") {
   OnDevice noise(syntheticGlb(std::span(kMaps.data(), 1)));
   const std::vector<SpacePoint> points = samplePoints(64.0f, 2000);
   for (const double sharpness : {1.0, 8.0, 64.0}) {

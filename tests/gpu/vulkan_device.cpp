@@ -9,7 +9,7 @@
 
 using namespace lichen;
 
-TEST_CASE("a choice that names no device is a usage error that lists the devices") {
+TEST_CASE("the error for an unknown device lists the devices") {
   lichen::test::requireDevice();
   VulkanDeviceOptions options;
   options.choice = "no such device";
@@ -20,7 +20,7 @@ TEST_CASE("a choice that names no device is a usage error that lists the devices
   CHECK(device.error().message.find(names.front()) != std::string::npos);
 }
 
-TEST_CASE("a device is found by its index and by a part of its name") {
+TEST_CASE("a device can be chosen by its index or by part of its name") {
   const auto device = lichen::test::requireDevice();
   VulkanDeviceOptions options;
   options.choice = std::string(device->properties().deviceName).substr(0, 4);
@@ -56,7 +56,7 @@ void copyThereAndBack(VulkanDevice& device, bool withBarrier, std::vector<std::b
 
 } // namespace
 
-TEST_CASE("what is copied to the device and back is what was written, without a message") {
+TEST_CASE("bytes copied to the device and back are unchanged, without validation messages") {
   const auto device = lichen::test::requireDevice();
   std::vector<std::byte> result;
   copyThereAndBack(*device, true, result);
@@ -73,7 +73,7 @@ TEST_CASE("synchronization validation reports a missing barrier") {
   CHECK(device->messages().texts().front().find("SYNC-HAZARD-READ") != std::string::npos);
 }
 
-TEST_CASE("what validation says of objects that outlive their device is kept") {
+TEST_CASE("validation messages about objects that outlive their device are stored") {
   auto device = lichen::test::requireDevice();
   const auto messages = device->keptMessages();
   VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
@@ -87,7 +87,7 @@ TEST_CASE("what validation says of objects that outlive their device is kept") {
   CHECK(messages->texts().front().find("vkDestroyDevice") != std::string::npos);
 }
 
-TEST_CASE("what a failed creation leaves in its handle is not destroyed") {
+TEST_CASE("a handle written by a failed creation is not destroyed") {
   const auto device = lichen::test::requireDevice();
   const auto realCreate = vkCreateImageView;
   static PFN_vkDestroyImageView realDestroy;
@@ -117,7 +117,7 @@ TEST_CASE("what a failed creation leaves in its handle is not destroyed") {
   CHECK(device->messages().texts().empty());
 }
 
-TEST_CASE("more allocations than the device accepts are refused until one is freed") {
+TEST_CASE("allocations beyond the device's limit fail until one is freed") {
   const auto device = lichen::test::requireDevice();
   // Drivers accept thousands, some of them any number.
   auto& properties = const_cast<VkPhysicalDeviceProperties&>(device->properties());
@@ -136,7 +136,7 @@ TEST_CASE("more allocations than the device accepts are refused until one is fre
   CHECK(create().ok()); // the last one is gone
 }
 
-TEST_CASE("an image reads back as it was cleared") {
+TEST_CASE("an image read back has the colour it was cleared to") {
   const auto device = lichen::test::requireDevice();
   DeviceImageInfo info;
   info.format = VK_FORMAT_R8G8B8A8_UNORM;

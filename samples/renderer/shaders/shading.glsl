@@ -59,13 +59,21 @@ vec3 tiltedNormal(Shading s, int k) {
   return normalize(s.normal + ((k & 1) == 0 ? s.spread : -s.spread) * axis);
 }
 
+/// Cosine of a bump's normal to a direction, bounded by the bump's own shadow. Below the horizon of
+/// the geometric normal it is 0; toward the horizon it fades by Smith shadowing: at an elevation e,
+/// bumps of slope a leave 2 e / a of the cosine a [Heitz 2014, eqs. 43 and 72]. The bound is the
+/// same for resolved bumps, so brightness does not depend on the distance.
+float shadowedCosine(Shading s, vec3 normal, vec3 l) {
+  return clamp(dot(normal, l), 0.0, max(2.0 * dot(s.geometricNormal, l), 0.0));
+}
+
 /// Mean cosine of the bumps to a direction.
 float meanCosine(Shading s, vec3 l) {
   if (s.spread == 0.0)
-    return max(dot(s.normal, l), 0.0);
+    return shadowedCosine(s, s.normal, l);
   float sum = 0.0;
   for (int k = 0; k < 4; ++k)
-    sum += max(dot(tiltedNormal(s, k), l), 0.0);
+    sum += shadowedCosine(s, tiltedNormal(s, k), l);
   return 0.25 * sum;
 }
 
@@ -100,19 +108,22 @@ vec3 reflected(Shading s, vec3 l) {
   float cosine = meanCosine(s, l);
   if (cosine <= 0.0)
     return vec3(0.0);
-  float nDotL = max(dot(s.normal, l), 0.0);
   vec3 h = l + s.view; // zero if the view is along the light, with the surface at grazing angles
   h = dot(h, h) > 1e-8 ? normalize(h) : s.normal;
-  float nDotH = clamp(dot(s.normal, h), 0.0, 1.0);
   float vDotH = clamp(dot(s.view, h), 0.0, 1.0);
+  vec3 fresnel = s.f0 + (1.0 - s.f0) * pow(1.0 - vDotH, kSchlickPower);
+  vec3 diffuse = cosine * (1.0 - fresnel) * s.diffuseColor / kPi;
+  float nDotL = shadowedCosine(s, s.normal, l);
+  if (nDotL == 0.0) // the light reaches tilted bumps only
+    return diffuse;
+  float nDotH = clamp(dot(s.normal, h), 0.0, 1.0);
   float a2 = s.alpha * s.alpha;
   float d = nDotH * nDotH * (a2 - 1.0) + 1.0;
   float distribution = a2 / (kPi * d * d);
   float visibility = 0.5 / (nDotL * sqrt(s.nDotV * s.nDotV * (1.0 - a2) + a2) +
                             s.nDotV * sqrt(nDotL * nDotL * (1.0 - a2) + a2));
-  vec3 fresnel = s.f0 + (1.0 - s.f0) * pow(1.0 - vDotH, kSchlickPower);
   vec3 specular = fresnel * (distribution * visibility) + scatteredAgain(s, nDotL);
-  return cosine * (1.0 - fresnel) * s.diffuseColor / kPi + nDotL * specular;
+  return diffuse + nDotL * specular;
 }
 
 // Offset of the four taps of the shadow filter. Each tap is a tent of one texel's radius (bilinear
