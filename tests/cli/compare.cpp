@@ -291,5 +291,5 @@ TEST_CASE("compare refuses broken images and bundles in one line") {
   checkRefusal({"compare", cut, bundle}, bad, {"half.png"});
   checkRefusal({"compare", workplace.path("absent.png"), bundle}, bad, {"absent.png"});
   checkRefusal({"compare", bundle, image}, bad, {"noise.glb", "PNG"});
-  checkRefusal({"compare", image}, int(ErrorKind::usage), {"RESULT is required"});
+  checkRefusal({"compare", image}, int(ErrorKind::usage), {"RESULT|BUNDLE is required"});
 }
