@@ -5,6 +5,8 @@
 
 #include "object_reader.h"
 
+#include <lichen/counted.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -217,10 +219,9 @@ private:
     if (stride < size || offset > there || there - offset < size ||
         (there - offset - size) / stride < count - 1) {
       findings_.error("accessor", reader.pointer(),
-                      std::to_string(count) + " elements of " + std::to_string(size) +
-                          " bytes, one every " + std::to_string(stride) + " from " +
-                          std::to_string(offset) + ", pass the end of a view of " +
-                          std::to_string(there));
+                      counted(count, "element") + " of " + counted(size, "byte") + ", one every " +
+                          std::to_string(stride) + " from " + std::to_string(offset) +
+                          " on; the view has " + std::to_string(there));
       throw Unreadable{};
     }
     return {bytes->bytes.data() + offset, stride};

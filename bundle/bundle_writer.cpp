@@ -7,6 +7,7 @@
 #include "preview_scene.h"
 
 #include <lichen/bundle_writer.h>
+#include <lichen/counted.h>
 #include <lichen/files.h>
 #include <lichen/gltf_container.h>
 
@@ -25,9 +26,9 @@ Result<void> checkParts(const BundleFile& file) {
   if (noises == 0)
     return refusal("no noises; expected at least one");
   if (file.bundle.materials.size() != noises || file.previews.size() != noises)
-    return refusal(std::to_string(file.bundle.materials.size()) + " materials and " +
-                   std::to_string(file.previews.size()) + " previews for " +
-                   std::to_string(noises) + " noises; expected one of each per noise");
+    return refusal(counted(file.bundle.materials.size(), "material") + " and " +
+                   counted(file.previews.size(), "preview") + " for " + counted(noises, "noise") +
+                   "; expected one of each per noise");
   if (file.shape == PreviewShape::plane && noises > std::size_t(kGroundSectors))
     return refusal(std::to_string(noises) + " noises; a preview plane shows at most " +
                    std::to_string(kGroundSectors) + ", a sphere or none any number");

@@ -367,7 +367,8 @@ Bundle readExtension(GltfFile& file, FindingList& findings) {
     findings.error("extensions-required", "/extensionsRequired",
                    "lists " + std::string(kExtensionName) + ", which a viewer may always ignore");
   if (!used)
-    findings.warn("extension-absent", "", "the file does not use " + std::string(kExtensionName));
+    findings.warn("extension-absent", "",
+                  "the file has no noise: it does not use " + std::string(kExtensionName));
   return bundle;
 }
 

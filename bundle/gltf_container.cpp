@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cstring>
 #include <new>
+#include <string_view>
+#include <utility>
 
 namespace lichen {
 namespace {
@@ -92,13 +94,26 @@ void splitGlb(std::span<const std::byte> file, GltfContainer& container) {
     fail("glb-chunk", "the GLB has no JSON chunk");
 }
 
+/// What a file is that is no glTF, from its first bytes.
+std::string kindOf(std::span<const std::byte> file) {
+  constexpr std::pair<std::string_view, const char*> kKinds[] = {
+      {"\x89PNG\r\n\x1a\n", "is a PNG image"}, {"\xff\xd8\xff", "is a JPEG image"},
+      {"\x76\x2f\x31\x01", "is an EXR image"}, {"\xabKTX ", "is a KTX texture"},
+      {"BLENDER", "is a Blender file"},        {"Kaydara FBX", "is an FBX file"},
+  };
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  for (const auto& [start, kind] : kKinds)
+    if (text.starts_with(start))
+      return kind;
+  return "neither a GLB (first bytes glTF) nor a JSON object";
+}
+
 void splitText(std::span<const std::byte> file, GltfContainer& container) {
   const auto first = std::find_if(file.begin(), file.end(), [](std::byte b) {
     return std::string_view(" \t\r\n").find(char(b)) == std::string_view::npos;
   });
   if (first == file.end() || char(*first) != '{')
-    fail(kNotGltf, "neither a GLB (first bytes glTF) nor a JSON object; expected a .glb or "
-                   ".gltf");
+    fail(kNotGltf, kindOf(file) + "; expected a .glb or .gltf");
   container.text = file;
 }
 

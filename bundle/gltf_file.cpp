@@ -5,6 +5,7 @@
 #include "gltf_file.h"
 
 #include <lichen/base64.h>
+#include <lichen/counted.h>
 #include <lichen/files.h>
 
 namespace lichen {
@@ -140,8 +141,7 @@ std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {
   }
   if (*length > target.bytes.size())
     return fault("buffer", "/byteLength",
-                 std::to_string(*length) + " bytes; only " + std::to_string(target.bytes.size()) +
-                     " are available");
+                 counted(*length, "byte") + "; available: " + std::to_string(target.bytes.size()));
   target.bytes = target.bytes.first(std::size_t(*length));
   return std::nullopt;
 }
@@ -187,8 +187,8 @@ std::optional<GltfFile::StridedView> GltfFile::stridedView(std::size_t index,
     return std::nullopt;
   if (*offset > source->size() || *length > source->size() - *offset) {
     findings.error("buffer-view", pointer,
-                   std::to_string(*length) + " bytes at " + std::to_string(*offset) +
-                       " pass the end of a buffer of " + std::to_string(source->size()));
+                   counted(*length, "byte") + " from " + std::to_string(*offset) +
+                       " on; the buffer has " + std::to_string(source->size()));
     return std::nullopt;
   }
   return StridedView{source->subspan(std::size_t(*offset), std::size_t(*length)),

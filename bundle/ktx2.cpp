@@ -4,6 +4,7 @@
 // texel size.
 // Sources: KTX File Format Specification 2.0; Khronos Data Format Specification 1.3, section 5.
 #include <lichen/bundle.h>
+#include <lichen/counted.h>
 
 #include <algorithm>
 #include <bit>
@@ -165,9 +166,9 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
     return refusal(name, "depth of " + std::to_string(header.pixelDepth) +
                              " texels; expected at most " + std::to_string(kMaxTableSide));
   if (header.layerCount != 0 || header.faceCount != 1)
-    return refusal(name, std::to_string(header.layerCount) + " layers and " +
-                             std::to_string(header.faceCount) +
-                             " faces; expected a single 2-D or 3-D image (0 and 1)");
+    return refusal(name, counted(header.layerCount, "layer") + " and " +
+                             counted(header.faceCount, "face") +
+                             "; expected a single 2-D or 3-D image (0 and 1)");
   const auto mostLevels =
       header.pixelDepth > 0
           ? 1
@@ -214,7 +215,7 @@ std::string keyValueFault(std::span<const std::byte> data, bool is3d) {
     data = data.subspan(sizeof(std::uint32_t));
     const std::size_t padded = (std::size_t(length) + 3) / 4 * 4;
     if (padded > data.size())
-      return "key/value entry of " + std::to_string(length) + " bytes passes the end of its data";
+      return "key/value entry of " + counted(length, "byte") + " passes the end of its data";
     std::string text(length, '\0');
     std::memcpy(text.data(), data.data(), length);
     data = data.subspan(padded);
@@ -244,8 +245,8 @@ Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size
     const std::string which = "mip level " + std::to_string(level);
     const std::size_t size = levelRange(table, level).size;
     if (entry.byteLength != size || entry.uncompressedByteLength != size)
-      return refusal(table.name, which + " of " + std::to_string(entry.byteLength) + " bytes; " +
-                                     std::to_string(size) + " are needed");
+      return refusal(table.name, which + " of " + counted(entry.byteLength, "byte") +
+                                     "; expected " + std::to_string(size));
     if (entry.byteOffset % alignment != 0 || entry.byteOffset < end ||
         entry.byteOffset - end >= alignment)
       return refusal(table.name, which + " at byte " + std::to_string(entry.byteOffset) +
@@ -257,8 +258,8 @@ Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size
     end = entry.byteOffset + entry.byteLength;
   }
   if (end != file.size())
-    return refusal(table.name, std::to_string(file.size() - end) +
-                                   " bytes after the last mip level; expected none");
+    return refusal(table.name,
+                   counted(file.size() - end, "byte") + " after the last mip level; expected none");
   const LevelRange last = levelRange(table, table.mipLevels - 1);
   table.texels.resize(last.offset + last.size);
   for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
@@ -287,7 +288,8 @@ bool isFinite(const Table& table) {
 
 Result<Table> decode(std::span<const std::byte> file, const std::string& name) {
   if (file.size() < sizeof(Header))
-    return refusal(name, std::to_string(file.size()) + " bytes are too few for a header");
+    return refusal(name, counted(file.size(), "byte") + "; a header has " +
+                             std::to_string(sizeof(Header)));
   const auto header = read<Header>(file, 0);
   if (header.identifier != kIdentifier)
     return refusal(name, "the file identifier is absent");

@@ -2,6 +2,8 @@
 // Typed access to one JSON object; see object_reader.h.
 #include "object_reader.h"
 
+#include <lichen/counted.h>
+
 #include <algorithm>
 
 namespace lichen {
@@ -111,7 +113,7 @@ std::optional<std::array<double, 2>> ObjectReader::pair(const char* key, NumberR
   if (values && values->size() == 2)
     return std::array{values->front(), values->back()};
   if (values)
-    error("count", key, std::to_string(values->size()) + " values; expected 2");
+    error("count", key, counted(values->size(), "value") + "; expected 2");
   return std::nullopt;
 }
 

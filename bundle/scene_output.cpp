@@ -58,6 +58,7 @@ Indentation indentationOf(std::string_view text) {
 } // namespace
 
 /// Assembles the output. Modifies the state's own document, because an asset is written only once.
+/// A friend of GltfScene, so outside the anonymous namespace.
 class SceneWriter {
 public:
   SceneWriter(GltfScene::State& state, const std::filesystem::path& path, bool isGlb)

@@ -3,6 +3,8 @@
 // mix. n is the number of channels.
 #include "extension_reader.h"
 
+#include <lichen/counted.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -44,7 +46,7 @@ std::vector<double> readMean(ObjectReader& reader, ValueEncoding encoding, std::
     return {};
   if (n != 0 && mean->size() != n)
     reader.error("map-mean", "mean",
-                 std::to_string(mean->size()) + " values; expected " + std::to_string(n) +
+                 counted(mean->size(), "value") + "; expected " + std::to_string(n) +
                      ", one per channel");
   return std::move(*mean);
 }
@@ -56,7 +58,7 @@ std::vector<double> readCovariance(ObjectReader& reader, std::size_t n) {
     return {};
   if (n != 0 && covariance->size() != n * n)
     reader.error("map-covariance", "covariance",
-                 std::to_string(covariance->size()) + " values; expected " + std::to_string(n * n) +
+                 counted(covariance->size(), "value") + "; expected " + std::to_string(n * n) +
                      ", a row of the matrix per channel");
   else if (n != 0 && !isSymmetric(*covariance, n))
     reader.error("map-covariance", "covariance", "not symmetric");

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Whole files. Writing takes POSIX calls: only they make unnamed files and flush to disk.
+// Whole files, through POSIX calls: only they open a file without waiting, say why that failed,
+// make unnamed files and flush to disk.
+#include <lichen/counted.h>
 #include <lichen/files.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <fcntl.h>
-#include <fstream>
 #include <new>
+#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -105,25 +108,39 @@ auto exhausted(const std::filesystem::path& path) {
   return [&path] { return path.string() + ": not enough memory"; };
 }
 
+/// Reads `bytes.size()` bytes, or up to the end of the file. Returns the number of bytes read, or
+/// -1 with errno.
+ssize_t readAll(int descriptor, std::span<std::byte> bytes) {
+  std::size_t total = 0;
+  while (total < bytes.size()) {
+    const std::size_t wanted = std::min(bytes.size() - total, kMaxTransfer);
+    const ssize_t count = ::read(descriptor, bytes.data() + total, wanted);
+    if (count < 0 && errno == EINTR)
+      continue;
+    if (count < 0)
+      return -1;
+    if (count == 0)
+      break;
+    total += std::size_t(count);
+  }
+  return ssize_t(total);
+}
+
 /// Reads as many bytes of a file as `sizeToRead` returns for the file's size, unless it returns an
 /// error; fewer if another process shortens the file meanwhile.
 template <class SizeToRead>
 Result<std::vector<std::byte>> openAndRead(const std::filesystem::path& path,
                                            const SizeToRead& sizeToRead) {
-  std::error_code code;
-  const std::filesystem::file_status status = std::filesystem::status(path, code);
-  const bool isRegular = std::filesystem::is_regular_file(status);
-  const std::uintmax_t available = isRegular ? std::filesystem::file_size(path, code) : 0;
-  if (code)
-    return unreadable(path, code.value());
-  if (!isRegular) // opening a named pipe would wait for a writer
-    return Error{ErrorKind::badInput, path.string() + (std::filesystem::is_directory(status)
-                                                           ? ": is a folder; expected a file"
-                                                           : ": is not a regular file")};
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
+  // Without O_NONBLOCK, opening a named pipe would wait for a writer.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  struct stat status {};
+  if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
     return unreadable(path, errno);
-  const Result<std::size_t> size = sizeToRead(std::size_t(available));
+  if (!S_ISREG(status.st_mode))
+    return Error{ErrorKind::badInput,
+                 path.string() + (S_ISDIR(status.st_mode) ? ": is a folder; expected a file"
+                                                          : ": is not a regular file")};
+  const Result<std::size_t> size = sizeToRead(std::size_t(status.st_size));
   if (!size)
     return size.error();
   std::vector<std::byte> bytes;
@@ -135,18 +152,17 @@ Result<std::vector<std::byte>> openAndRead(const std::filesystem::path& path,
              " bytes";
     });
   }
-  file.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
-  if (file.bad())
+  const ssize_t count = readAll(file.get(), bytes);
+  if (count < 0)
     return unreadable(path, errno);
-  bytes.resize(std::size_t(file.gcount()));
+  bytes.resize(std::size_t(count));
   return bytes;
 }
 
 Error wrongSize(const std::filesystem::path& path, std::size_t size, const char* bound,
                 std::size_t expected) {
-  return Error{ErrorKind::badInput, path.string() + ": has " + std::to_string(size) +
-                                        " bytes; expected at " + bound + " " +
-                                        std::to_string(expected)};
+  return Error{ErrorKind::badInput, path.string() + ": has " + counted(size, "byte") +
+                                        "; expected at " + bound + " " + std::to_string(expected)};
 }
 
 /// Like replaceFile(), but throws std::bad_alloc.
@@ -194,6 +210,20 @@ Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path, 
       return available < size ? Result<std::size_t>(wrongSize(path, available, "least", size))
                               : size;
     });
+  });
+}
+
+Result<void> checkFolder(const std::filesystem::path& folder) {
+  return withinMemory(exhausted(folder), [&]() -> Result<void> {
+    struct stat status {};
+    const int code = ::stat(folder.empty() ? "." : folder.c_str(), &status) == 0 ? 0 : errno;
+    if (code == 0 && S_ISDIR(status.st_mode))
+      return {};
+    return Error{ErrorKind::environment,
+                 folder.string() + (code == 0 ? ": is a file; expected a folder"
+                                    : code == ENOENT
+                                        ? ": the folder does not exist; create it first"
+                                        : ": cannot be used: " + reason(code))};
   });
 }
 

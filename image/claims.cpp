@@ -2,6 +2,7 @@
 // Checks of claimed sizes, and error messages of image files.
 #include "claims.h"
 
+#include <lichen/counted.h>
 #include <lichen/image_io.h>
 
 #include <algorithm>
@@ -45,9 +46,8 @@ Result<void> checkExpansion(const std::string& name, std::uint64_t decoded, std:
   if (decoded / expansion.maximumPerByte <= fileBytes)
     return {};
   return badInput(name, "claims " + std::to_string(decoded) + " bytes of pixels in a file of " +
-                            std::to_string(fileBytes) + " bytes; " + expansion.compression +
-                            " expands at most " + std::to_string(expansion.maximumPerByte) +
-                            " times");
+                            counted(fileBytes, "byte") + "; " + expansion.compression +
+                            " expands at most " + counted(expansion.maximumPerByte, "time"));
 }
 
 Result<void> checkEncodable(const std::string& format, int width, int height, int channels,
@@ -60,9 +60,8 @@ Result<void> checkEncodable(const std::string& format, int width, int height, in
                  format + ": " + std::to_string(channels) + " channels; expected 1 to 4"};
   const std::size_t expected = std::size_t(width) * std::size_t(height) * std::size_t(channels);
   if (values.size() != expected)
-    return Error{ErrorKind::usage, format + ": " + std::to_string(values.size()) +
-                                       " values; the image's size requires " +
-                                       std::to_string(expected)};
+    return Error{ErrorKind::usage, format + ": " + counted(values.size(), "value") +
+                                       "; the image's size requires " + std::to_string(expected)};
   const auto bad =
       std::find_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); });
   if (bad != values.end())

@@ -22,7 +22,7 @@ constexpr std::int64_t kMaxTileSide = 4096;
 // bytes costs two bits. RLE: 2 bytes encode up to 128. PIZ: 9 bits repeat a 2-byte value 255 times.
 // PXR24: deflate over three bytes of every four. B44A: 3 bytes encode 4 x 4 half values. DWA:
 // deflate over RLE.
-constexpr std::array<Expansion, EXR_COMPRESSION_LAST_TYPE> kExpansions = {{
+constexpr auto kExpansions = std::to_array<Expansion>({
     {"uncompressed EXR", 1},
     {"EXR's RLE", 64},
     {"EXR's ZIPS", 1032},
@@ -33,12 +33,12 @@ constexpr std::array<Expansion, EXR_COMPRESSION_LAST_TYPE> kExpansions = {{
     {"EXR's B44A", 11},
     {"EXR's DWAA", 66048},
     {"EXR's DWAB", 66048},
-}};
+});
 
 /// A file in memory that OpenEXR's C library has opened.
 class OpenExr {
 public:
-  /// Reads the header.
+  /// Reads the header. An absent attribute has its default.
   OpenExr(std::span<const std::byte> bytes, const std::string& name) : bytes_(bytes), name_(name) {
     exr_context_initializer_t options = EXR_DEFAULT_CONTEXT_INITIALIZER;
     options.error_handler_fn = keepMessage;
@@ -49,6 +49,13 @@ public:
     };
     options.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     opened_ = exr_start_read(&context_, "EXR", &options);
+    if (opened_ == EXR_ERR_MISSING_REQ_ATTR) {
+      // The attributes that are there are sound. The C++ library reads such files with defaults,
+      // which are also the C library's if it is not strict.
+      exr_finish(&context_);
+      options.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
+      opened_ = exr_start_read(&context_, "EXR", &options);
+    }
   }
   OpenExr(const OpenExr&) = delete;
   OpenExr& operator=(const OpenExr&) = delete;
@@ -65,6 +72,11 @@ public:
     return badInput(
         name_,
         what + ": " + printable(isSilent ? exr_get_default_error_message(code) : message_.data()));
+  }
+
+  /// The outcome of a call that returned `code`.
+  [[nodiscard]] Result<void> outcome(exr_result_t code) const {
+    return code == EXR_ERR_SUCCESS ? Result<void>() : failure(code, "damaged EXR");
   }
 
 private:
@@ -95,7 +107,10 @@ private:
 Result<void> checkTiles(const OpenExr& exr, const exr_attr_box2i_t& window,
                         const std::string& name) {
   std::uint32_t width = 0, height = 0;
-  exr_get_tile_descriptor(exr.context(), 0, &width, &height, nullptr, nullptr);
+  if (Result<void> known =
+          exr.outcome(exr_get_tile_descriptor(exr.context(), 0, &width, &height, nullptr, nullptr));
+      !known)
+    return known;
   const auto fits = [](std::int64_t tile, std::int64_t least, std::int64_t most) {
     return tile <= std::max(kMaxTileSide, most - least + 1);
   };
@@ -112,18 +127,24 @@ Result<void> checkChunks(const OpenExr& exr, const exr_attr_box2i_t& window,
   const exr_const_context_t context = exr.context();
   exr_storage_t storage{};
   exr_compression_t compression{};
-  exr_get_storage(context, 0, &storage);
-  exr_get_compression(context, 0, &compression);
+  if (Result<void> known = exr.outcome(exr_get_storage(context, 0, &storage)); !known)
+    return known;
+  if (Result<void> known = exr.outcome(exr_get_compression(context, 0, &compression)); !known)
+    return known;
   const bool isTiled = storage == EXR_STORAGE_TILED;
   if (!isTiled && storage != EXR_STORAGE_SCANLINE)
     return badInput(name, "is a deep EXR; expected a flat file (scan lines or tiles)");
+  if (std::size_t(compression) >= kExpansions.size())
+    return badInput(name, "is an EXR of the unknown compression " + std::to_string(compression) +
+                              "; expected 0 to " + std::to_string(kExpansions.size() - 1));
   std::int32_t chunkWidth = kMaxImageSide, chunkHeight = 0;
   if (Result<void> tiles = isTiled ? checkTiles(exr, window, name) : Result<void>(); !tiles)
     return tiles;
-  if (isTiled)
-    exr_get_tile_sizes(context, 0, 0, 0, &chunkWidth, &chunkHeight);
-  else
-    exr_get_scanlines_per_chunk(context, 0, &chunkHeight);
+  const exr_result_t sized = isTiled
+                                 ? exr_get_tile_sizes(context, 0, 0, 0, &chunkWidth, &chunkHeight)
+                                 : exr_get_scanlines_per_chunk(context, 0, &chunkHeight);
+  if (Result<void> known = exr.outcome(sized); !known)
+    return known;
   if (chunkWidth < 1 || chunkHeight < 1)
     return badInput(name, "damaged EXR: chunks without pixels");
   int row = 0;
@@ -158,7 +179,8 @@ Result<void> checkExr(std::span<const std::byte> file, const std::string& name) 
   if (exr.opened() != EXR_ERR_SUCCESS)
     return exr.failure(exr.opened(), "damaged EXR");
   exr_attr_box2i_t window{};
-  exr_get_data_window(exr.context(), 0, &window);
+  if (Result<void> known = exr.outcome(exr_get_data_window(exr.context(), 0, &window)); !known)
+    return known;
   const auto side = [](std::int64_t least, std::int64_t most) {
     return std::uint64_t(most - least + 1);
   };

@@ -15,9 +15,10 @@ namespace lichen {
 /// Checks that every attribute and every chunk of the full-resolution image lies inside the file,
 /// and that each chunk has enough bytes for its pixels. Ignores the smaller levels of mip- or
 /// rip-mapped files, which are never read. Errors: badInput for another version, a multi-part or
-/// deep file, sides outside [1, kMaxImageSide], tiles over 4096 that are larger than the image, a
-/// missing or damaged attribute or chunk, and a chunk that cannot expand to its pixels; resources
-/// if memory does not suffice.
+/// deep file, an unknown compression, sides outside [1, kMaxImageSide], tiles over 4096 that are
+/// larger than the image, a damaged attribute, a missing list of channels or description of tiles,
+/// a missing or damaged chunk, and a chunk that cannot expand to its pixels; resources if memory
+/// does not suffice.
 [[nodiscard]] Result<void> checkExr(std::span<const std::byte> file, const std::string& name);
 
 } // namespace lichen

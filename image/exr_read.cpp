@@ -5,6 +5,8 @@
 #include "codecs.h"
 #include "exr_check.h"
 
+#include <lichen/counted.h>
+
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -165,7 +167,7 @@ Result<void> checkValues(const std::vector<std::string>& chosen, LinearImage& im
     }
   }
   if (negative > 0)
-    notes.push_back(std::to_string(negative) + " negative values set to 0");
+    notes.push_back(counted(negative, "negative value") + " set to 0");
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include "command.h"
 
 #include <lichen/escaped.h>
+#include <lichen/files.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,13 +19,7 @@ Result<void> checkOutput(const std::filesystem::path& output,
   if (extension != extensions[0] && extension != extensions[1])
     return Error{ErrorKind::usage, fmt::format("{}: expected the extension {} or {}",
                                                output.string(), extensions[0], extensions[1])};
-  const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    return Error{ErrorKind::environment,
-                 fmt::format("{}: the folder {} does not exist; create it first", output.string(),
-                             folder.string())};
-  return {};
+  return checkFolder(output.parent_path());
 }
 
 std::string shortList(std::vector<std::string> items) {

@@ -4,6 +4,7 @@
 #include "options.h"
 
 #include <lichen/bundle.h>
+#include <lichen/counted.h>
 #include <lichen/escaped.h>
 
 #include <fmt/core.h>
@@ -23,10 +24,6 @@ struct Arguments {
 
 const char* severityName(Finding::Severity severity) {
   return severity == Finding::Severity::error ? "error" : "warning";
-}
-
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
 Result<int> run(const Arguments& arguments) {

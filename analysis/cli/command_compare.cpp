@@ -255,7 +255,7 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "EXEMPLAR", arguments->exemplar, "",
           "The photograph, or a folder with the maps of a material")
       .required();
-  addText(verb, "RESULT", arguments->result, "|BUNDLE",
+  addText(verb, "RESULT|BUNDLE", arguments->result, "",
           "An image made from it, or a .glb or .gltf with its noise")
       .required();
   addText(verb, "--noise", arguments->noise, "NAME",

@@ -7,6 +7,7 @@
 #include "table_words.h"
 
 #include <lichen/bundle.h>
+#include <lichen/counted.h>
 #include <lichen/files.h>
 #include <lichen/gltf_container.h>
 

@@ -7,6 +7,7 @@
 
 #include <lichen/bundle_merge.h>
 #include <lichen/bundle_writer.h>
+#include <lichen/counted.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,8 +64,9 @@ void report(const Arguments& arguments, const MergedBundle& merged, double secon
     printLine(toText(json));
     return;
   }
-  say(arguments.shared, fmt::format("{}: {}; {} tables, {:.2f} s", arguments.output,
-                                    fmt::join(names, ", "), bundle.tables.size(), seconds));
+  say(arguments.shared,
+      fmt::format("{}: {}; {}, {:.2f} s", arguments.output, fmt::join(names, ", "),
+                  counted(bundle.tables.size(), "table"), seconds));
 }
 
 Result<int> run(const Arguments& arguments) {

@@ -125,7 +125,7 @@ Accepted<std::uint32_t> tileRotation() {
 }
 
 Accepted<std::array<int, 2>> imageSize(int largest) {
-  return {"WxH", fmt::format("a size from 1x1 to {0}x{0}", largest),
+  return {"WxH|N", fmt::format("a size from 1x1 to {0}x{0}, or one number for a square", largest),
           [=](const std::string& text) -> std::optional<std::array<int, 2>> {
             if (const std::optional<int> side = parseNumber(text, 1, largest))
               return std::array<int, 2>{*side, *side};

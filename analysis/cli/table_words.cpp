@@ -33,10 +33,6 @@ FormatName formatName(TexelFormat format) {
   return {"RGBA32F", 32};
 }
 
-std::string counted(std::size_t count, const char* noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string statisticsOf(const std::vector<double>& mean, const std::vector<double>& covariance) {
   std::vector<double> deviations;
   for (std::size_t c = 0; c < mean.size(); ++c)

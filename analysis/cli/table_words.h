@@ -15,9 +15,6 @@ struct FormatName {
 };
 [[nodiscard]] FormatName formatName(TexelFormat format);
 
-/// "1 level", "2 levels".
-[[nodiscard]] std::string counted(std::size_t count, const char* noun);
-
 /// "mean 0.310, 0.360; deviation 0.140, 0.130".
 [[nodiscard]] std::string statisticsOf(const std::vector<double>& mean,
                                        const std::vector<double>& covariance);

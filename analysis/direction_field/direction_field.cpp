@@ -3,6 +3,7 @@
 // Source: [K13].
 #include "smoothest.h"
 
+#include <lichen/counted.h>
 #include <lichen/direction_field.h>
 
 #include <algorithm>
@@ -29,8 +30,8 @@ Result<void> checkMesh(std::span<const Vector3> positions, std::span<const std::
     return Error{ErrorKind::usage,
                  "an axis without a direction; expected finite numbers, not all 0"};
   if (!normals.empty() && normals.size() != positions.size())
-    return Error{ErrorKind::badInput, std::to_string(normals.size()) + " normals for " +
-                                          std::to_string(positions.size()) + " vertices"};
+    return Error{ErrorKind::badInput, counted(normals.size(), "normal") + " for " +
+                                          std::to_string(positions.size()) + " positions"};
   for (const std::span<const Vector3> values : {positions, normals})
     for (const Vector3& value : values)
       if (!std::all_of(value.begin(), value.end(), [](float x) { return std::isfinite(x); }))

@@ -3,6 +3,7 @@
 // escape.
 #pragma once
 
+#include <lichen/counted.h>
 #include <lichen/image.h>
 #include <lichen/result.h>
 
@@ -19,7 +20,7 @@ inline int shorterSide(const SrgbImage& image) { return std::min(image.width, im
 
 inline std::string describe(const SrgbImage& image) {
   return std::to_string(image.width) + " x " + std::to_string(image.height) + " with " +
-         std::to_string(image.channels) + " channels";
+         counted(std::size_t(image.channels), "channel");
 }
 
 /// Why a measure cannot use this image, or nothing if it can.

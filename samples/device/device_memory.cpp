@@ -239,13 +239,15 @@ Result<void> VulkanDevice::submit(const std::function<void(VkCommandBuffer)>& re
   }
   if (result == VK_SUCCESS)
     result = vkQueueSubmit(queue_, 1, &submission, fence_);
-  if (result == VK_SUCCESS)
+  const bool isSubmitted = result == VK_SUCCESS;
+  if (isSubmitted)
     result = vkWaitForFences(device_, 1, &fence_, VK_TRUE, UINT64_MAX);
+  if (!isSubmitted || result == VK_SUCCESS) // otherwise the device may still use them
+    vkFreeCommandBuffers(device_, commandPool_, 1, &commands);
   if (result == VK_SUCCESS)
     result = vkResetFences(device_, 1, &fence_);
   if (result != VK_SUCCESS)
     return vulkanError("cannot submit work to the device", result);
-  vkFreeCommandBuffers(device_, commandPool_, 1, &commands);
   return {};
 }
 

@@ -5,6 +5,8 @@
 #include "debug_views.h"
 #include "program.h"
 
+#include <lichen/files.h>
+
 #include <CLI/App.hpp>
 
 #include <filesystem>
@@ -30,12 +32,7 @@ Result<void> check(const Command& command) {
   const std::string extension = output.extension().string();
   if (extension != ".png" && extension != ".exr")
     return usageError(kProgram, command.output + ": unknown extension; use .png or .exr");
-  const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored))
-    return Error{ErrorKind::environment, command.output + ": the folder " + folder.string() +
-                                             " does not exist; create it first"};
-  return {};
+  return checkFolder(output.parent_path());
 }
 
 void addOptions(CLI::App& app, Command& command) {

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <utility>
 
 namespace lichen::renderer {
 namespace {
@@ -207,13 +208,22 @@ glm::vec2 scaleAndBiasOfF0(float nDotV, float alpha) {
 
 float alphaOf(float roughness) { return std::max(roughness * roughness, kLeastAlpha); }
 
-Result<LinearImage> readPanorama(const std::filesystem::path& path) {
+Result<LinearImage> readPanorama(const std::filesystem::path& path,
+                                 std::vector<std::string>& notes) {
   Result<ImageFile> file = readImage(path);
   if (!file)
     return file.error();
-  if (const auto* code = std::get_if<SrgbImage>(&file.value().pixels))
-    return toLinear(*code);
-  return std::get<LinearImage>(std::move(file.value().pixels));
+  for (const std::string& note : file.value().notes)
+    notes.push_back(path.string() + ": " + note);
+  const auto* code = std::get_if<SrgbImage>(&file.value().pixels);
+  LinearImage panorama =
+      code != nullptr ? toLinear(*code) : std::get<LinearImage>(std::move(file.value().pixels));
+  if (panorama.width != 2 * panorama.height)
+    notes.push_back(path.string() + ": " + std::to_string(panorama.width) + " x " +
+                    std::to_string(panorama.height) +
+                    " pixels; a panorama of the whole sphere is twice as wide as high, so this one "
+                    "appears stretched");
+  return panorama;
 }
 
 LinearImage fitInto(LinearImage panorama, int longestSide) {

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace lichen::renderer {
@@ -31,8 +32,10 @@ struct Environment {
   std::vector<glm::vec4> brdf; ///< environmentBrdf(kBrdfSide)
 };
 
-/// Reads a latitude-longitude panorama (EXR, PNG or JPEG) as linear light. Errors as readImage().
-[[nodiscard]] Result<LinearImage> readPanorama(const std::filesystem::path& path);
+/// Reads a latitude-longitude panorama (EXR, PNG or JPEG) as linear light. Adds notes about the
+/// file, such as that it is not twice as wide as high. Errors as readImage().
+[[nodiscard]] Result<LinearImage> readPanorama(const std::filesystem::path& path,
+                                               std::vector<std::string>& notes);
 
 /// Halves the panorama, averaging 2 x 2 pixels, until neither side exceeds `longestSide` (at least
 /// 1).

@@ -81,7 +81,6 @@ Result<void> run(const Command& command) {
   Result<Scene> scene = readScene(command.scene);
   if (!scene)
     return scene.error();
-  note(command, scene.value().notes);
 
   RenderSettings settings;
   settings.width = std::uint32_t(command.size[0]);
@@ -92,11 +91,12 @@ Result<void> run(const Command& command) {
   settings.toneMap = std::filesystem::path(command.output).extension() == ".png";
   settings.debugView = command.debugView;
   if (!command.environment.empty()) {
-    Result<LinearImage> panorama = readPanorama(command.environment);
+    Result<LinearImage> panorama = readPanorama(command.environment, scene.value().notes);
     if (!panorama)
       return panorama.error();
     settings.environment = std::move(panorama).value();
   }
+  note(command, scene.value().notes);
   VulkanDeviceOptions options;
   options.choice = command.device;
   options.validation = command.validate;

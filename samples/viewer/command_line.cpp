@@ -5,9 +5,10 @@
 #include "controls.h"
 #include "program.h"
 
+#include <lichen/files.h>
+
 #include <CLI/App.hpp>
 
-#include <filesystem>
 #include <options.h>
 
 namespace lichen::renderer {
@@ -58,10 +59,8 @@ Result<std::variant<ViewCommand, std::string>> parseViewCommand(int argc, const 
     return usageError(kProgram, "the scene is missing; give a .glb or .gltf file");
   if (command.output.empty())
     command.output = ".";
-  std::error_code ignored;
-  if (!std::filesystem::is_directory(command.output, ignored))
-    return Error{ErrorKind::environment,
-                 command.output + ": the folder does not exist; create it first"};
+  if (Result<void> exists = checkFolder(command.output); !exists)
+    return exists.error();
   return std::variant<ViewCommand, std::string>(std::move(command));
 }
 

@@ -326,8 +326,11 @@ Result<void> view(const ViewCommand& command) {
   settings.camera = command.camera;
   settings.exposureEv = float(command.exposureEv);
   settings.skies = &skies;
-  if (!command.environment.empty())
-    settings.environment = take(readPanorama(command.environment));
+  if (!command.environment.empty()) {
+    std::vector<std::string> notes;
+    settings.environment = take(readPanorama(command.environment, notes));
+    writeNotes(notes);
+  }
 
   Window window(settings.width, settings.height, oneLine(scene.value().name));
   VulkanDeviceOptions options;

@@ -169,17 +169,20 @@ TEST_CASE("the help does not show the parser's own type names") {
     arguments.push_back("--help");
     const Ended ended = runLichen(arguments);
     CHECK(ended.code == 0);
-    for (const char* word : {"ENUM", "TEXT:", "UINT", "FLOAT", "INT:", "->", "{", "SUBCOMMAND"})
+    for (const char* word :
+         {"ENUM", "TEXT:", "UINT", "FLOAT", "INT:", "->", "{", "SUBCOMMAND", " |"})
       CHECK_THAT(ended.output, !Catch::Contains(word));
   }
 }
 
 TEST_CASE("an invalid output is an error before the work starts") {
   const Made& m = made();
-  const std::string absent = m.workplace.path("absent/new");
-  checkRefusal({"bake", m.image, "-o", absent + ".glb"}, kEnvironment, {absent, "does not exist"});
-  checkRefusal({"synth", m.bundle, "-o", absent + ".png"}, kEnvironment,
-               {absent, "does not exist"});
+  const std::string absent = m.workplace.path("absent");
+  const std::string missing = absent + ": the folder does not exist; create it first";
+  checkRefusal({"bake", m.image, "-o", absent + "/new.glb"}, kEnvironment, {missing});
+  checkRefusal({"synth", m.bundle, "-o", absent + "/new.png"}, kEnvironment, {missing});
+  checkRefusal({"bake", m.image, "-o", m.image + "/new.glb"}, kEnvironment,
+               {m.image + ": is a file; expected a folder"});
   for (const char* name : {"new.png", "new", "new.glb.tmp"})
     checkRefusal({"bake", m.image, "-o", m.workplace.path(name)}, kUsage, {name, ".glb", ".gltf"});
   for (const char* name : {"new.jpg", "new", "new.glb"})
@@ -232,8 +235,9 @@ TEST_CASE("a file that is not a bundle is an error of synth and check") {
   for (const std::string& bundle : {m.workplace.path("absent.glb"), m.image, plain, truncated})
     checkRefusal({"synth", bundle, "-o", output}, kBadInput,
                  {std::filesystem::path(bundle).filename().string()});
-  for (const std::string& file : {m.workplace.path("absent.glb"), m.image})
-    checkRefusal({"check", file}, kBadInput, {std::filesystem::path(file).filename().string()});
+  checkRefusal({"check", m.workplace.path("absent.glb")}, kBadInput, {"absent.glb"});
+  checkRefusal({"check", m.image}, kBadInput,
+               {m.image + ": is a PNG image; expected a .glb or .gltf"});
 }
 
 TEST_CASE("check exits with 3 for a truncated file and for a file that is not glTF 2") {
@@ -345,9 +349,10 @@ TEST_CASE("check prints warnings, except with --quiet, and exits with 0") {
       m.workplace.write("plain.gltf", std::string(R"({"asset": {"version": "2.0"}})"));
   const Ended ended = runLichen({"check", plain});
   CHECK(ended.code == 0);
-  CHECK_THAT(ended.output, Catch::StartsWith("warning: "));
+  CHECK_THAT(ended.output, Catch::StartsWith("warning: the file has no noise: "));
   CHECK_THAT(ended.output, Catch::EndsWith(": 0 errors, 1 warning\n"));
   const Ended quiet = runLichen({"check", plain, "--quiet"});
   CHECK(quiet.code == 0);
   CHECK(quiet.output.empty());
+  checkRefusal({"inspect", plain}, kBadInput, {"plain.gltf: has no noise"});
 }

@@ -314,5 +314,5 @@ TEST_CASE("the error of compare for broken images and bundles is one line") {
   checkRefusal({"compare", cut, bundle}, bad, {"half.png"});
   checkRefusal({"compare", workplace.path("absent.png"), bundle}, bad, {"absent.png"});
   checkRefusal({"compare", bundle, image}, bad, {"noise.glb", "PNG"});
-  checkRefusal({"compare", image}, int(ErrorKind::usage), {"RESULT is required"});
+  checkRefusal({"compare", image}, int(ErrorKind::usage), {"RESULT|BUNDLE is required"});
 }

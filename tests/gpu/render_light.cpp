@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The environment on the CPU: prefiltering a panorama conserves energy.
+#include "../unit/temporary_folder.h"
 #include "environment.h"
 #include "lighting.h"
 #include "shaders/scene_interface.h"
 #include "sky.h"
 #include "sky_cache.h"
+
+#include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
 #include <glm/gtc/packing.hpp>
@@ -47,6 +50,19 @@ TEST_CASE("a panorama of any shape can be prefiltered, even a single row or colu
     CHECK(isWhite(environment.specular.back()));
     CHECK(isWhite(environment.diffuse));
   }
+}
+
+TEST_CASE("a note says if a panorama is not twice as wide as high") {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder / "sky.exr";
+  std::vector<std::string> notes;
+  REQUIRE(writeImage(path, whitePanorama(64, 32)));
+  REQUIRE(readPanorama(path, notes));
+  CHECK(notes.empty());
+  REQUIRE(writeImage(path, whitePanorama(64, 64)));
+  REQUIRE(readPanorama(path, notes));
+  REQUIRE(notes.size() == 1);
+  CHECK(notes.front().starts_with(path.string() + ": 64 x 64 pixels; a panorama of the whole "));
 }
 
 TEST_CASE("fitInto() halves a panorama by averaging until it fits") {

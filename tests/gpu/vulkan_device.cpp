@@ -87,6 +87,29 @@ TEST_CASE("validation messages about objects that outlive their device are store
   CHECK(messages->texts().front().find("vkDestroyDevice") != std::string::npos);
 }
 
+TEST_CASE("a failed submission frees its command buffer") {
+  const auto device = lichen::test::requireDevice();
+  const auto realSubmit = vkQueueSubmit;
+  static PFN_vkFreeCommandBuffers realFree;
+  static int freed;
+  realFree = vkFreeCommandBuffers;
+  freed = 0;
+  vkQueueSubmit = [](VkQueue, std::uint32_t, const VkSubmitInfo*, VkFence) {
+    return VK_ERROR_OUT_OF_HOST_MEMORY;
+  };
+  vkFreeCommandBuffers = [](VkDevice owner, VkCommandPool pool, std::uint32_t count,
+                            const VkCommandBuffer* buffers) {
+    ++freed;
+    realFree(owner, pool, count, buffers);
+  };
+  const Result<void> submitted = device->submit([](VkCommandBuffer) {});
+  vkQueueSubmit = realSubmit;
+  vkFreeCommandBuffers = realFree;
+  CHECK_FALSE(submitted);
+  CHECK(freed == 1);
+  CHECK(device->submit([](VkCommandBuffer) {}));
+}
+
 TEST_CASE("a handle written by a failed creation is not destroyed") {
   const auto device = lichen::test::requireDevice();
   const auto realCreate = vkCreateImageView;

@@ -5,6 +5,7 @@
 
 #include <lichen/bundle_merge.h>
 #include <lichen/bundle_writer.h>
+#include <lichen/files.h>
 #include <lichen/flatten.h>
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
@@ -22,10 +23,13 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exhausted_memory.h>
 #include <functional>
 #include <optional>
+#include <sys/wait.h>
 #include <temporary_folder.h>
+#include <unistd.h>
 
 using namespace lichen;
 
@@ -234,6 +238,64 @@ TEST_CASE("encoding a bundle reports exhausted memory and leaves no file") {
     const std::filesystem::path path = folder / name;
     CHECK(exhaustWriting([&] { return writeBundle(path, file); },
                          [&] { REQUIRE(folder.entryCount() == 0); }) > 20);
+  }
+}
+
+namespace {
+
+/// Writes over an old file and as a new one, while one allocation after another fails. Returns the
+/// first message about a broken promise, or an empty text.
+std::string faultOfReplacing(const std::filesystem::path& folder, test::Failing failing) {
+  const std::vector<std::byte> old(100, std::byte(1)), fresh(1000, std::byte(2));
+  // A name too long for the small-string buffer, whose path has several parts.
+  const std::filesystem::path path = folder / "a file with a name that is stored on the heap.glb";
+  const auto entries = [&] { return listFolder(folder).value().size(); };
+  for (const bool exists : {false, true})
+    for (int nth = 1;; ++nth) {
+      std::filesystem::remove(path);
+      if (exists && !replaceFile(path, old))
+        return "the old file cannot be written";
+      Result<void> written;
+      bool reached = false;
+      {
+        const test::ExhaustedMemory memory(nth, 0, failing);
+        written = replaceFile(path, fresh);
+        reached = test::ExhaustedMemory::reached();
+      }
+      const std::string where = "allocation " + std::to_string(nth) + ": ";
+      if (!reached && (!written || nth < 3))
+        return where + "no failure of an allocation";
+      if (!reached)
+        break;
+      if (written.ok() || written.error().kind != ErrorKind::resources)
+        return where + "not reported as exhausted memory";
+      if (entries() != (exists ? 1u : 0u))
+        return where + "a file is left";
+      if (exists && readFile(path).value() != old)
+        return where + "the old file has changed";
+    }
+  return readFile(path).value() == fresh && entries() == 1 ? "" : "the new file is not written";
+}
+
+} // namespace
+
+TEST_CASE("whichever allocation of a write fails, the old file stays and no other file is left") {
+  for (const test::Failing failing : {test::Failing::nth, test::Failing::fromNth}) {
+    const TemporaryFolder folder, newRoot;
+    CHECK(faultOfReplacing(folder.path(), failing) == "");
+    // Without /proc, the temporary file has a name from the start. Only root may change the root.
+    const pid_t child = ::fork();
+    if (child == 0) {
+      if (::chroot(newRoot.path().c_str()) != 0)
+        ::_exit(0);
+      const std::string fault = faultOfReplacing("/", failing);
+      std::fputs(fault.c_str(), stderr);
+      ::_exit(fault.empty() ? 0 : 1);
+    }
+    int status = 0;
+    REQUIRE(::waitpid(child, &status, 0) == child);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
   }
 }
 

@@ -378,6 +378,14 @@ TEST_CASE("a harmless oddity is a warning and does not stop reading") {
         }) == "extension-absent");
 }
 
+TEST_CASE("a message has the singular for one value") {
+  GlbParts parts(soundFile());
+  parts.map(0, 0)["levels"] = nlohmann::json::array({0.0});
+  const std::vector<Finding> findings = checkBundle(parts.join());
+  REQUIRE_FALSE(findings.empty());
+  CHECK(findings.front().message.starts_with("1 value; expected 2 to "));
+}
+
 TEST_CASE("the number of reported faults is limited") {
   GlbParts parts(soundFile());
   parts.json["materials"] = nlohmann::json::array();

@@ -133,6 +133,21 @@ TEST_CASE("every fault of the GLB framing is found") {
   CHECK(codeOf(headerOnly) == "glb-chunk");
 }
 
+TEST_CASE("the error for a file of another kind names the kind") {
+  for (const auto& [start, kind] : {std::pair("\x89PNG\r\n\x1a\n", "is a PNG image"),
+                                    {"\xff\xd8\xff\xe0", "is a JPEG image"},
+                                    {"v/1\x01", "is an EXR image"},
+                                    {"\xabKTX 20\xbb", "is a KTX texture"},
+                                    {"BLENDER-v", "is a Blender file"},
+                                    {"Kaydara FBX Binary", "is an FBX file"},
+                                    {"# an OBJ file", "neither a GLB (first bytes glTF) nor a "
+                                                      "JSON object"}}) {
+    const auto bytes = std::as_bytes(std::span(start, std::strlen(start)));
+    CHECK(parseBundle(bytes, "x").error().message ==
+          std::string("x: ") + kind + "; expected a .glb or .gltf");
+  }
+}
+
 TEST_CASE("a file that is not glTF, nested too deeply, too large or not JSON is an error") {
   CHECK(codeOfText("") == "not-gltf");
   CHECK(codeOfText("a photograph") == "not-gltf");

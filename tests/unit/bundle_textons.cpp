@@ -168,6 +168,7 @@ TEST_CASE("losses of a texton are refused if their count does not fit the channe
   };
   CHECK(messageOf(std::vector<double>(16, 0.0)) ==
         "16 values; expected as many for each of 3 channels, 2 to 16 each");
+  CHECK(messageOf({0.0}).starts_with("1 value; expected as many for each of 3 channels"));
   // These are the losses of channels that are constant except for the last.
   CHECK(messageOf({0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.6}) == "");
   CHECK(messageOf({0.0, 0.5, 0.6, 0.0, 0.5, 0.6, 0.0, 0.5, 0.4}) ==

@@ -14,13 +14,15 @@ thread_local bool exhausted = false;
 thread_local int spared = 0;
 thread_local std::size_t mostBytes = 0;
 thread_local std::size_t leastRefused = 0;
+thread_local auto failingNow = lichen::test::Failing::fromNth;
 
 } // namespace
 
 namespace lichen::test {
 
-ExhaustedMemory::ExhaustedMemory(int n, std::size_t leastBytes) {
+ExhaustedMemory::ExhaustedMemory(int n, std::size_t leastBytes, Failing failing) {
   untilExhausted = n;
+  failingNow = failing;
   leastRefused = leastBytes;
   mostBytes = 0;
 }
@@ -38,9 +40,9 @@ void ExhaustedMemory::refuse() { --spared; }
 void* operator new(std::size_t size) {
   mostBytes = std::max(mostBytes, size);
   if (spared == 0 && size >= leastRefused) {
-    if (untilExhausted > 0 && --untilExhausted == 0)
-      exhausted = true;
-    if (exhausted)
+    const bool isNth = untilExhausted > 0 && --untilExhausted == 0;
+    exhausted = exhausted || isNth;
+    if (isNth || (exhausted && failingNow == lichen::test::Failing::fromNth))
       throw std::bad_alloc();
   }
   if (void* memory = std::malloc(size == 0 ? 1 : size))

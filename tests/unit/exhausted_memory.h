@@ -6,11 +6,16 @@
 
 namespace lichen::test {
 
-/// During its lifetime, this thread's n-th allocation (1 is the next) and all later ones throw
-/// std::bad_alloc. Only allocations of at least `leastBytes` count and fail.
+/// Which allocations fail: all from the n-th on, or the n-th alone.
+enum class Failing { fromNth, nth };
+
+/// During its lifetime, this thread's n-th allocation (1 is the next) throws std::bad_alloc. Only
+/// allocations of at least `leastBytes` count and fail.
 class ExhaustedMemory {
 public:
-  explicit ExhaustedMemory(int n = 0, std::size_t leastBytes = 0); ///< n 0: no allocation fails
+  /// n 0: no allocation fails
+  explicit ExhaustedMemory(int n = 0, std::size_t leastBytes = 0,
+                           Failing failing = Failing::fromNth);
   ~ExhaustedMemory();
   ExhaustedMemory(const ExhaustedMemory&) = delete;
   ExhaustedMemory& operator=(const ExhaustedMemory&) = delete;

@@ -57,6 +57,33 @@ TEST_CASE("reading anything except a readable regular file is an error with the 
   CHECK(readFile(folder.path()).error().message ==
         folder.path().string() + ": is a folder; expected a file");
   CHECK(readFile("/dev/zero").error().message == "/dev/zero: is not a regular file");
+  REQUIRE(replaceFile(folder / "file", patternOf(10)));
+  CHECK(readFile(folder / "file/inside").error().message ==
+        (folder / "file/inside").string() + ": cannot be read: Not a directory");
+  std::filesystem::create_symlink("link", folder / "link");
+  CHECK(readFile(folder / "link").error().message ==
+        (folder / "link").string() + ": cannot be read: Too many levels of symbolic links");
+}
+
+TEST_CASE("a file that the user may not read is an error that says so") {
+  const TemporaryFolder folder;
+  REQUIRE(replaceFile(folder / "file", patternOf(10)));
+  REQUIRE(::chmod((folder / "file").c_str(), 0) == 0);
+  const pid_t child = ::fork(); // gives up the permissions of root, if it has them
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (::geteuid() == 0 && (::chmod(folder.path().c_str(), 0755) != 0 || ::seteuid(kNobody) != 0))
+      ::_exit(100);
+    const Result<Bytes> read = readFile(folder / "file");
+    const bool asExpected =
+        !read &&
+        read.error().message == (folder / "file").string() + ": cannot be read: Permission denied";
+    ::_exit(asExpected ? 0 : 1);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
 }
 
 TEST_CASE("a named pipe without a writer is an error, without waiting") {
@@ -107,6 +134,22 @@ TEST_CASE("processes that write the same file at the same time do not interfere"
   }
   CHECK(readFile(folder / "file").value() == patternOf(1000));
   CHECK(folder.entryCount() == 1);
+}
+
+TEST_CASE("the error for a folder that cannot take output says why") {
+  const TemporaryFolder folder;
+  REQUIRE(replaceFile(folder / "file", patternOf(10)));
+  CHECK(checkFolder(folder.path()));
+  CHECK(checkFolder(""));
+  for (const auto& [name, reason] :
+       {std::pair("absent", ": the folder does not exist; create it first"),
+        {"file", ": is a file; expected a folder"},
+        {"file/inside", ": cannot be used: Not a directory"}}) {
+    const Result<void> checked = checkFolder(folder / name);
+    REQUIRE_FALSE(checked);
+    CHECK(checked.error().kind == ErrorKind::environment);
+    CHECK(checked.error().message == (folder / name).string() + reason);
+  }
 }
 
 TEST_CASE("writing into a folder that does not exist is an environment error") {

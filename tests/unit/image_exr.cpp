@@ -154,7 +154,7 @@ TEST_CASE("negative EXR values become 0, with a note") {
     Exr exr = {.hasOddValue = true, .oddValue = value};
     const Decoded decoded = decode(makeExr(exr));
     CHECK(decoded.image.values[0] == 0.0f);
-    CHECK(decoded.notes == Notes{"1 negative values set to 0"});
+    CHECK(decoded.notes == Notes{"1 negative value set to 0"});
   }
 }
 
@@ -227,14 +227,29 @@ TEST_CASE("EXR attributes with a wrong size are an error") {
   CHECK(refusal(channels) == "file: damaged EXR: Out of data parsing 'channels', last channel 'R'");
 }
 
-TEST_CASE("the error for a missing EXR attribute names it") {
-  for (const std::string attribute :
-       {"dataWindow", "displayWindow", "compression", "channels", "tiles"}) {
+TEST_CASE("the error for a missing EXR attribute without a default names it") {
+  for (const std::string attribute : {"channels", "tiles"}) {
     Bytes exr = makeExr({.tileSide = 4});
     exr[find(exr, attribute)] = std::byte('x'); // an unknown attribute with a known type
     CHECK(refusal(exr).starts_with("file: damaged EXR: '" + attribute + "' attribute "));
     CHECK(refusal(exr).ends_with(" not found"));
   }
+}
+
+TEST_CASE("an EXR without attributes that have a default is read, as other programs do") {
+  const Exr exr = {.width = 64, .height = 64, .tileSide = 16};
+  Bytes bytes = makeExr(exr);
+  for (const std::string attribute :
+       {"lineOrder", "pixelAspectRatio", "screenWindowCenter", "screenWindowWidth", "compression",
+        "displayWindow", "dataWindow"}) { // the last three default to ZIP and 64 x 64 pixels
+    bytes[find(bytes, attribute)] = std::byte('x');
+    const Decoded decoded = decode(bytes);
+    checkPixels(decoded, exr, {0, 1, 2});
+    CHECK(decoded.notes.empty());
+  }
+  Bytes smaller = makeExr({.width = 37, .height = 41});
+  smaller[find(smaller, "dataWindow")] = std::byte('x');
+  CHECK(refusal(smaller).starts_with("file: truncated or damaged EXR: "));
 }
 
 TEST_CASE("an unknown EXR version or compression is an error") {
@@ -270,7 +285,7 @@ TEST_CASE("an EXR chunk with more or fewer bytes than its pixels need is an erro
   exr[sizeOffset] = std::byte(47);
   CHECK(refusal(exr) ==
         "file: claims 48 bytes of pixels in a file of 47 bytes; uncompressed EXR expands "
-        "at most 1 times");
+        "at most 1 time");
 }
 
 TEST_CASE("damaged EXR pixels are an error") {

@@ -4,6 +4,7 @@
 
 #include "../table_words.h"
 
+#include <lichen/counted.h>
 #include <lichen/tiling.h>
 #include <lichen/tiling_precision.h>
 

@@ -3,6 +3,8 @@
 // is the number of a map's channels.
 #include "texton_format.h"
 
+#include <lichen/counted.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -69,13 +71,13 @@ bool checkImage(ObjectReader& reader, const TextonShape& shape, std::size_t n, c
     return error(shapeOf(image) + " texels; expected " + std::to_string(width) + " x " +
                  std::to_string(height) + " for its noise's texton");
   if (image.mipLevels != std::uint32_t(shape.mipLevels))
-    return error(std::to_string(image.mipLevels) + " mip levels; expected the noise's " +
+    return error(counted(image.mipLevels, "mip level") + "; expected the noise's " +
                  std::to_string(shape.mipLevels));
   if (texelBytes(image.format) == std::size_t(channelCount(image.format)))
     return error("8-bit texels; expected a float format");
   if (usedChannels(image.format) < n)
-    return error(std::to_string(usedChannels(image.format)) +
-                 " channels; expected at least those of the map, " + std::to_string(n));
+    return error(counted(usedChannels(image.format), "channel") +
+                 "; expected at least those of the map, " + std::to_string(n));
   return true;
 }
 
@@ -85,7 +87,7 @@ std::vector<double> readPerChannel(ObjectReader& reader, const char* key, const 
   const auto values = reader.numbers(key, range);
   if (values && n != 0 && values->size() != n)
     reader.error(code, key,
-                 std::to_string(values->size()) + " values; expected " + std::to_string(n) +
+                 counted(values->size(), "value") + "; expected " + std::to_string(n) +
                      ", one per channel");
   return values.value_or(std::vector<double>());
 }
@@ -105,8 +107,8 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseM
   const std::size_t later = std::size_t(shape.steps) - 1;
   if (list->size() != later)
     return reader.error(kCode, kKey,
-                        std::to_string(list->size()) + " elements; expected " +
-                            std::to_string(later) + ", one for each step after the first");
+                        counted(list->size(), "element") + "; expected " + std::to_string(later) +
+                            ", one for each step after the first");
   for (std::size_t k = 0; k < later; ++k) {
     ObjectReader step((*list)[k], reader.pointerTo(kKey) + "/" + std::to_string(k), findings);
     const std::size_t n = map.channels.size();
@@ -117,8 +119,8 @@ void readLaterSteps(ObjectReader& reader, const TextonShape& shape, const NoiseM
     const std::size_t losses = texton.laterSteps.back().mipLoss.size();
     if (losses != 0 && losses != texton.mipLoss.size())
       step.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses) + " values; expected " +
-                     std::to_string(texton.mipLoss.size()) + ", as many as in the first step");
+                 counted(losses, "value") + "; expected " + std::to_string(texton.mipLoss.size()) +
+                     ", as many as in the first step");
   }
 }
 
@@ -195,8 +197,8 @@ MethodMap TextonFormat::readMap(ObjectReader& reader, const Noise& noise, const 
       (losses % n != 0 || losses < n * std::size_t(shape.mipLevels) ||
        losses > n * kMaxTextonLosses))
     reader.error("map-mip-loss", "mipLoss",
-                 std::to_string(losses) + " values; expected as many for each of " +
-                     std::to_string(n) + " channels, " + std::to_string(shape.mipLevels) + " to " +
+                 counted(losses, "value") + "; expected as many for each of " +
+                     counted(n, "channel") + ", " + std::to_string(shape.mipLevels) + " to " +
                      std::to_string(kMaxTextonLosses) + " each");
   const auto fits = [n](const std::vector<double>& covariance) {
     return n != 0 && covariance.size() == n * n;

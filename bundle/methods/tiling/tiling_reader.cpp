@@ -3,6 +3,8 @@
 // is the number of channels of the Gaussian image, n that of the map, L that of the levels.
 #include "tiling_format.h"
 
+#include <lichen/counted.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -37,11 +39,11 @@ void readTableBasis(ObjectReader& reader, const NoiseMap& map, const Table* gaus
                         "present for slopes or for one dimension, whose tables are joint");
   if (basis->size() != n * dimensions)
     return reader.error("map-table-basis", "tableBasis",
-                        std::to_string(basis->size()) + " values; expected " +
+                        counted(basis->size(), "value") + "; expected " +
                             std::to_string(n * dimensions) + ", one per channel and dimension");
   if (offset->size() != n)
     return reader.error("map-table-basis", "tableOffset",
-                        std::to_string(offset->size()) + " values; expected " + std::to_string(n) +
+                        counted(offset->size(), "value") + "; expected " + std::to_string(n) +
                             ", one per channel");
   tiling.tableBasis = *basis;
   tiling.tableOffset = *offset;
@@ -57,21 +59,20 @@ void checkGaussian(ObjectReader& reader, const NoiseMap& map, const TilingMap& t
     return reader.error("map-gaussian", "gaussian", "an sRGB format; expected a linear one");
   if (image.mipLevels != fullChain)
     return reader.error("map-gaussian", "gaussian",
-                        std::to_string(image.mipLevels) +
-                            " mip levels; expected the full chain of " + std::to_string(fullChain));
+                        counted(image.mipLevels, "mip level") + "; expected the full chain of " +
+                            std::to_string(fullChain));
   if (!map.channels.empty() && dimensions > map.channels.size())
     return reader.error("map-gaussian", "gaussian",
-                        std::to_string(dimensions) +
-                            " channels; expected at most those of the map, " +
+                        counted(dimensions, "channel") + "; expected at most those of the map, " +
                             std::to_string(map.channels.size()));
   if (!tiling.inverseTable && !map.channels.empty() && dimensions != map.channels.size())
     return reader.error("map-gaussian", "gaussian",
-                        std::to_string(dimensions) +
-                            " channels without an inverse table; expected those of the map, " +
+                        counted(dimensions, "channel") +
+                            " without an inverse table; expected those of the map, " +
                             std::to_string(map.channels.size()));
   if (tiling.mipLoss.size() != fullChain && !tiling.mipLoss.empty())
     reader.error("map-mip-loss", "mipLoss",
-                 std::to_string(tiling.mipLoss.size()) + " values; expected one per mip level, " +
+                 counted(tiling.mipLoss.size(), "value") + "; expected one per mip level, " +
                      std::to_string(fullChain));
 }
 
@@ -87,8 +88,8 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const TilingMa
                                  : map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
   if (usedChannels(table.format) < needed)
     return reader.error("map-inverse-table", "inverseTable",
-                        std::to_string(channelCount(table.format)) +
-                            " channels; expected at least " + std::to_string(needed));
+                        counted(std::uint64_t(channelCount(table.format)), "channel") +
+                            "; expected at least " + std::to_string(needed));
   const bool isUnorm = texelBytes(table.format) == std::size_t(channelCount(table.format));
   const bool isColor = map.encoding == ValueEncoding::srgb || map.encoding == ValueEncoding::linear;
   if (isUnorm && isSeparable)
@@ -123,7 +124,7 @@ void readLevels(ObjectReader& reader, TilingMap& tiling) {
   const std::size_t count = levels->size();
   if (count < 2 || count > kMaxTableLevels)
     return reader.error("map-levels", "levels",
-                        std::to_string(count) + " values; expected 2 to " +
+                        counted(count, "value") + "; expected 2 to " +
                             std::to_string(kMaxTableLevels));
   for (std::size_t k = 0; k < count; ++k) {
     const double kept = 1.0 - double(k) / double(count - 1);

@@ -12,14 +12,18 @@
 
 namespace lichen {
 
-/// Reads a regular file. Errors: badInput if it does not exist, is a folder, is unreadable or is
-/// longer than `maxBytes`; resources if memory does not suffice. Thread-safe.
+/// Reads a regular file. Errors: badInput if it does not exist, is not a regular file, is
+/// unreadable or is longer than `maxBytes`; resources if memory does not suffice. Thread-safe.
 [[nodiscard]] Result<std::vector<std::byte>> readFile(const std::filesystem::path& path,
                                                       std::size_t maxBytes = std::size_t(4) << 30);
 /// Reads the first `size` bytes of a regular file. Errors as readFile(), but badInput if the file
 /// is shorter than `size`, whatever its length.
 [[nodiscard]] Result<std::vector<std::byte>> readFileStart(const std::filesystem::path& path,
                                                            std::size_t size);
+
+/// Checks that a folder for output exists; an empty path is the current folder. Errors: environment
+/// with the reason; resources if memory does not suffice. Thread-safe.
+[[nodiscard]] Result<void> checkFolder(const std::filesystem::path& folder);
 
 /// Writes `bytes` to a temporary file in the folder of `path`, flushes it to disk, and renames it
 /// to `path`.
