@@ -92,8 +92,8 @@ TEST_CASE("a set reports each risk for the base colour, or for a map with a high
   CHECK_THAT(ended.errors,
              Catch::Contains("low-frequency (severe, occlusionRoughnessMetallic): ") &&
                  Catch::Contains("what helps: --flatten 21, or ")); // a third of the side
-  const nlohmann::json mended = jsonOf(workplace, {color, roughness, "--flatten", "21"});
-  CHECK(mended.at("risks")[2].at("level") == "none");
+  const nlohmann::json flattened = jsonOf(workplace, {color, roughness, "--flatten", "21"});
+  CHECK(flattened.at("risks")[2].at("level") == "none");
   CHECK(jsonOf(workplace, {color, roughness}).at("risks")[2].at("map") ==
         "occlusionRoughnessMetallic");
   CHECK(jsonOf(workplace, {uneven, roughness}).at("risks")[2].at("map") == "baseColor");

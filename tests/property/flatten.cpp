@@ -147,7 +147,7 @@ TEST_CASE(
   CHECK(std::abs(mirrored) < 0.25 * std::abs(repeated));
 }
 
-TEST_CASE("Uneven light goes as a factor: what is left is what even light shows") {
+TEST_CASE("Uneven light is divided out: the result is what even light shows") {
   const MapExemplar lit = generatedExemplar(exemplars::slopingLight, 128);
   const MapExemplar even = generatedExemplar(exemplars::sand, 128);
   const MapExemplar flatLit = flattened(lit, 128.0, false);
@@ -198,7 +198,7 @@ TEST_CASE("Auto flattens a cloudy exemplar no more than is needed") {
   CHECK(test::measuredCloudiness(flat, kSamples) < 0.11);
 }
 
-TEST_CASE("Auto takes a gradient and a vignette away") {
+TEST_CASE("Auto removes a gradient and a vignette") {
   for (const auto& generate : {exemplars::slopingLight, exemplars::vignette}) {
     const MapExemplar map = generatedExemplar(generate, 128);
     const std::optional<double> period = automaticPeriod(map, false);
@@ -208,8 +208,7 @@ TEST_CASE("Auto takes a gradient and a vignette away") {
   }
 }
 
-TEST_CASE(
-    "Auto takes a vignette off fine plaster until its clouds are lost in the plaster's grain") {
+TEST_CASE("Auto removes a vignette from fine plaster until the plaster's grain hides the rest") {
   constexpr int kSide = 256;
   // Grain of 4 % of the light, with no period above 24 pixels.
   const exemplars::Field grain = exemplars::fractalNoise(kSide, {24.0f, 2.0f, 0.7f}, 7);
@@ -255,7 +254,7 @@ TEST_CASE(
   CHECK(std::sqrt(test::variance(after)) == Approx(contrast).epsilon(0.1));
 }
 
-TEST_CASE("Auto leaves alone what works, and what no period would mend") {
+TEST_CASE("Auto does not change exemplars without a risk, and those that no period would help") {
   CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::granite, 256), true).has_value());
   CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::rust, 256), true).has_value());
   const FlatteningChoice weave = automatic(generatedExemplar(exemplars::weave, 128), true);
@@ -263,7 +262,7 @@ TEST_CASE("Auto leaves alone what works, and what no period would mend") {
   CHECK_FALSE(weave.periodPixels.has_value());
 }
 
-TEST_CASE("Auto leaves an object alone, of which it would leave the outline") {
+TEST_CASE("Auto does not change an object, because its outline would remain") {
   for (const int side : {128, 256}) {
     const MapExemplar stone = baseColor(exemplars::oneStone(side));
     MapExemplar map = stone;
@@ -275,7 +274,7 @@ TEST_CASE("Auto leaves an object alone, of which it would leave the outline") {
   }
 }
 
-TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly themselves") {
+TEST_CASE("Auto flattens the colours, and other maps that vary slowly themselves") {
   std::vector<MapExemplar> maps{generatedExemplar(exemplars::slopingLight, 128)};
   MapExemplar data;
   data.encoding = ValueEncoding::linear;
@@ -307,19 +306,19 @@ TEST_CASE("Auto flattens the colours, and of other maps those that vary slowly t
   CHECK(maps[3].values == flattened(before[3], *choice.value().periodPixels, false).values);
 }
 
-TEST_CASE("Flattening and assessing tell how far they are, and end where they are stopped") {
+TEST_CASE("Flattening and assessing report their progress, and end where the caller stops them") {
   const MapExemplar cloudy = generatedExemplar(exemplars::carpet, 128);
   const auto check = [](const auto& operation, const std::string& message) {
-    std::vector<double> told;
+    std::vector<double> fractions;
     REQUIRE(operation([&](double fraction) {
-              told.push_back(fraction);
+              fractions.push_back(fraction);
               return true;
             }).ok());
-    CHECK(told.size() > 2);
-    CHECK(std::is_sorted(told.begin(), told.end()));
-    CHECK(told.front() >= 0.0);
-    CHECK(told.back() <= 1.0);
-    for (std::size_t last = 1; last <= told.size(); ++last) {
+    CHECK(fractions.size() > 2);
+    CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+    CHECK(fractions.front() >= 0.0);
+    CHECK(fractions.back() <= 1.0);
+    for (std::size_t last = 1; last <= fractions.size(); ++last) {
       std::size_t calls = 0;
       const auto stopped = operation([&](double) { return ++calls < last; });
       REQUIRE_FALSE(stopped.ok());
