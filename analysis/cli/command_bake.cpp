@@ -178,17 +178,28 @@ Result<int> run(Arguments& arguments) {
   notes.say();
   times.end("Preview and bundle");
 
-  const ReportedInput input{exemplar.value().name, maps, exemplar.value().assessed,
-                            exemplar.value().origins};
-  const ReportedBake reported{arguments.inputs, arguments.output, bundle,       {&input, 1}, {},
-                              bake.facts,       notes.lines(),    times.steps()};
+  const ReportedInput input{.name = exemplar.value().name,
+                            .exemplars = maps,
+                            .risks = exemplar.value().assessed,
+                            .origins = exemplar.value().origins};
+  const ReportedBake reported{.files = arguments.inputs,
+                              .output = arguments.output,
+                              .bundle = bundle,
+                              .inputs = {&input, 1},
+                              .facts = bake.facts,
+                              .notes = notes.lines(),
+                              .timings = times.steps()};
   if (Result<void> written = writeHtmlReport(arguments.report, reported, arguments.shared);
       !written)
     return written.error();
   if (!arguments.report.empty())
     times.end("Report");
-  reportBake(arguments.shared, {arguments.output, bundle, notes.lines(), exemplar.value().risks,
-                                bake.json, times.sum()});
+  reportBake(arguments.shared, {.output = arguments.output,
+                                .bundle = bundle,
+                                .notes = notes.lines(),
+                                .risks = exemplar.value().risks,
+                                .ofMethod = bake.json,
+                                .seconds = times.sum()});
   return kDone;
 }
 

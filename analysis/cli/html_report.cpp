@@ -13,7 +13,7 @@
 namespace lichen::cli {
 namespace {
 
-std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bake) {
+std::vector<std::pair<std::string, std::string>> reportedFacts(const ReportedBake& bake) {
   constexpr double kBytesPerKib = 1024.0;
   const Noise& noise = bake.bundle.noises.front();
   const MaterialNoise& material = *bake.bundle.materials.front();
@@ -61,8 +61,14 @@ Result<void> writeHtmlReport(const std::string& path, const ReportedBake& bake,
   if (path.empty())
     return {};
   ProgressLine progress("report", options);
-  const BakeRecord record{bake.bundle,   bake.inputs,  bake.modelErrors, options.commandLine,
-                          factsOf(bake), bake.timings, bake.notes};
+  const BakeRecord record{.bundle = bake.bundle,
+                          .inputs = bake.inputs,
+                          .mix = bake.mix,
+                          .words = bake.words,
+                          .command = options.commandLine,
+                          .facts = reportedFacts(bake),
+                          .timings = bake.timings,
+                          .notes = bake.notes};
   const Result<std::vector<std::byte>> page = encodeNoiseReport(record, progress.asProgress());
   if (!page)
     return page.error();
