@@ -189,6 +189,7 @@ void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQua
                                       {"height", shape.texelsPerTileY},
                                       {"steps", shape.steps},
                                       {"modelErrors", quality.modelErrors},
+                                      {"channelErrors", quality.channelErrors},
                                       {"largestStep", quality.largestStep},
                                       {"rankError", quality.rankError},
                                       {"tableBytes", texelBytes(bundle)},
@@ -227,7 +228,7 @@ Result<int> run(Arguments& arguments) {
   const TextonShape shape = baked.value().noise.as<TextonShape>();
   if (std::optional<std::string> line = supportNote(arguments.mix.texton.support, shape))
     notes.push_back(std::move(*line));
-  notes.push_back(qualityNote(quality, shape));
+  notes.push_back(qualityNote(quality, baked.value().noise));
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
   if (!file)
     return file.error();
