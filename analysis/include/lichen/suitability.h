@@ -32,7 +32,7 @@ struct Risk {
   std::string advice; ///< another photograph, in words; may be empty
 };
 
-/// A setting in the words of a program, for example "--flatten auto".
+/// Puts a setting into the words of a program, for example as a command-line option.
 using SettingWords = std::string (*)(const BakeSetting& setting);
 
 /// "flatten auto".
