@@ -92,10 +92,6 @@ Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> m
         assess(map, partOf(line.asProgress(), done / all, (done + 1) / all));
     if (!assessed)
       return assessed.error();
-    for (Risk& risk : assessed.value()) {
-      risk.advice = remedyOf(risk, "--");
-      risk.settings.clear();
-    }
     risks.push_back(std::move(assessed).value());
   }
   return risks;
@@ -113,13 +109,18 @@ std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,
   return leading;
 }
 
-std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalMaps) {
+std::string optionOf(const BakeSetting& setting) {
+  return fmt::format("--{} {}", setting.name, setting.value);
+}
+
+std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalMaps,
+                                   SettingWords words) {
   std::vector<std::string> notes;
   for (const auto& [map, risk] : risks)
     if (risk.level != Risk::Level::none)
       notes.push_back(fmt::format("{} ({}{}): {}; what helps: {}", risk.name, nameOf(risk.level),
                                   severalMaps ? fmt::format(", {}", nameOf(map)) : "",
-                                  risk.sentence, risk.advice));
+                                  risk.sentence, remedyOf(risk, words)));
   return notes;
 }
 
@@ -127,7 +128,7 @@ nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const auto& [map, risk] : risks) {
     json.push_back({{"map", nameOf(map)}});
-    json.back().update(jsonOf(risk));
+    json.back().update(jsonOf(risk, optionOf));
   }
   return json;
 }

@@ -42,8 +42,7 @@ struct Flattened {
 
 using AssessMap =
     std::function<Result<std::vector<Risk>>(const MapExemplar& map, const Progress& progress)>;
-/// Assesses each map with `assess`, in order, and shows a progress line. Settings that help become
-/// options in the words of `advice`.
+/// Assesses each map with `assess`, in order, and shows a progress line.
 [[nodiscard]] Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> maps,
                                                                 const SharedOptions& options,
                                                                 const AssessMap& assess);
@@ -59,10 +58,14 @@ struct MapRisk {
 [[nodiscard]] std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,
                                                 std::span<const std::vector<Risk>> risks);
 
-/// One line for each risk above level none; names the map if `severalMaps`.
-[[nodiscard]] std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalMaps);
+/// An option of `lichen bake`: "--flatten auto".
+[[nodiscard]] std::string optionOf(const BakeSetting& setting);
 
-/// All risks, including those of level none.
+/// One line for each risk above level none; names the map if `severalMaps`.
+[[nodiscard]] std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalMaps,
+                                                 SettingWords words = optionOf);
+
+/// All risks of a bake, including those of level none.
 [[nodiscard]] nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks);
 
 } // namespace lichen::cli

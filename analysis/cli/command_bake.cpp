@@ -178,18 +178,29 @@ Result<int> run(Arguments& arguments) {
   notes.say();
   times.end("Preview and bundle");
 
-  const ReportedInput input{exemplar.value().name, maps, exemplar.value().assessed,
-                            exemplar.value().origins};
-  const ReportedBake reported{arguments.inputs, arguments.output, bundle,       {&input, 1}, {},
-                              bake.facts,       notes.lines(),    times.steps()};
+  const ReportedInput input{.name = exemplar.value().name,
+                            .exemplars = maps,
+                            .risks = exemplar.value().assessed,
+                            .origins = exemplar.value().origins};
+  const ReportedBake reported{.files = arguments.inputs,
+                              .output = arguments.output,
+                              .bundle = bundle,
+                              .inputs = {&input, 1},
+                              .facts = bake.facts,
+                              .notes = notes.lines(),
+                              .timings = times.steps()};
   const Result<std::vector<std::string>> page =
       writeHtmlReport(arguments.report, reported, arguments.shared);
   if (!page)
     return page.error();
   if (!arguments.report.empty())
     times.end("Report");
-  reportBake(arguments.shared, {arguments.output, bundle, notes.lines(), exemplar.value().risks,
-                                bake.json, times.sum()});
+  reportBake(arguments.shared, {.output = arguments.output,
+                                .bundle = bundle,
+                                .notes = notes.lines(),
+                                .risks = exemplar.value().risks,
+                                .ofMethod = bake.json,
+                                .seconds = times.sum()});
   for (const std::string& line : page.value())
     say(arguments.shared, line);
   return kDone;

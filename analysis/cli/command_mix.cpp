@@ -55,7 +55,10 @@ struct Inputs {
   [[nodiscard]] std::vector<ReportedInput> reported() const {
     std::vector<ReportedInput> all;
     for (std::size_t i = 0; i < exemplars.size(); ++i)
-      all.push_back({names[i], exemplars[i].maps, assessed[i], origins[i]});
+      all.push_back({.name = names[i],
+                     .exemplars = exemplars[i].maps,
+                     .risks = assessed[i],
+                     .origins = origins[i]});
     return all;
   }
 };
@@ -103,12 +106,10 @@ Result<Inputs> readInputs(const Arguments& arguments) {
   return inputs;
 }
 
-/// Adapts advice to `lichen mix`, which always uses textons and has no --method.
-std::string ofBake(std::string advice) {
-  constexpr std::string_view kMethod = "--method tiling";
-  if (const std::size_t at = advice.find(kMethod); at != std::string::npos)
-    advice.replace(at, kMethod.size(), "to bake the input by itself with --method tiling");
-  return advice;
+/// An option of `lichen mix`, which always makes textons, or `lichen bake` with its --method.
+std::string mixOptionOf(const BakeSetting& setting) {
+  const std::string option = optionOf(setting);
+  return setting.name == "method" ? "lichen bake " + option + " for this input alone" : option;
 }
 
 /// Assesses the inputs, and adds notes on those for which texton noise looks wrong.
@@ -122,11 +123,8 @@ Result<void> judge(const Arguments& arguments, Inputs& inputs) {
         assessTextonMaps(exemplar.maps, arguments.mix.texton.support, arguments.shared, widest);
     if (!assessed)
       return assessed.error();
-    for (std::vector<Risk>& ofMap : assessed.value())
-      for (Risk& risk : ofMap)
-        risk.advice = ofBake(std::move(risk.advice));
     const std::vector<MapRisk> risks = leadingRisks(exemplar.maps, assessed.value());
-    for (const std::string& line : riskNotes(risks, exemplar.maps.size() > 1))
+    for (const std::string& line : riskNotes(risks, exemplar.maps.size() > 1, mixOptionOf))
       inputs.notes.push_back(exemplar.name + ": " + line);
     inputs.assessed.push_back(std::move(assessed).value());
   }
@@ -163,7 +161,7 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake
 }
 
 std::vector<std::pair<std::string, std::string>>
-factsOf(const Arguments& arguments, const TextonMixQuality& quality, const TextonShape& shape) {
+mixFacts(const Arguments& arguments, const TextonMixQuality& quality, const TextonShape& shape) {
   std::vector<std::pair<std::string, std::string>> facts{
       {"Tile", fmt::format("{} x {} texels", shape.texelsPerTileX, shape.texelsPerTileY)},
       {"Textons",
@@ -193,6 +191,7 @@ void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQua
                                       {"height", shape.texelsPerTileY},
                                       {"steps", shape.steps},
                                       {"modelErrors", quality.modelErrors},
+                                      {"channelErrors", quality.channelErrors},
                                       {"largestStep", quality.largestStep},
                                       {"rankError", quality.rankError},
                                       {"tableBytes", texelBytes(bundle)},
@@ -231,7 +230,7 @@ Result<int> run(Arguments& arguments) {
   const TextonShape shape = baked.value().noise.as<TextonShape>();
   if (std::optional<std::string> line = supportNote(arguments.mix.texton.support, shape))
     notes.push_back(std::move(*line));
-  notes.push_back(qualityNote(quality, shape));
+  notes.push_back(qualityNote(quality, baked.value().noise));
   const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
   if (!file)
     return file.error();
@@ -243,12 +242,19 @@ Result<int> run(Arguments& arguments) {
       note(arguments.shared, line);
   times.end("Preview and bundle");
   const std::vector<ReportedInput> reported = inputs.value().reported();
-  const auto facts = factsOf(arguments, quality, shape);
-  const Result<std::vector<std::string>> page =
-      writeHtmlReport(arguments.report,
-                      {arguments.inputs, arguments.output, file.value().bundle, reported,
-                       quality.modelErrors, facts, notes, times.steps()},
-                      arguments.shared);
+  const auto facts = mixFacts(arguments, quality, shape);
+  const Result<std::vector<std::string>> page = writeHtmlReport(
+      arguments.report,
+      {.files = arguments.inputs,
+       .output = arguments.output,
+       .bundle = file.value().bundle,
+       .inputs = reported,
+       .mix = ReportedMix{.modelErrors = quality.modelErrors, .weights = arguments.mix.weights},
+       .words = mixOptionOf,
+       .facts = facts,
+       .notes = notes,
+       .timings = times.steps()},
+      arguments.shared);
   if (!page)
     return page.error();
   if (!arguments.report.empty())

@@ -13,7 +13,7 @@
 namespace lichen::cli {
 namespace {
 
-std::vector<std::pair<std::string, std::string>> factsOf(const ReportedBake& bake) {
+std::vector<std::pair<std::string, std::string>> reportedFacts(const ReportedBake& bake) {
   constexpr double kBytesPerKib = 1024.0;
   const Noise& noise = bake.bundle.noises.front();
   const MaterialNoise& material = *bake.bundle.materials.front();
@@ -62,8 +62,14 @@ Result<std::vector<std::string>> writeHtmlReport(const std::string& path, const 
   if (path.empty())
     return std::vector<std::string>{};
   ProgressLine progress("report", options);
-  const BakeRecord record{bake.bundle,   bake.inputs,  bake.modelErrors, options.commandLine,
-                          factsOf(bake), bake.timings, bake.notes};
+  const BakeRecord record{.bundle = bake.bundle,
+                          .inputs = bake.inputs,
+                          .mix = bake.mix,
+                          .words = bake.words,
+                          .command = options.commandLine,
+                          .facts = reportedFacts(bake),
+                          .timings = bake.timings,
+                          .notes = bake.notes};
   const Result<NoiseReport> report = encodeNoiseReport(record, progress.asProgress());
   if (!report)
     return report.error();

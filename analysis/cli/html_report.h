@@ -2,6 +2,7 @@
 // `lichen bake --report` and `lichen mix --report`: the HTML page about what they made.
 #pragma once
 
+#include "bake_risks.h"
 #include "command.h"
 
 #include <lichen/bundle.h>
@@ -10,6 +11,7 @@
 #include <lichen/suitability.h>
 
 #include <chrono>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -36,7 +38,8 @@ struct ReportedBake {
   std::string output;
   const Bundle& bundle; ///< one noise, one material
   std::span<const ReportedInput> inputs;
-  std::span<const double> modelErrors;                        ///< BakeRecord::modelErrors
+  std::optional<ReportedMix> mix{};                           ///< BakeRecord::mix
+  SettingWords words = optionOf;                              ///< BakeRecord::words
   std::span<const std::pair<std::string, std::string>> facts; ///< label and value, from the method
   std::vector<std::string> notes;
   std::vector<std::pair<std::string, double>> timings; ///< StepTimes::steps()

@@ -37,12 +37,12 @@ Json jsonOf(const KernelComparison& kernels) {
   return list;
 }
 
-Json jsonOf(const Risk& risk) {
+Json jsonOf(const Risk& risk, SettingWords words) {
   return {{"name", risk.name},
           {"score", risk.score},
           {"level", nameOf(risk.level)},
           {"sentence", risk.sentence},
-          {"remedy", remedyOf(risk)}};
+          {"remedy", remedyOf(risk, words)}};
 }
 
 } // namespace lichen

@@ -59,11 +59,17 @@ Json spectrumOf(const NoiseComparison& comparison) {
   return {{"cropSide", crop}, {"curves", std::move(curves)}};
 }
 
-template <class Judgement>
-Json listOf(const std::vector<Judgement>& judgements) {
+Json measuresOf(const NoiseComparison& comparison) {
   Json list = Json::array();
-  for (const Judgement& judgement : judgements)
-    list.push_back(jsonOf(judgement));
+  for (const Measure& measure : comparison.measures)
+    list.push_back(jsonOf(measure));
+  return list;
+}
+
+Json risksOf(const ShownExemplar& shown, SettingWords words) {
+  Json list = Json::array();
+  for (const Risk& risk : shown.risks)
+    list.push_back(jsonOf(risk, words));
   return list;
 }
 
@@ -95,7 +101,8 @@ Extents resultExtents(const Extents& exemplar, int side) {
 Result<void> addPictures(Json& section, const Bundle& bundle, const MaterialNoise& material,
                          const ShownExemplar& shown, const NoiseComparison& comparison,
                          int exemplarSide) {
-  const auto [width, height] = exemplarExtents(shown.exemplar, exemplarSide);
+  const auto [width, height] =
+      pictureExtents(shown.exemplar.width, shown.exemplar.height, exemplarSide);
   SynthesisOptions options;
   options.material = material;
   options.map = shown.exemplar.target;
@@ -128,7 +135,8 @@ Result<void> addPictures(Json& section, const Bundle& bundle, const MaterialNois
 } // namespace
 
 Result<Json> describeMap(const Bundle& bundle, const MaterialNoise& material,
-                         const ShownExemplar& shown, int exemplarSide, const Progress& progress) {
+                         const ShownExemplar& shown, SettingWords words, int exemplarSide,
+                         const Progress& progress) {
   const MapExemplar& exemplar = shown.exemplar;
   const Result<NoiseComparison> comparison = compareNoise(bundle, material, exemplar, progress);
   if (!comparison)
@@ -137,8 +145,8 @@ Result<Json> describeMap(const Bundle& bundle, const MaterialNoise& material,
   const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // compareNoise() has found it
   Json section{{"target", nameOf(exemplar.target)},
                {"summary", summaryOf(exemplar)},
-               {"measures", listOf(comparison.value().measures)},
-               {"risks", listOf(shown.risks)},
+               {"measures", measuresOf(comparison.value())},
+               {"risks", risksOf(shown, words)},
                {"steps", shown.origin.steps},
                {"histograms", histogramsOf(comparison.value())},
                {"spectrum", spectrumOf(comparison.value())}};

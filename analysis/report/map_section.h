@@ -20,10 +20,11 @@ struct ShownExemplar {
 };
 
 /// The data of one map for the page's script: pictures as data URIs, measures and chart values. The
-/// picture of the exemplar has at most exemplarSide^2 pixels. The noise is the material's, a mix at
-/// the material's constant weight. Errors: as compareNoise().
+/// picture of the exemplar has at most exemplarSide^2 pixels, and all of them as many as
+/// MethodReport::picturePixels() says. The noise is the material's, a mix at the material's
+/// constant weight. Settings that help against a risk are in `words`. Errors: as compareNoise().
 [[nodiscard]] Result<nlohmann::ordered_json>
 describeMap(const Bundle& bundle, const MaterialNoise& material, const ShownExemplar& shown,
-            int exemplarSide, const Progress& progress);
+            SettingWords words, int exemplarSide, const Progress& progress);
 
 } // namespace lichen

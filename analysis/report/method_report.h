@@ -36,10 +36,11 @@ public:
   [[nodiscard]] virtual Result<void> judge(const ComparedResult& result,
                                            NoiseComparison& comparison) const = 0;
 
-  /// Pixels of all of a map's pictures on the page, per pixel of the exemplar's picture.
+  /// The most pixels of all of a map's pictures on the page, except for the table's, in units of
+  /// side^2.
   [[nodiscard]] virtual double picturePixels() const = 0;
   /// `title`, `text` and the picture `png` of the image that the shader fetches from; of a mix, at
-  /// this weight. The picture has about side^2 pixels.
+  /// this weight. The picture has at most side^2 pixels.
   [[nodiscard]] virtual Result<nlohmann::ordered_json> image(const Bundle& bundle,
                                                              const Noise& noise,
                                                              const NoiseMap& map, double mixWeight,

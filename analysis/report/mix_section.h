@@ -3,20 +3,23 @@
 #pragma once
 
 #include <lichen/noise_report.h>
+#include <lichen/progress.h>
 
 #include <nlohmann/json_fwd.hpp>
 
 namespace lichen {
 
-/// Panes that a path from one input to the next shows at most: both exemplars and five steps.
-inline constexpr int kMostPathPanes = 7;
+/// The number of pictures in describeMix().
+[[nodiscard]] std::size_t mixPictures(const BakeRecord& record);
 
-/// The data of the section on map `map` of the inputs: a path from each input to the next, or, for
-/// one texture between all inputs, that texture beside them. A path has panes (a name, a picture,
-/// at a step also its weight, model error and the picture of what the shader fetches from) and the
-/// spectra of both exemplars and the steps. Pictures have at most side^2 pixels. Errors: as
-/// synthesize().
+/// The data of the section on map `map` of the inputs of record.mix: a path from each input to the
+/// next, or, for one texture between all inputs, that texture beside them. A path has panes and
+/// their spectra. A pane has a picture; its place `along` the path from 0 to 1, null for the
+/// texture between all; of an input the name, and its share in that texture; of a step the weight,
+/// the model error and the picture of what the shader fetches from. All panes show the same number
+/// of texels per pixel; `extents` is the size of the largest. Pictures have at most side^2 pixels.
+/// Errors: as synthesize().
 [[nodiscard]] Result<nlohmann::ordered_json> describeMix(const BakeRecord& record, std::size_t map,
-                                                         int side);
+                                                         int side, const Progress& progress = {});
 
 } // namespace lichen

@@ -19,22 +19,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Pixels of all pictures, at most 4 bytes each in base64. The page stays below 14 MiB, and about
-/// half of that for photographs, which compress.
-constexpr double kMostPixels = 3.5e6;
 constexpr int kLargestExemplarSide = 512;
 
-/// Whether the noise shows each input at a weight of its own.
-bool hasPath(const BakeRecord& record) { return record.modelErrors.size() != 1; }
+/// Time of a step between the inputs of a mix over that of an input's section: the texels that both
+/// evaluate of exemplars of 512 x 512.
+constexpr double kStepOverInput = 0.25;
 
-/// Side of an exemplar's picture.
+/// Whether the noise should look like each of its inputs at some weight. One texture between all
+/// inputs should look like none of them, so it is not compared with them.
+bool showsInputs(const BakeRecord& record) { return !record.mix || record.mix->weights.empty(); }
+
+/// Side of an exemplar's picture: all pictures together have at most kReportPixels.
 int exemplarSide(const BakeRecord& record, Method method) {
-  const double inputs = double(record.inputs.size());
-  const double ofInputs = hasPath(record) ? inputs * reportOf(method).picturePixels() : 0.0;
-  const double ofPaths = record.modelErrors.empty() ? 0.0 : inputs * kMostPathPanes;
+  const double inputs = showsInputs(record) ? double(record.inputs.size()) : 0.0;
+  const double between = record.mix ? double(mixPictures(record)) : 0.0;
   const double maps = double(std::max<std::size_t>(record.inputs.front().exemplars.size(), 1));
-  return std::min(kLargestExemplarSide,
-                  int(std::sqrt(kMostPixels / (maps * (ofInputs + ofPaths)))));
+  const double pictures = maps * (inputs * reportOf(method).picturePixels() + between);
+  return std::min(kLargestExemplarSide, int(std::sqrt(kReportPixels / pictures)));
 }
 
 /// Escapes "<", so that the JSON cannot contain the end of its script element.
@@ -67,7 +68,7 @@ Json describe(const BakeRecord& record, Sections sections, double reportSeconds)
   }
   addTiming("Measures and pictures of this page", reportSeconds);
   addTiming("In all", all);
-  return {{"kind", record.modelErrors.empty() ? "bake" : "mix"},
+  return {{"kind", record.mix ? "mix" : "bake"},
           {"name", record.bundle.noises.front().name},
           {"command", record.command},
           {"facts", record.facts},
@@ -97,8 +98,8 @@ Result<void> addInput(const BakeRecord& record, std::size_t i, int side, const P
   for (std::size_t m = 0; m < count; ++m) {
     const ShownExemplar shown{input.exemplars[m], input.risks[m], input.origins[m]};
     const double before = double(m) / double(count), after = double(m + 1) / double(count);
-    Result<Json> map =
-        describeMap(record.bundle, material, shown, side, partOf(progress, before, after));
+    Result<Json> map = describeMap(record.bundle, material, shown, record.words, side,
+                                   partOf(progress, before, after));
     if (!map)
       return map.error();
     map.value()["input"] = inputs > 1 ? Json(input.name) : Json();
@@ -108,9 +109,11 @@ Result<void> addInput(const BakeRecord& record, std::size_t i, int side, const P
 }
 
 /// Adds the sections on what lies between the inputs.
-Result<void> addMixes(const BakeRecord& record, int side, Json& mixes) {
-  for (std::size_t m = 0; m < record.inputs.front().exemplars.size(); ++m) {
-    Result<Json> mix = describeMix(record, m, side);
+Result<void> addMixes(const BakeRecord& record, int side, const Progress& progress, Json& mixes) {
+  const std::size_t count = record.inputs.front().exemplars.size();
+  for (std::size_t m = 0; m < count; ++m) {
+    const double before = double(m) / double(count), after = double(m + 1) / double(count);
+    Result<Json> mix = describeMix(record, m, side, partOf(progress, before, after));
     if (!mix)
       return mix.error();
     mixes.push_back(std::move(mix).value());
@@ -142,13 +145,17 @@ Result<NoiseReport> encode(const BakeRecord& record, const Progress& progress) {
   const MaterialNoise& material = *record.bundle.materials.front();
   const int side = exemplarSide(record, record.bundle.noises[material.noise].method());
   Sections sections;
-  if (!record.modelErrors.empty())
-    if (Result<void> added = addMixes(record, side, sections.mixes); !added)
+  const std::size_t inputs = showsInputs(record) ? record.inputs.size() : 0;
+  const double between = record.mix ? kStepOverInput * double(mixPictures(record)) / 2.0 : 0.0;
+  const double share = between / (between + double(inputs));
+  if (record.mix)
+    if (Result<void> added = addMixes(record, side, partOf(progress, 0.0, share), sections.mixes);
+        !added)
       return added.error();
-  const std::size_t inputs = hasPath(record) ? record.inputs.size() : 0;
+  const double each = (1.0 - share) / double(inputs);
   for (std::size_t i = 0; i < inputs; ++i) {
-    const Progress part =
-        partOf(progress, double(i) / double(inputs), double(i + 1) / double(inputs));
+    const double begin = share + double(i) * each;
+    const Progress part = partOf(progress, begin, std::min(1.0, begin + each));
     if (Result<void> added = addInput(record, i, side, part, sections.maps); !added)
       return added.error();
   }

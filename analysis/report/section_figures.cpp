@@ -8,15 +8,11 @@
 #include <cmath>
 
 namespace lichen {
+namespace {
 
-Extents exemplarExtents(const MapExemplar& exemplar, int side) {
-  const double pixels = double(exemplar.width) * double(exemplar.height);
-  const double shrink = std::min(1.0, side / std::sqrt(pixels));
-  return {std::max(1, int(exemplar.width * shrink)), std::max(1, int(exemplar.height * shrink))};
-}
-
-SrgbImage reduced(const SrgbImage& image, int width, int height) {
-  SrgbImage small(width, height, image.channels);
+template <Encoding kEncoding>
+Image<kEncoding> blockMeans(const Image<kEncoding>& image, int width, int height) {
+  Image<kEncoding> small(width, height, image.channels);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const int left = x * image.width / width, right = (x + 1) * image.width / width;
@@ -30,6 +26,24 @@ SrgbImage reduced(const SrgbImage& image, int width, int height) {
       }
     }
   return small;
+}
+
+} // namespace
+
+Extents pictureExtents(int width, int height, int side) {
+  const double shrink = std::min(1.0, side / std::sqrt(double(width) * double(height)));
+  Extents extents{std::max(1, int(width * shrink)), std::max(1, int(height * shrink))};
+  for (int& extent : extents) // of an image less than a pixel wide
+    extent = std::min(extent, side * side);
+  return extents;
+}
+
+SrgbImage reduced(const SrgbImage& image, int width, int height) {
+  return blockMeans(image, width, height);
+}
+
+LinearImage reduced(const LinearImage& image, int width, int height) {
+  return blockMeans(image, width, height);
 }
 
 int spectrumCrop(const SrgbImage& a, const SrgbImage& b) {

@@ -103,28 +103,28 @@ Period periodOf(const MapExemplar& map, const MapExemplar& first, double pixels)
   return {pixels * map.width / first.width, pixels * map.height / first.height};
 }
 
-/// What a map must not have.
-enum class Unwanted {
-  risks,  ///< the low-frequency or the cloudiness risk
-  patches ///< either risk, or patches that are visible in the noise
+/// The slow variation in a map, as the eye sees it.
+struct SlowVariation {
+  bool isRisk = false;  ///< low-frequency or cloudiness
+  double patches = 0.0; ///< patchShare(); measured unless low-frequency is a risk
+
+  [[nodiscard]] bool showsPatches() const { return isRisk || patches >= kVisiblePatches; }
 };
 
-/// Whether the map has nothing `unwanted`.
-bool isFree(const MapExemplar& map, Unwanted unwanted, bool periodic, ProgressPart progress) {
-  const auto isFreeAsSeen = [&](const MapExemplar& seen) {
-    double patches = 0.0;
-    const bool noRisk = hasNoSlowRisk(seen, [&] {
+SlowVariation slowVariationOf(const MapExemplar& map, bool periodic, ProgressPart progress) {
+  const auto measured = [&](const MapExemplar& seen) {
+    SlowVariation slow;
+    slow.isRisk = !hasNoSlowRisk(seen, [&] {
       const std::optional<GaussianPlane> plane = gaussianPlane(seen, periodic, progress);
       if (!plane)
         return 0.0;
       const HalfSpectrum spectrum = forwardFft(plane->values, plane->width, plane->height);
-      patches = patchShare(spectrum);
+      slow.patches = patchShare(spectrum);
       return cloudiness(spectrum);
     });
-    return noRisk && (unwanted == Unwanted::risks || patches < kVisiblePatches);
+    return slow;
   };
-  return map.target == MapTarget::height ? isFreeAsSeen(slopesOfHeight(map, periodic))
-                                         : isFreeAsSeen(map);
+  return map.target == MapTarget::height ? measured(slopesOfHeight(map, periodic)) : measured(map);
 }
 
 /// Share of the search's progress: one judgement of the unchanged map and at most five tries.
@@ -132,7 +132,7 @@ constexpr double kJudgement = 1.0 / 6.0;
 
 /// The period for the map, if any, and the reason. Throws std::bad_alloc.
 FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPart progress) {
-  if (isFree(map, Unwanted::risks, periodic, progress.part(0.0, kJudgement)))
+  if (!slowVariationOf(map, periodic, progress.part(0.0, kJudgement)).isRisk)
     return {FlatteningChoice::Reason::noRisk, std::nullopt, {}};
   progress.reach(kJudgement);
   if (edgeConcentration(map, periodic) > kEdgeConcentration)
@@ -140,28 +140,28 @@ FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPar
   const double side = std::max(map.width, map.height);
   const auto period = [&](int step) { return 2.0 * side * std::exp2(-0.5 * step); };
   double begin = kJudgement;
-  const auto suffices = [&](int step, Unwanted unwanted) {
+  const auto remaining = [&](int step) {
     const double end = std::min(1.0, begin + kJudgement), middle = 0.5 * (begin + end);
     MapExemplar flattened = map;
     flattenMap(flattened, periodOf(map, map, period(step)), periodic, progress.part(begin, middle));
-    const bool isEnough = isFree(flattened, unwanted, periodic, progress.part(middle, end));
+    const SlowVariation slow = slowVariationOf(flattened, periodic, progress.part(middle, end));
     begin = end;
-    return isEnough;
+    return slow;
   };
   int last = 0;
   while (period(last + 1) >= std::max(kShortestAutoPeriod * side, kFlattenPeriodRange.least))
     ++last;
-  if (period(last) < kFlattenPeriodRange.least || !suffices(last, Unwanted::risks))
+  if (period(last) < kFlattenPeriodRange.least || remaining(last).isRisk)
     return {FlatteningChoice::Reason::unresolved, std::nullopt, {}};
   // Bisection for the longest period that leaves no patches: shorter periods remove more. The
   // shortest may leave some.
   int first = 0;
   while (first < last) {
     const int middle = (first + last) / 2;
-    if (suffices(middle, Unwanted::patches))
-      last = middle;
-    else
+    if (remaining(middle).showsPatches())
       first = middle + 1;
+    else
+      last = middle;
   }
   return {
       FlatteningChoice::Reason::flattened, std::min(period(last), kFlattenPeriodRange.most), {}};
@@ -178,7 +178,7 @@ FlatteningChoice flattenWhereNeeded(std::span<MapExemplar> maps, bool periodic,
   for (std::size_t m = 0; m < maps.size(); ++m) {
     const ProgressPart part = progress.part(double(m + 1) * each, double(m + 2) * each);
     const bool skips = maps[m].target == MapTarget::opacity;
-    if (skips || (m > 0 && isFree(maps[m], Unwanted::risks, periodic, part.part(0.0, 0.5))))
+    if (skips || (m > 0 && !slowVariationOf(maps[m], periodic, part.part(0.0, 0.5)).isRisk))
       continue;
     flattenMap(maps[m], periodOf(maps[m], first, *choice.periodPixels), periodic,
                part.part(0.5, 1.0));

@@ -82,16 +82,6 @@ std::optional<double> heldOutError(const JointExemplar& joint, const TextonOptio
   return relativeModelError(halfModel(joint, false), coefficients, options.order);
 }
 
-/// Returns the model error of one channel.
-double channelError(const gaussian::GaussianModel& model, const TextonCoefficients& coefficients,
-                    int order, std::size_t channel) {
-  const std::size_t texels = coefficients.values.size() / std::size_t(coefficients.channels);
-  const auto begin = coefficients.values.begin() + std::ptrdiff_t(channel * texels);
-  const TextonCoefficients alone{
-      coefficients.width, coefficients.height, 1, {begin, begin + std::ptrdiff_t(texels)}};
-  return relativeModelError({{model.channels[channel]}}, alone, order);
-}
-
 Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& options) {
   const auto usage = [](const std::string& what) { return Error{ErrorKind::usage, what}; };
   if (maps.empty())
@@ -150,9 +140,9 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
                                       "detail, or another method"};
   TextonCoefficients coefficients =
       fitted(model, options, progress.part(kHeldOutOfProgress, kFitOfProgress));
-  bake.quality.modelError = relativeModelError(model, coefficients, options.order);
-  for (std::size_t c = 0; c < model.channels.size(); ++c)
-    bake.quality.channelErrors.push_back(channelError(model, coefficients, options.order, c));
+  ModelErrors errors = modelErrors(model, coefficients, options.order);
+  bake.quality.modelError = errors.all;
+  bake.quality.channelErrors = std::move(errors.channels);
   bake.quality.flatness = flatness(interpolatedSpot(coefficients, options.order),
                                    firstMapWeights(maps.front(), model.channels.size()));
   progress.reach(kFitOfProgress);

@@ -297,6 +297,13 @@ void descendWithMomentum(Fit& fit, const ProgressPart& progress) {
   }
 }
 
+/// [GLM14] eq. 5: 0 for a model without variance.
+double relativeDistance(const gaussian::GaussianModel& model,
+                        const gaussian::GaussianModel& noise) {
+  const double variance = modelVariance(model);
+  return variance > 0.0 ? std::sqrt(squaredTransportDistance(model, noise) / variance) : 0.0;
+}
+
 } // namespace
 
 TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const FitOptions& options,
@@ -329,10 +336,17 @@ TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const F
 
 double relativeModelError(const gaussian::GaussianModel& model,
                           const TextonCoefficients& coefficients, int order) {
-  const double variance = modelVariance(model);
+  return relativeDistance(model, noiseModel(coefficients, order, model.width(), model.height()));
+}
+
+ModelErrors modelErrors(const gaussian::GaussianModel& model,
+                        const TextonCoefficients& coefficients, int order) {
   const gaussian::GaussianModel noise =
       noiseModel(coefficients, order, model.width(), model.height());
-  return variance > 0.0 ? std::sqrt(squaredTransportDistance(model, noise) / variance) : 0.0;
+  ModelErrors errors{relativeDistance(model, noise), {}};
+  for (std::size_t c = 0; c < model.channels.size(); ++c)
+    errors.channels.push_back(relativeDistance({{model.channels[c]}}, {{noise.channels[c]}}));
+  return errors;
 }
 
 } // namespace lichen::texton

@@ -7,6 +7,7 @@
 #include "progress_part.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace lichen::texton {
 
@@ -39,5 +40,13 @@ enum class FitMethod {
 /// standard deviation, without frequency 0. 0 for equal power spectra, 1 for a texton of zeros.
 [[nodiscard]] double relativeModelError(const gaussian::GaussianModel& model,
                                         const TextonCoefficients& coefficients, int order);
+
+struct ModelErrors {
+  double all = 0.0;             ///< relativeModelError()
+  std::vector<double> channels; ///< the same of each channel alone
+};
+
+[[nodiscard]] ModelErrors modelErrors(const gaussian::GaussianModel& model,
+                                      const TextonCoefficients& coefficients, int order);
 
 } // namespace lichen::texton

@@ -188,8 +188,12 @@ double relativeDistance(const TextonCoefficients& a, const TextonCoefficients& b
 
 TextonMixQuality qualityOf(const TextonMix& mix) {
   TextonMixQuality quality;
+  quality.channelErrors.resize(mix.steps.front().errors.channels.size(), 0.0);
   for (std::size_t k = 0; k < mix.steps.size(); ++k) {
-    quality.modelErrors.push_back(mix.steps[k].modelError);
+    const ModelErrors& errors = mix.steps[k].errors;
+    quality.modelErrors.push_back(errors.all);
+    for (std::size_t c = 0; c < errors.channels.size(); ++c)
+      quality.channelErrors[c] = std::max(quality.channelErrors[c], errors.channels[c]);
     quality.rankError = std::max(quality.rankError, mix.steps[k].rankError);
     if (k > 0)
       quality.largestStep = std::max(

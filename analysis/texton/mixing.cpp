@@ -118,7 +118,7 @@ TextonCoefficients between(const TextonCoefficients& first, const TextonCoeffici
 Result<void> finish(std::span<const MixExemplar> exemplars, const gaussian::GaussianModel& model,
                     int order, MixStep& step) {
   (void)correctCovariance(step.texton, order, gaussian::modelCovariance(model));
-  step.modelError = relativeModelError(model, step.texton, order);
+  step.errors = modelErrors(model, step.texton, order);
   std::vector<MatrixXd> covariances;
   for (const MixExemplar& exemplar : exemplars)
     covariances.push_back(exemplar.covariance);

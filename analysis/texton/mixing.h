@@ -41,8 +41,7 @@ struct MixStep {
   std::vector<double> weights; ///< one per exemplar, with sum 1; they also weight the mean colour
   /// Its noise has the covariance of the exemplars' barycentre; at an exemplar, that exemplar's.
   TextonCoefficients texton;
-  /// relativeModelError() of the texton with its model's covariance, as in TextonQuality.
-  double modelError = 0.0;
+  ModelErrors errors{};   ///< of the texton with its model's covariance, as in TextonQuality
   double rankError = 0.0; ///< from Barycenter; 0 along a path
 };
 
@@ -60,7 +59,7 @@ struct TextonMix {
 /// Errors: usage for numbers outside their ranges and for exemplars with different channels;
 /// badInput for an exemplar whose model has no variance along a colour axis of its covariance;
 /// resources for memory; environment when `options.progress` stops it. The bytes do not depend on
-/// the number of threads. Time: one fit per exemplar, and relativeModelError() for each step.
+/// the number of threads. Time: one fit per exemplar, and modelErrors() for each step.
 /// Source: [GLM17] section 7.
 [[nodiscard]] Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars,
                                               const MixOptions& options);

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace lichen {
@@ -214,8 +213,7 @@ Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int su
                                                   int heightTexels) {
   const Texels texels{widthTexels > 0 ? widthTexels : map.width,
                       heightTexels > 0 ? heightTexels : map.height, support};
-  const auto judge = [&] { return risksOf(map, texels, ProgressPart(progress)); };
-  return assessed(map, std::ref(judge)); // a reference: std::function then allocates nothing
+  return assessed(map, [&] { return risksOf(map, texels, ProgressPart(progress)); });
 }
 
 } // namespace lichen

@@ -19,7 +19,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 namespace lichen {
@@ -190,8 +189,7 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPix
 
 Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
                                             const Progress& progress, double firstPixels) {
-  const auto judge = [&] { return risksOf(map, periodic, firstPixels, ProgressPart(progress)); };
-  return assessed(map, std::ref(judge)); // a reference: std::function then allocates nothing
+  return assessed(map, [&] { return risksOf(map, periodic, firstPixels, ProgressPart(progress)); });
 }
 
 } // namespace lichen

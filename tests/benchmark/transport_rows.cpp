@@ -19,7 +19,7 @@ using namespace transport;
 constexpr double kStep = 1e-4;
 /// In the auction's matching all but a few pairs are within a step; these rounds exchange the rest.
 /// More rounds gain less than 0.001 %.
-constexpr TransportOptions kMending{.swapRounds = 4, .exactRounds = 8};
+constexpr TransportOptions kExchanges{.swapRounds = 4, .exactRounds = 8};
 
 /// Mean squared difference of neighbours relative to the variance, summed over channels, with
 /// wraparound.
@@ -56,7 +56,7 @@ std::vector<Row> transportRows() {
     const std::vector<std::uint32_t> assignment = assign(source, target, {});
     const test::TransportBound bound = test::boundTransportCost(source, target, assignment, kStep);
     const std::vector<std::uint32_t> nearlyExact =
-        improveAssignment(source, target, bound.auctioned, kMending);
+        improveAssignment(source, target, bound.auctioned, kExchanges);
     const double excess = 100.0 * bound.excess();
     const double ratio = speckle(target, assignment, map.width, map.height) /
                          speckle(target, nearlyExact, map.width, map.height);

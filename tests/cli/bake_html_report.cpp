@@ -146,6 +146,7 @@ TEST_CASE("a report of a mix measures each input as compare does, and shows the 
   const nlohmann::json data = dataOf(workplace.read("mix.html"));
   CHECK(data.at("kind") == "mix");
   REQUIRE(data.at("maps").size() == 3);
+  int risks = 0;
   for (std::size_t input = 0; input < 3; ++input) {
     const nlohmann::json& map = data["maps"][input];
     CHECK(map.at("input") == std::array{"moss", "sand", "rust"}[input]);
@@ -158,8 +159,13 @@ TEST_CASE("a report of a mix measures each input as compare does, and shows the 
       CHECK(map["measures"][m].at("value") == compared["measures"][m].at("value"));
     CHECK(map.at("kernels") == compared["kernels"][0].at("spots"));
     for (const nlohmann::json& risk : map.at("risks")) // mix has no --method
-      CHECK_FALSE(Catch::StartsWith("--method").match(risk.at("remedy")));
+      if (risk.at("level") != "none") {
+        ++risks;
+        CHECK_THAT(risk.at("remedy").get<std::string>(),
+                   Catch::Contains("lichen bake --method tiling"));
+      }
   }
+  CHECK(risks > 0);
   const nlohmann::json paths = data.at("mixes").at(0).at("paths");
   const nlohmann::json errors = nlohmann::json::parse(ended.output).at("modelErrors");
   REQUIRE(errors.size() == 15); // 7 steps from each input to the next
@@ -184,21 +190,35 @@ TEST_CASE("a report of a mix measures each input as compare does, and shows the 
   CHECK(data["maps"][0].at("result") != data["maps"][2].at("result"));
 }
 
-TEST_CASE("a report of one texture between inputs shows it beside them, and measures nothing") {
+TEST_CASE(
+    "a report of one texture between inputs shows it and their shares, and measures nothing") {
   const Workplace workplace;
-  const Ended ended =
-      runLichen({"mix", workplace.write("moss.png", smooth(24)),
-                 workplace.write("sand.png", speckled(24, 24, 3)), "-o", workplace.path("mix.glb"),
-                 "--support", "8", "--weights", "1,1", "--report", workplace.path("mix.html")});
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  const nlohmann::json data = dataOf(workplace.read("mix.html"));
-  CHECK(data.at("maps").empty());
-  const nlohmann::json& panes = data.at("mixes").at(0).at("paths").at(0).at("panes");
-  REQUIRE(panes.size() == 3);
-  CHECK(panes[0].at("name") == "moss");
-  CHECK(panes[1].at("name") == "sand");
-  CHECK(panes[2].at("step") == 1);
+  const std::string moss = workplace.write("moss.png", smooth(24));
+  const std::string sand = workplace.write("sand.png", speckled(24, 24, 3));
+  const auto panesOf = [&](const std::string& weights) {
+    const Ended ended =
+        runLichen({"mix", moss, sand, "-o", workplace.path("mix.glb"), "--support", "8",
+                   "--weights", weights, "--report", workplace.path("mix.html")});
+    INFO(ended.errors);
+    REQUIRE(ended.code == 0);
+    const nlohmann::json data = dataOf(workplace.read("mix.html"));
+    CHECK(data.at("maps").empty());
+    nlohmann::json panes = data.at("mixes").at(0).at("paths").at(0).at("panes");
+    REQUIRE(panes.size() == 3);
+    CHECK(panes[0].at("name") == "moss");
+    CHECK(panes[1].at("name") == "sand");
+    CHECK(panes[2].at("step") == 1);
+    return panes;
+  };
+  const nlohmann::json mostlyMoss = panesOf("3,1"), mostlySand = panesOf("1,3"),
+                       onlySand = panesOf("0,5");
+  CHECK(mostlyMoss[0].at("share") == 0.75);
+  CHECK(mostlyMoss[1].at("share") == 0.25);
+  CHECK(mostlySand[0].at("share") == 0.25);
+  CHECK(mostlySand[1].at("share") == 0.75);
+  CHECK(onlySand[1].at("share") == 1.0);
+  CHECK(mostlyMoss[2].at("png") != mostlySand[2].at("png"));
+  CHECK(mostlySand[2].at("png") != onlySand[2].at("png"));
 }
 
 TEST_CASE("a report says what was done to an exemplar, and shows it as it was before flattening") {

@@ -92,8 +92,8 @@ TEST_CASE("a set reports each risk for the base colour, or for a map with a high
   CHECK_THAT(ended.errors,
              Catch::Contains("low-frequency (severe, occlusionRoughnessMetallic): ") &&
                  Catch::Contains("what helps: --flatten 21, or ")); // a third of the side
-  const nlohmann::json mended = jsonOf(workplace, {color, roughness, "--flatten", "21"});
-  CHECK(mended.at("risks")[2].at("level") == "none");
+  const nlohmann::json flattened = jsonOf(workplace, {color, roughness, "--flatten", "21"});
+  CHECK(flattened.at("risks")[2].at("level") == "none");
   CHECK(jsonOf(workplace, {color, roughness}).at("risks")[2].at("map") ==
         "occlusionRoughnessMetallic");
   CHECK(jsonOf(workplace, {uneven, roughness}).at("risks")[2].at("map") == "baseColor");
@@ -184,7 +184,7 @@ TEST_CASE("a texton bake reports how close it is and which option improves it") 
     CHECK(ended.code == 0);
     return ended.errors;
   };
-  const auto close = Catch::Contains("the texton is close to");
+  const auto close = Catch::Contains("the texton is close to the spectrum: ");
   const auto few = Catch::Contains("impacts are few: --impacts");
   const auto cut = Catch::Contains("which limits the texton");
   CHECK_THAT(notesOf(fine, {"--support", "16"}), close && !few && !cut);
@@ -192,9 +192,26 @@ TEST_CASE("a texton bake reports how close it is and which option improves it") 
              close && Catch::Contains("; 5 impacts are few"));
   // Blobs as wide as the support have most of their variation in slower waves.
   CHECK_THAT(notesOf(slow, {"--support", "4"}),
-             Catch::Contains("the texton is not close to") &&
-                 Catch::Contains("a larger --support comes closer"));
+             Catch::Contains("the texton is not close to the spectrum: ") &&
+                 Catch::Contains("what helps: a larger --support, or --method tiling"));
   CHECK_THAT(notesOf(fine, {"--support", "65"}), close && !cut);
   CHECK_THAT(notesOf(fine, {"--support", "66"}),
              close && cut && Catch::Contains("--support 66: the exemplar has 64 x 64 pixels"));
+}
+
+TEST_CASE("a texton of a set is judged by its worst channel, which the note names") {
+  const Workplace workplace;
+  const std::string color = workplace.write("stone_diff.png", speckled(64, 64, 3));
+  const auto noteOf = [&](const SrgbImage& height) {
+    const Ended ended =
+        runLichen({"bake", color, workplace.write("stone_disp.png", height), "--method", "texton",
+                   "--support", "8", "-o", workplace.path("t.glb"), "--preview", "none"});
+    CHECK(ended.code == 0);
+    return ended.errors;
+  };
+  // The channels' speckles are unrelated, so all four together have a larger error than each alone.
+  CHECK_THAT(noteOf(speckled(64, 64, 1)), Catch::Contains("the texton is close to the spectrum: "));
+  // Blobs as wide as the support.
+  CHECK_THAT(noteOf(smoothGrey(64)), Catch::Contains("the texton is not close to the spectrum: ") &&
+                                         Catch::Contains(" (height); "));
 }

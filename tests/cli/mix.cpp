@@ -142,8 +142,8 @@ TEST_CASE("the note on an input that is not a Gaussian texture names it and a re
   INFO(ended.errors);
   REQUIRE(ended.code == 0);
   CHECK_THAT(ended.errors, Catch::Contains("spots.png: histogram (severe): the histogram differs"));
-  CHECK_THAT(ended.errors, Catch::Contains("what helps: to bake the input by itself "
-                                           "with --method tiling"));
+  CHECK_THAT(ended.errors,
+             Catch::Contains("what helps: lichen bake --method tiling for this input alone"));
   CHECK_THAT(ended.errors, !Catch::Contains("dark.png: histogram"));
 }
 

@@ -88,7 +88,8 @@ TEST_CASE("a fast bake of a set bakes each map as it would alone") {
   CHECK(lastImage(maps, options) == lastImage({&maps[1], 1}, options));
 }
 
-TEST_CASE("what is lacking is negligible by what an entry lacks, however many there are") {
+TEST_CASE("missing covariances are negligible by their root mean square, whatever the number of "
+          "entries") {
   for (const auto [rows, columns] : {std::array{1, 1}, std::array{3, 2}, std::array{6, 3}}) {
     const Eigen::MatrixXd ones = Eigen::MatrixXd::Ones(rows, columns);
     CHECK(isNegligible(2.9e-4 * ones)); // the standard error of blends is 3e-4

@@ -306,19 +306,19 @@ TEST_CASE("auto flattens the colours, and other maps only if they vary slowly") 
   CHECK(maps[3].values == flattened(before[3], *choice.value().periodPixels, false).values);
 }
 
-TEST_CASE("Flattening and assessing tell how far they are, and end where they are stopped") {
+TEST_CASE("Flattening and assessing report their progress, and end where the caller stops them") {
   const MapExemplar cloudy = generatedExemplar(exemplars::carpet, 128);
   const auto check = [](const auto& operation, const std::string& message) {
-    std::vector<double> told;
+    std::vector<double> fractions;
     REQUIRE(operation([&](double fraction) {
-              told.push_back(fraction);
+              fractions.push_back(fraction);
               return true;
             }).ok());
-    CHECK(told.size() > 2);
-    CHECK(std::is_sorted(told.begin(), told.end()));
-    CHECK(told.front() >= 0.0);
-    CHECK(told.back() <= 1.0);
-    for (std::size_t last = 1; last <= told.size(); ++last) {
+    CHECK(fractions.size() > 2);
+    CHECK(std::is_sorted(fractions.begin(), fractions.end()));
+    CHECK(fractions.front() >= 0.0);
+    CHECK(fractions.back() <= 1.0);
+    for (std::size_t last = 1; last <= fractions.size(); ++last) {
       std::size_t calls = 0;
       const auto stopped = operation([&](double) { return ++calls < last; });
       REQUIRE_FALSE(stopped.ok());

@@ -316,8 +316,12 @@ TEST_CASE("a report returns an error for exhausted memory, whichever large alloc
   const std::vector<Risk> risks = assessSuitability(map, true).value();
   const ExemplarOrigin origin{{"without what is slow"}, map};
   const ReportedInput input{"input", {&map, 1}, {&risks, 1}, {&origin, 1}};
-  const BakeRecord record{bundle,          {&input, 1}, {}, "command", {{"name", "value"}},
-                          {{"step", 1.0}}, {"a note"}};
+  const BakeRecord record{.bundle = bundle,
+                          .inputs = {&input, 1},
+                          .command = "command",
+                          .facts = {{"name", "value"}},
+                          .timings = {{"step", 1.0}},
+                          .notes = {"a note"}};
   CHECK(exhaustWriting([&] { return encodeNoiseReport(record); }) > 10);
 }
 

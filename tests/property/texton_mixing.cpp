@@ -99,7 +99,7 @@ TEST_CASE("the textons at the ends of a path have nearly the error of separate f
       const Result<TextonMix> single = fitTextonBarycenter(exemplars, alone, support(24, 1, order));
       REQUIRE(single);
       INFO("order " << order << ", end " << end);
-      CHECK(step.modelError < 1.1 * single.value().steps[0].modelError);
+      CHECK(step.errors.all < 1.1 * single.value().steps[0].errors.all);
     }
   }
 }
@@ -138,7 +138,7 @@ TEST_CASE("a path can end at a grey exemplar stored as colour and at one of a si
     const MatrixXd expected = step.weights[1] * step.weights[1] * color.covariance;
     CHECK((noiseCovariance(step.texton, 1) - expected).norm() <= 1e-5 * color.covariance.norm());
     if (step.weights[1] > 0.0)
-      CHECK(step.modelError == Approx(mix.steps.back().modelError).epsilon(1e-3));
+      CHECK(step.errors.all == Approx(mix.steps.back().errors.all).epsilon(1e-3));
   }
   for (const MixStep& step : pathOf(std::vector{flat, flat}, support(12, 4)).steps)
     for (const float value : step.texton.values)
@@ -160,8 +160,8 @@ TEST_CASE("neighbouring textons of a path differ much less than separate fits") 
     // As in [GLM17]: all fits have the same start.
     const Result<TextonMix> fitted = fitTextonBarycenter(exemplars, step.weights, support(16, 1));
     REQUIRE(fitted);
-    error += step.modelError;
-    errorAlone += fitted.value().steps[0].modelError;
+    error += step.errors.all;
+    errorAlone += fitted.value().steps[0].errors.all;
     if (k > 0) {
       const double length = relativeStep(mix.steps[k - 1].texton, step.texton);
       longest = std::max(longest, length);
@@ -202,7 +202,7 @@ TEST_CASE("a path goes through all exemplars, and exemplars of other sizes use i
   REQUIRE(inside);
   CHECK(inside.value().steps[0].weights == std::vector{0.5, 0.25, 0.25});
   CHECK(inside.value().steps[0].rankError < 0.05);
-  CHECK(inside.value().steps[0].modelError < 1.0);
+  CHECK(inside.value().steps[0].errors.all < 1.0);
 }
 
 TEST_CASE("the error for exemplars that cannot be mixed gives the reason") {

@@ -45,7 +45,7 @@ assessTextonMaps(std::span<const MapExemplar> maps, int support, const SharedOpt
 /// A note if the exemplar is smaller than the requested support.
 [[nodiscard]] std::optional<std::string> supportNote(int supportWanted, const TextonShape& shape);
 
-/// Describes how close the textons of a mix are to their Gaussian textures and to each other.
-[[nodiscard]] std::string qualityNote(const TextonMixQuality& quality, const TextonShape& shape);
+/// Says whether the textons of a mix are close to their Gaussian textures and to each other.
+[[nodiscard]] std::string qualityNote(const TextonMixQuality& quality, const Noise& noise);
 
 } // namespace lichen::cli

@@ -18,7 +18,7 @@ namespace lichen {
 /// `modelError`, `flatness` and `impactsNeeded`.
 [[nodiscard]] nlohmann::ordered_json jsonOf(const KernelComparison& kernels);
 
-/// `name`, `score`, `level`, `sentence` and `remedy`.
-[[nodiscard]] nlohmann::ordered_json jsonOf(const Risk& risk);
+/// `name`, `score`, `level`, `sentence` and `remedy`, whose settings are in these words.
+[[nodiscard]] nlohmann::ordered_json jsonOf(const Risk& risk, SettingWords words);
 
 } // namespace lichen

@@ -31,22 +31,33 @@ struct ReportedInput {
   std::span<const ExemplarOrigin> origins; ///< one per exemplar
 };
 
+/// How several inputs became one noise.
+struct ReportedMix {
+  /// The model error of each step from the first input to the last, or of the one texture.
+  std::span<const double> modelErrors;
+  /// For one texture between all inputs: their weights in it, one per input, as for
+  /// TextonMixOptions. Empty for steps.
+  std::span<const double> weights;
+};
+
 /// A finished bake or mix, as the caller knows it. Texts may hold any bytes; invalid UTF-8 is
 /// replaced. The objects referred to must outlive the call.
 struct BakeRecord {
   const Bundle& bundle; ///< has one noise and one material
   /// One for a bake, all in order for a mix. All have the same maps in the same order.
   std::span<const ReportedInput> inputs;
-  /// For a mix, the model error of each step: steps from the first input to the last, or one
-  /// texture between all inputs. Empty for a bake.
-  std::span<const double> modelErrors;
-  std::string command; ///< the command line
+  std::optional<ReportedMix> mix{}; ///< empty for a bake
+  SettingWords words = plainWords;  ///< for settings that help against a risk
+  std::string command;              ///< the command line
   /// Pairs of name and value, for example {"Version", "0.1.0"}, shown in order.
   std::vector<std::pair<std::string, std::string>> facts;
   /// Steps and their seconds; the report adds its own time and the sum.
   std::vector<std::pair<std::string, double>> timings;
   std::vector<std::string> notes;
 };
+
+/// The most pixels of all pictures of a page, without those of inverse tables.
+inline constexpr double kReportPixels = 3.5e6;
 
 /// The page, and the targets that the noise misses.
 struct NoiseReport {
@@ -56,12 +67,13 @@ struct NoiseReport {
   std::vector<std::string> missedTargets;
 };
 
-/// Returns a page that needs no other file and no network. Pictures are at most 512
-/// pixels per exemplar, smaller if there are many maps: a page of one map stays below 8 MiB, one of
-/// six below 16 MiB. Synthesizes and measures as compareNoise() does, which takes seconds: for a
-/// mix each input at its own weight. Also shows the steps between the inputs of a mix; one texture
-/// between all inputs is only shown, because it should look like none of them. Errors: as
-/// compareNoise() and synthesize().
+/// Returns a page that needs no other file and no network. An exemplar's picture has at most 512^2
+/// pixels, and fewer if there are many maps or inputs, because all pictures together have at most
+/// kReportPixels. With 4 bytes each the page stays below 14 MiB, of photographs at about 7 MiB,
+/// plus 1 MiB for each inverse table. Synthesizes and measures as
+/// compareNoise() does, which takes seconds: for a mix each input at its own weight. Also shows the
+/// steps between the inputs of a mix; one texture between all inputs is only shown, because it
+/// should look like none of them. Errors: as compareNoise() and synthesize().
 [[nodiscard]] Result<NoiseReport> encodeNoiseReport(const BakeRecord& record,
                                                     const Progress& progress = {});
 

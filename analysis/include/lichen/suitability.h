@@ -32,9 +32,14 @@ struct Risk {
   std::string advice; ///< another photograph, in words; may be empty
 };
 
-/// Returns what helps against a risk in words: "flatten auto, or even light". `optionPrefix` goes
-/// before the name of a setting. Empty if the level is none.
-[[nodiscard]] std::string remedyOf(const Risk& risk, std::string_view optionPrefix = {});
+/// Puts a setting into the words of a program, for example as a command-line option.
+using SettingWords = std::string (*)(const BakeSetting& setting);
+
+/// "flatten auto".
+[[nodiscard]] std::string plainWords(const BakeSetting& setting);
+
+/// Returns what helps against a risk: "flatten auto, or even light". Empty if the level is none.
+[[nodiscard]] std::string remedyOf(const Risk& risk, SettingWords words = plainWords);
 
 /// "none", "mild" or "severe".
 [[nodiscard]] std::string_view nameOf(Risk::Level level);

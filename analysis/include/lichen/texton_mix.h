@@ -35,7 +35,8 @@ struct TextonMixOptions {
 
 /// How close the textons are to the textures that they approximate, and to one another.
 struct TextonMixQuality {
-  std::vector<double> modelErrors; ///< relative model error [GLM14] eq. 5 of each step
+  std::vector<double> modelErrors;   ///< relative model error [GLM14] eq. 5 of each step
+  std::vector<double> channelErrors; ///< of each channel alone, the largest of all steps
   /// The largest distance between the coefficients of two adjacent steps, relative to the root of
   /// their mean square. 0 for one texton; 1.4 for two that have nothing in common.
   double largestStep = 0.0;

@@ -3,6 +3,8 @@
 // limit of texton noise, and a picture of the texton.
 #include "texton_report.h"
 
+#include "section_figures.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -49,22 +51,25 @@ NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
   return here;
 }
 
-/// The coefficients of a texton, or of one step of a mix. Grey is 0; the largest coefficient sets
-/// the range.
+/// The coefficients of a texton, or of one step of a mix, or means of neighbours if they are more
+/// than side^2. Grey is 0; the largest magnitude sets the range.
 Result<Json> textonPicture(const Table& table, const TextonShape& shape, std::size_t step,
-                           std::size_t channels) {
+                           std::size_t channels, int side) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
   const std::size_t top = step * shape.frameHeight();
   LinearImage image(shape.coefficientsX, shape.coefficientsY, int(channels));
-  float largest = std::numeric_limits<float>::min();
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (std::size_t c = 0; c < channels; ++c) {
         const std::size_t texel = (top + std::size_t(y)) * table.width + std::size_t(x);
         image.pixel(x, y)[c] = texels[texel * stored + c];
-        largest = std::max(largest, std::abs(texels[texel * stored + c]));
       }
+  const auto [width, height] = pictureExtents(image.width, image.height, side);
+  image = reduced(image, width, height);
+  float largest = std::numeric_limits<float>::min();
+  for (const float value : image.values)
+    largest = std::max(largest, std::abs(value));
   for (float& value : image.values)
     value = 0.5f + 0.5f * value / largest;
   return pictureJson(twoAsRedGreen(std::move(image)));
@@ -105,14 +110,15 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
   return {};
 }
 
-/// As for tiling, but with a Gaussian texture as large as the result instead of the Gaussian image.
-double TextonReport::picturePixels() const { return 10.0; }
+/// As for tiling, with the texton instead of the Gaussian image, and a Gaussian texture as large as
+/// the result.
+double TextonReport::picturePixels() const { return 11.0; }
 
 Result<Json> TextonReport::image(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
-                                 double mixWeight, int) const {
+                                 double mixWeight, int side) const {
   Result<Json> shown =
       textonPicture(bundle.tables[map.as<TextonMap>().image], noise.as<TextonShape>(),
-                    stepAt(noise, mixWeight), map.channels.size());
+                    stepAt(noise, mixWeight), map.channels.size(), side);
   if (!shown)
     return shown;
   shown.value()["title"] = "Texton";

@@ -191,7 +191,9 @@ function chart(label, box) {
     path(points, className, close) {
       const commands = points.map(([x, y], i) =>
         (i ? 'L' : 'M') + toX(x).toFixed(1) + ' ' + toY(y).toFixed(1)).join('');
-      svg.append(svgElement('path', {d: commands + (close ? 'Z' : ''), class: className}));
+      const made = svgElement('path', {d: commands + (close ? 'Z' : ''), class: className});
+      svg.append(made);
+      return made;
     },
   };
 }
@@ -216,6 +218,14 @@ function histogram(data) {
   return figure;
 }
 
+/// Colours an element by its place along a path of a mix, if it has one.
+function ramp(made, along) {
+  if (typeof along !== 'number')
+    return;
+  made.classList.add('ramped');
+  made.style.setProperty('--along', `${(100 * along).toFixed(1)}%`);
+}
+
 /// Power in decibels over the frequency in cycles per pixel, which runs in octaves.
 function spectrumChart(data, width) {
   const box = {width, height: 300, left: 52, right: 16, top: 10, bottom: 48};
@@ -238,8 +248,8 @@ function spectrumChart(data, width) {
   const curve = (powers) => powers.slice(1).map((power, i) => [x((i + 1) * lowest), y(power)]);
   const drawn = ['exemplar', 'gaussian', 'result']; // the widest line first
   for (const kind of drawn)
-    for (const {power} of data.curves.filter((c) => c.kind === kind))
-      plot.path(curve(power), kind);
+    for (const {power, along} of data.curves.filter((c) => c.kind === kind))
+      ramp(plot.path(curve(power), kind), along);
   return plot.svg;
 }
 
@@ -333,21 +343,30 @@ function riskItem(risk) {
   return item;
 }
 
-/// A picture with its name below; of a step also what the shader adds up.
+/// The name of a pane of a path, and what else stands below it.
+function captionOf(pane) {
+  if ('name' in pane)
+    return [pane.name, 'share' in pane ? `, ${shown(100 * pane.share)}\u00a0%` : ''];
+  const error = `, model error ${shown(pane.modelError)}`;
+  return pane.along === null ? ['The mix', error]
+                             : [`Step ${pane.step}`, `, weight ${shown(pane.weight)}${error}`];
+}
+
+/// A picture with its name below; of the noise also what the shader adds up.
 function pathPane(pane) {
   const figure = document.createElement('figure');
   const caption = document.createElement('figcaption');
-  const isStep = 'step' in pane;
-  caption.append(element('b', isStep ? `Step ${pane.step}` : pane.name),
-                 isStep ? `, weight ${shown(pane.weight)}, model error ${shown(pane.modelError)}` : '');
+  const [name, rest] = captionOf(pane);
+  const key = element('span', '', 'key ' + ('step' in pane ? 'result' : 'exemplar'));
+  ramp(key, pane.along);
+  caption.append(key, element('b', name), rest);
   for (const [picture, className] of [[pane, 'noise'], [pane.kernel, 'kernel']]) {
     if (!picture)
       continue;
     const image = new Image();
     image.src = picture.png;
     image.className = className;
-    image.alt = className === 'kernel' ? `${picture.title} of step ${pane.step}`
-                                       : caption.firstChild.textContent;
+    image.alt = className === 'kernel' ? `${picture.title}: ${name}` : name;
     figure.append(image);
   }
   figure.append(caption);
@@ -356,12 +375,19 @@ function pathPane(pane) {
 
 async function addMix(mix) {
   const fragment = document.getElementById('mix-template').content.cloneNode(true);
-  fragment.querySelector('.target').textContent = `${mix.target}: from input to input`;
+  const isPath = mix.paths[0].panes.every((pane) => pane.along !== null);
+  fragment.querySelector('.target').textContent =
+    isPath ? `${mix.target}: from input to input` : `${mix.target}: between the inputs`;
+  fragment.querySelector('.paths').style.setProperty('--extents', mix.extents.join(' / '));
   for (const path of mix.paths) {
     const part = document.getElementById('path-template').content.cloneNode(true);
     part.querySelector('.panes').append(...path.panes.map(pathPane));
     if (path.spectrum) {
       fill(part.querySelector('.spectrum'), (width) => spectrumChart(path.spectrum, width));
+      const inputs = path.panes.filter((pane) => 'name' in pane);
+      part.querySelector('.first').textContent = inputs[0].name;
+      part.querySelector('.last').textContent = inputs.at(-1).name;
+      part.querySelector('.steps').textContent = isPath ? ', thin ones the steps' : ', the thin one the mix';
       part.querySelector('.legend').hidden = false;
     }
     fragment.querySelector('.paths').append(part);

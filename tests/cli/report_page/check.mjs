@@ -149,6 +149,11 @@ const checks = {
     assert.equal(new Set(await images('.path .kernel')).size, steps);
     const curves = (name) => page.locator(`.path .spectrum path.${name}`).count();
     assert.deepEqual([await curves('exemplar'), await curves('result')], [steps > 0 ? 2 : 0, steps]);
+    const coloursOf = (selector, property) => page.$$eval(
+      selector, (all, name) => all.map((one) => getComputedStyle(one)[name]), property);
+    const drawn = await coloursOf('.path .spectrum path.result', 'stroke');
+    assert.equal(new Set(drawn).size, steps);
+    assert.deepEqual(await coloursOf('.path .key.result', 'backgroundColor'), drawn);
   },
 
   async 'the slider shows other levels of the inverse table'({page}) {
