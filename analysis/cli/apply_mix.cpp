@@ -2,6 +2,7 @@
 // Options -> the mix weight of a material; see apply_mix.h.
 #include "apply_mix.h"
 
+#include <lichen/counted.h>
 #include <lichen/files.h>
 #include <lichen/image_io.h>
 
@@ -161,11 +162,9 @@ Result<void> noteRanges(GltfScene& scene, std::span<const std::size_t> materials
         first = scene.primitiveTitle(place) + ": " + text;
     }
   if (count > 0)
-    notes.push_back(fmt::format("{}: {}{}", scene.path().string(), first,
-                                count == 1 ? ""
-                                : count == 2
-                                    ? "; the same for 1 more primitive"
-                                    : fmt::format("; the same for {} more primitives", count - 1)));
+    notes.push_back(
+        fmt::format("{}: {}{}", scene.path().string(), first,
+                    count > 1 ? "; the same for " + counted(count - 1, "more primitive") : ""));
   return {};
 }
 

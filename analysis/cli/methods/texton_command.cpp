@@ -27,13 +27,12 @@ Accepted<PointProcess> pointProcess() {
 // ---- bake ----
 
 /// Relative model error ([GLM14] eq. 5) of one channel up to which a texton is close. A texton with
-/// the exact spectrum of a material, compared with one picture of it, has sqrt(2 - sqrt(pi)) =
-/// 0.477, because the moduli of a picture's spectrum vary like those of complex normal numbers. A
-/// texton whose amplitudes are wrong by a fraction D of the standard deviation has sqrt(2 -
-/// sqrt(pi)
-/// + sqrt(pi) / 2 D^2). This is D = 1/2. Several channels together have more, because a picture's
-/// cross-spectra vary too. Six materials of 512 x 512 pixels have 0.50 to 0.63 at a support of 64,
-/// but for two slow height maps, 0.68 and 0.88.
+/// the exact spectrum of a material, compared with one picture of it, has
+/// sqrt(2 - sqrt(pi)) = 0.477, because the moduli of a picture's spectrum vary like those of
+/// complex normal numbers. A texton whose amplitudes are wrong by a fraction D of the standard
+/// deviation has sqrt(2 - sqrt(pi) + sqrt(pi) / 2 D^2). This is D = 1/2. Several channels together
+/// have more, because a picture's cross-spectra vary too. Six materials of 512 x 512 pixels have
+/// 0.50 to 0.63 at a support of 64, but for two slow height maps, 0.68 and 0.88.
 constexpr double kCloseError = 0.67;
 
 /// With at most this excess kurtosis the number of impacts is sufficient: the largest flatness that
