@@ -94,7 +94,7 @@ void splitGlb(std::span<const std::byte> file, GltfContainer& container) {
     fail("glb-chunk", "the GLB has no JSON chunk");
 }
 
-/// What a file is that is no glTF, from its first bytes.
+/// Names the kind of a file that is not glTF, from its first bytes.
 std::string kindOf(std::span<const std::byte> file) {
   constexpr std::pair<std::string_view, const char*> kKinds[] = {
       {"\x89PNG\r\n\x1a\n", "is a PNG image"}, {"\xff\xd8\xff", "is a JPEG image"},
@@ -105,7 +105,7 @@ std::string kindOf(std::span<const std::byte> file) {
   for (const auto& [start, kind] : kKinds)
     if (text.starts_with(start))
       return kind;
-  return "neither a GLB (first bytes glTF) nor a JSON object";
+  return "is neither a GLB (first bytes glTF) nor a JSON object";
 }
 
 void splitText(std::span<const std::byte> file, GltfContainer& container) {

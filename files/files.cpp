@@ -134,7 +134,8 @@ Result<std::vector<std::byte>> openAndRead(const std::filesystem::path& path,
   // Without O_NONBLOCK, opening a named pipe would wait for a writer.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   struct stat status {};
-  if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
+  const bool isOpen = file.get() >= 0 && ::fstat(file.get(), &status) == 0;
+  if (!isOpen && errno != ENXIO) // a socket cannot be opened
     return unreadable(path, errno);
   if (!S_ISREG(status.st_mode))
     return Error{ErrorKind::badInput,

@@ -49,10 +49,11 @@ public:
     };
     options.flags = EXR_CONTEXT_FLAG_STRICT_HEADER | EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
     opened_ = exr_start_read(&context_, "EXR", &options);
-    if (opened_ == EXR_ERR_MISSING_REQ_ATTR) {
-      // The attributes that are there are sound. The C++ library reads such files with defaults,
-      // which are also the C library's if it is not strict.
+    if (opened_ == EXR_ERR_MISSING_REQ_ATTR && hasPixelAttributes()) {
+      // The library has parsed all attributes strictly. It reads the file with defaults for the
+      // absent ones if it is not strict, as its C++ interface does.
       exr_finish(&context_);
+      message_.front() = '\0';
       options.flags = EXR_CONTEXT_FLAG_DISABLE_CHUNK_RECONSTRUCTION;
       opened_ = exr_start_read(&context_, "EXR", &options);
     }
@@ -80,6 +81,14 @@ public:
   }
 
 private:
+  /// Whether the attributes are present without which the pixels have no size or no meaning.
+  [[nodiscard]] bool hasPixelAttributes() const {
+    using namespace std::string_view_literals;
+    const std::string_view text(reinterpret_cast<const char*>(bytes_.data()), bytes_.size());
+    return text.find("dataWindow\0box2i\0"sv) != text.npos &&
+           text.find("compression\0compression\0"sv) != text.npos;
+  }
+
   static std::int64_t readBytes(exr_const_context_t, void* file, void* target, std::uint64_t size,
                                 std::uint64_t offset, exr_stream_error_func_ptr_t) {
     const std::span<const std::byte> bytes = static_cast<const OpenExr*>(file)->bytes_;
@@ -135,8 +144,8 @@ Result<void> checkChunks(const OpenExr& exr, const exr_attr_box2i_t& window,
   if (!isTiled && storage != EXR_STORAGE_SCANLINE)
     return badInput(name, "is a deep EXR; expected a flat file (scan lines or tiles)");
   if (std::size_t(compression) >= kExpansions.size())
-    return badInput(name, "is an EXR of the unknown compression " + std::to_string(compression) +
-                              "; expected 0 to " + std::to_string(kExpansions.size() - 1));
+    return badInput(name, "has the unknown EXR compression " + std::to_string(compression) +
+                              "; save it with ZIP or PIZ");
   std::int32_t chunkWidth = kMaxImageSide, chunkHeight = 0;
   if (Result<void> tiles = isTiled ? checkTiles(exr, window, name) : Result<void>(); !tiles)
     return tiles;

@@ -5,6 +5,8 @@
 #include "options.h"
 #include "progress_line.h"
 
+#include <lichen/counted.h>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -59,11 +61,11 @@ std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshF
                                    ? fmt::format("; {} more {} such triangles; --json lists them",
                                                  more, more == 1 ? "mesh has" : "meshes have")
                                    : "";
-    notes.push_back(fmt::format(
-        "{}: {}: the noise swirls around {} singular {} of its direction field, at {} "
-        "in the mesh's coordinates{}",
-        scene.path().string(), singular->mesh, count, count == 1 ? "triangle" : "triangles",
-        placesOf(singular->singularities), others));
+    notes.push_back(fmt::format("{}: {}: the noise rotates around {} of its direction field, at {} "
+                                "in the mesh's coordinates{}",
+                                scene.path().string(), singular->mesh,
+                                counted(count, "singular triangle"),
+                                placesOf(singular->singularities), others));
   }
   if (!smoothed.empty())
     notes.push_back(fmt::format("{}: {}: had no normals; smooth ones were added",

@@ -198,7 +198,8 @@ Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materi
 Result<void> noteDirectionRange(GltfScene& scene, std::span<const std::size_t> materials,
                                 const MaterialNoise& use, const MixWeight& mix, const char* whose,
                                 std::vector<std::string>& notes) {
-  constexpr double kLeastShare = 0.1; // of the mesh: less looks like a border, not like a change
+  // Of the range of texture coordinates: a shorter change looks like a border (judged by eye).
+  constexpr double kLeastShare = 0.1;
   const std::string attribute = fmt::format("TEXCOORD_{}", use.texCoord);
   const auto describe = [&](const GltfScene::Range2& range) -> std::string {
     // Range of the unclamped weight over the corners of the rectangle.

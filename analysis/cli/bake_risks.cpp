@@ -35,13 +35,13 @@ std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
   case FlatteningChoice::Reason::flattened:
     break;
   case FlatteningChoice::Reason::noRisk:
-    return "--flatten auto: no risk of cloudiness or low-frequency; removes nothing";
+    return "--flatten auto removes nothing: there is no risk of cloudiness or low-frequency";
   case FlatteningChoice::Reason::object:
-    return "--flatten auto: the slow variation has an outline, like a large object and unlike "
-           "light; "
-           "removes nothing; use --flatten PERIOD to remove it nevertheless";
+    return "--flatten auto removes nothing: the slow variation has an outline, like a large object "
+           "and unlike light; use --flatten PERIOD to remove it nevertheless";
   case FlatteningChoice::Reason::unresolved:
-    return "--flatten auto: even the shortest period leaves the risks; removes nothing";
+    return "--flatten auto removes nothing: even the shortest period leaves the risks; use a "
+           "photograph in even light";
   }
   std::vector<std::string_view> names;
   for (const MapTarget map : choice.flattened)
@@ -67,7 +67,7 @@ Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps, const Flatteni
       if (map.target != MapTarget::opacity) // flatten() does not change opacity
         flattened.maps.push_back(map.target);
     notes.push_back(flattened.maps.empty()
-                        ? std::string("--flatten does not change opacity; removes nothing")
+                        ? std::string("--flatten removes nothing: it does not change opacity")
                         : fmt::format("--flatten removes variation slower than {:.0f} pixels",
                                       requested.periodPixels));
     if (Result<void> done = flatten(maps, requested.periodPixels, fit, progress); !done)

@@ -95,8 +95,8 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments, Materi
                              arguments.result)};
   if (image.width != exemplar.width || image.height != exemplar.height)
     set.notes.push_back(fmt::format(
-        "{} is {} x {} pixels and the exemplar {} x {}; the measures are valid only if both show "
-        "the material at the same scale: resize the image if it does not",
+        "{} is {} x {} pixels and the exemplar {} x {}; the measures need the same scale in "
+        "both: resize the image if the scales differ",
         arguments.result, image.width, image.height, exemplar.width, exemplar.height));
   const ValueEncoding encoding =
       exemplar.encoding == ValueEncoding::log2 ? exemplar.encoding : image.encoding;

@@ -111,8 +111,8 @@ std::string commandLine(int argc, char** argv) {
   return line;
 }
 
-/// Returns the arguments, last first as CLI11 expects them. `help` becomes `--help`, and
-/// `help VERB` becomes `VERB --help`.
+/// Returns the arguments, last first as CLI11 expects them. `help` and `help help` become `--help`,
+/// and `help VERB` becomes `VERB --help`.
 std::vector<std::string> argumentsOf(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
   if (!arguments.empty() && arguments.front() == "help") {
@@ -120,6 +120,8 @@ std::vector<std::string> argumentsOf(int argc, char** argv) {
                           std::any_of(std::begin(kVerbs), std::end(kVerbs),
                                       [&](const Verb& verb) { return verb.name == arguments[1]; });
     arguments.erase(arguments.begin());
+    if (arguments == std::vector<std::string>{"help"})
+      arguments.clear();
     if (isOfVerb || arguments.empty())
       arguments.emplace_back("--help");
   }

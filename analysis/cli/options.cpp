@@ -38,7 +38,7 @@ std::optional<Number> parseNumber(std::string_view text, Number smallest, Number
 /// Returns the digits without an exponent, for example "0.000001".
 template <class Number>
 std::string plain(Number value) {
-  constexpr std::size_t kMostDigits = 512; // the longest double has 325
+  constexpr std::size_t kMostDigits = 512; // fixed notation of a double has at most 327
   std::array<char, kMostDigits> digits{};
   char* const begin = digits.data();
   char* const end = begin + digits.size();

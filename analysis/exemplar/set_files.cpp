@@ -2,6 +2,7 @@
 // Folders and files -> one file for each map, or an error that says why the names do not decide.
 #include "set_files.h"
 
+#include <lichen/counted.h>
 #include <lichen/files.h>
 
 #include <fmt/format.h>
@@ -75,8 +76,7 @@ std::string listOf(std::span<const fs::path> files) {
     list += fmt::format("{}{} ({})", list.empty() ? "" : ", ", file.filename().string(), found);
   }
   const std::size_t others = files.size() - std::min(files.size(), kMostNamed);
-  return others == 0 ? list
-                     : fmt::format("{} and {} other{}", list, others, others == 1 ? "" : "s");
+  return others == 0 ? list : fmt::format("{} and {}", list, counted(others, "other"));
 }
 
 /// The error for several inputs of which `file` is no map.

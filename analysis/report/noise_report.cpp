@@ -152,10 +152,11 @@ Result<NoiseReport> encode(const BakeRecord& record, const Progress& progress) {
     if (Result<void> added = addMixes(record, side, partOf(progress, 0.0, share), sections.mixes);
         !added)
       return added.error();
-  const double each = (1.0 - share) / double(inputs);
   for (std::size_t i = 0; i < inputs; ++i) {
-    const double begin = share + double(i) * each;
-    const Progress part = partOf(progress, begin, std::min(1.0, begin + each));
+    const auto reached = [&](std::size_t done) {
+      return share + (1.0 - share) * double(done) / double(inputs);
+    };
+    const Progress part = partOf(progress, reached(i), reached(i + 1));
     if (Result<void> added = addInput(record, i, side, part, sections.maps); !added)
       return added.error();
   }

@@ -81,6 +81,7 @@ Result<void> run(const Command& command) {
   Result<Scene> scene = readScene(command.scene);
   if (!scene)
     return scene.error();
+  note(command, scene.value().notes);
 
   RenderSettings settings;
   settings.width = std::uint32_t(command.size[0]);
@@ -91,12 +92,14 @@ Result<void> run(const Command& command) {
   settings.toneMap = std::filesystem::path(command.output).extension() == ".png";
   settings.debugView = command.debugView;
   if (!command.environment.empty()) {
-    Result<LinearImage> panorama = readPanorama(command.environment, scene.value().notes);
+    std::vector<std::string> notes;
+    Result<LinearImage> panorama = readPanorama(command.environment, notes);
     if (!panorama)
       return panorama.error();
+    note(command, notes);
+    scene.value().notes.insert(scene.value().notes.end(), notes.begin(), notes.end());
     settings.environment = std::move(panorama).value();
   }
-  note(command, scene.value().notes);
   VulkanDeviceOptions options;
   options.choice = command.device;
   options.validation = command.validate;

@@ -119,7 +119,7 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
   }
 }
 
-/// Notes a debug view that no material of the scene has.
+/// Adds a note if no material of the scene has what the debug view shows.
 void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   bool hasBaseColor = false;
   for (std::size_t m = 0; m < scene_.materials.size(); ++m)
@@ -134,9 +134,9 @@ void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   };
   switch (debugView_) {
   case DEBUG_WEIGHTS:
-    return note("weights", hasTiling, "a noise of the method tiling");
   case DEBUG_LATTICE:
-    return note("lattice", hasTiling, "a noise of the method tiling");
+    return note(debugView_ == DEBUG_WEIGHTS ? "weights" : "lattice", hasTiling,
+                "a noise of the method tiling");
   case DEBUG_IMPACTS:
     return note("impacts", hasTextons, "a noise of the method texton");
   case DEBUG_PLANES:

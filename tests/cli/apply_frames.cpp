@@ -119,7 +119,7 @@ TEST_CASE("one note reports the singular triangles of many meshes, with an index
   const std::string path = writeScene(workplace, scene);
   const Ended ended = apply(workplace, path, wool, "glass", {"--mapping", "surface"});
   REQUIRE(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains(path + ": mesh 0 'table': the noise swirls around") &&
+  CHECK_THAT(ended.errors, Catch::Contains(path + ": mesh 0 'table': the noise rotates around") &&
                                Catch::Contains("; 1 more mesh has such triangles"));
 }
 

@@ -184,7 +184,8 @@ TEST_CASE("a texton bake reports how close it is and which option improves it") 
     CHECK(ended.code == 0);
     return ended.errors;
   };
-  const auto close = Catch::Contains("the texton is close to the spectrum: ");
+  const auto close = Catch::Contains(
+      "the texton is close to the spectrum, with the colours and outlines of Gaussian noise: ");
   const auto few = Catch::Contains("impacts are few: --impacts");
   const auto cut = Catch::Contains("which limits the texton");
   CHECK_THAT(notesOf(fine, {"--support", "16"}), close && !few && !cut);
@@ -192,7 +193,8 @@ TEST_CASE("a texton bake reports how close it is and which option improves it") 
              close && Catch::Contains("; 5 impacts are few"));
   // Blobs as wide as the support have most of their variation in slower waves.
   CHECK_THAT(notesOf(slow, {"--support", "4"}),
-             Catch::Contains("the texton is not close to the spectrum: ") &&
+             Catch::Contains("the texton is not close to the spectrum, with the colours and "
+                             "outlines of Gaussian noise: ") &&
                  Catch::Contains("what helps: a larger --support, or --method tiling"));
   CHECK_THAT(notesOf(fine, {"--support", "65"}), close && !cut);
   CHECK_THAT(notesOf(fine, {"--support", "66"}),
@@ -210,8 +212,12 @@ TEST_CASE("a texton of a set is judged by its worst channel, which the note name
     return ended.errors;
   };
   // The channels' speckles are unrelated, so all four together have a larger error than each alone.
-  CHECK_THAT(noteOf(speckled(64, 64, 1)), Catch::Contains("the texton is close to the spectrum: "));
+  CHECK_THAT(noteOf(speckled(64, 64, 1)),
+             Catch::Contains("the texton is close to the spectrum, with the colours and outlines "
+                             "of Gaussian noise: "));
   // Blobs as wide as the support.
-  CHECK_THAT(noteOf(smoothGrey(64)), Catch::Contains("the texton is not close to the spectrum: ") &&
-                                         Catch::Contains(" (height); "));
+  CHECK_THAT(noteOf(smoothGrey(64)),
+             Catch::Contains("the texton is not close to the spectrum, with the colours and "
+                             "outlines of Gaussian noise: ") &&
+                 Catch::Contains(" (height); "));
 }

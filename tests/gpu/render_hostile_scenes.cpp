@@ -471,7 +471,7 @@ TEST_CASE("an error for a file that is not glTF says what is expected") {
   const auto path = writeInto(folder, "photo.jpg", std::as_bytes(std::span(text)));
   const auto scene = renderer::readScene(path);
   REQUIRE_FALSE(scene.ok());
-  CHECK(scene.error().message == path.string() + ": neither a GLB (first bytes glTF) nor a JSON "
+  CHECK(scene.error().message == path.string() + ": is neither a GLB (first bytes glTF) nor a JSON "
                                                  "object; expected a .glb or .gltf");
 }
 

@@ -306,7 +306,7 @@ TEST_CASE("auto flattens the colours, and other maps only if they vary slowly") 
   CHECK(maps[3].values == flattened(before[3], *choice.value().periodPixels, false).values);
 }
 
-TEST_CASE("Flattening and assessing report their progress, and end where the caller stops them") {
+TEST_CASE("flattening and assessing report their progress, and the caller can stop them") {
   const MapExemplar cloudy = generatedExemplar(exemplars::carpet, 128);
   const auto check = [](const auto& operation, const std::string& message) {
     std::vector<double> fractions;

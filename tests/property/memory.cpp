@@ -263,8 +263,10 @@ std::string faultOfReplacing(const std::filesystem::path& folder, test::Failing 
         reached = test::ExhaustedMemory::reached();
       }
       const std::string where = "allocation " + std::to_string(nth) + ": ";
-      if (!reached && (!written || nth < 3))
-        return where + "no failure of an allocation";
+      if (!reached && !written)
+        return where + "fails although there is memory";
+      if (!reached && nth < 3)
+        return where + "too few allocations to test";
       if (!reached)
         break;
       if (written.ok() || written.error().kind != ErrorKind::resources)
@@ -281,13 +283,14 @@ std::string faultOfReplacing(const std::filesystem::path& folder, test::Failing 
 
 TEST_CASE("whichever allocation of a write fails, the old file stays and no other file is left") {
   for (const test::Failing failing : {test::Failing::nth, test::Failing::fromNth}) {
+    constexpr int kNotRoot = 77;
     const TemporaryFolder folder, newRoot;
     CHECK(faultOfReplacing(folder.path(), failing) == "");
-    // Without /proc, the temporary file has a name from the start. Only root may change the root.
+    // Without /proc, the temporary file has a name from the start.
     const pid_t child = ::fork();
     if (child == 0) {
       if (::chroot(newRoot.path().c_str()) != 0)
-        ::_exit(0);
+        ::_exit(kNotRoot);
       const std::string fault = faultOfReplacing("/", failing);
       std::fputs(fault.c_str(), stderr);
       ::_exit(fault.empty() ? 0 : 1);
@@ -295,7 +298,10 @@ TEST_CASE("whichever allocation of a write fails, the old file stays and no othe
     int status = 0;
     REQUIRE(::waitpid(child, &status, 0) == child);
     CHECK(WIFEXITED(status));
-    CHECK(WEXITSTATUS(status) == 0);
+    if (WEXITSTATUS(status) == kNotRoot)
+      WARN("not tested without /proc: only root may change the root");
+    else
+      CHECK(WEXITSTATUS(status) == 0);
   }
 }
 

@@ -117,8 +117,7 @@ TEST_CASE("a small map of a set is assessed at the resolution of the set's texto
   CHECK_THAT(remedyOf(slow(2 * kSide)), Catch::Contains("support 80"));
 }
 
-TEST_CASE(
-    "the risk of lost outlines does not depend on their direction, and random phases have none") {
+TEST_CASE("outlines in all directions are a severe risk, and random phases have none") {
   // The joints of paving fill the waves of all directions together as Gaussian noise does.
   for (auto* generate : {exemplars::paving, exemplars::terrazzo}) {
     const MapExemplar map = generatedExemplar(generate, 256);
@@ -233,7 +232,7 @@ TEST_CASE("a wave's share of the variance is its lattice score, at any size") {
   }
 }
 
-TEST_CASE("Noise has no lattice") {
+TEST_CASE("noise has no lattice") {
   // Chance produces 0.13 lines in 16 images of 8192 frequencies; the test allows two.
   double lines = 0.0;
   for (std::uint32_t seed = 0; seed < 16; ++seed) {
@@ -322,7 +321,7 @@ TEST_CASE("the spacing of codes follows their distribution, and few colours are 
   CHECK(fewColors(grey(2, 1, {0.0f, 1.0f})).spacing == 0.0); // data may be 0 or 1
 }
 
-TEST_CASE("Maps of any size and content have all risks, in order, with scores in [0, 1]") {
+TEST_CASE("maps of any size and content have all risks, in order, with scores in [0, 1]") {
   const auto check = [](const MapExemplar& map) {
     for (const bool periodic : {true, false}) {
       const std::vector<Risk> risks = risksOf(map, periodic);
@@ -345,7 +344,7 @@ TEST_CASE("Maps of any size and content have all risks, in order, with scores in
   check(test::threeMaterials(129, 128, 1));
 }
 
-TEST_CASE("A map that does not vary has no risk") {
+TEST_CASE("a map that does not vary has no risk") {
   for (const float level : {0.0f, 0.5f, 1.0f})
     for (const Risk& risk : risksOf(baseColor(constant(64, 64, level))))
       CHECK(risk.score < 1e-6);
@@ -359,7 +358,7 @@ TEST_CASE("the error for an invalid map says what is invalid") {
   CHECK(risks.error().message.find("nan") != std::string::npos);
 }
 
-TEST_CASE("Risks do not depend on the number of threads") {
+TEST_CASE("risks do not depend on the number of threads") {
   const MapExemplar map = test::threeMaterials(160, 130, 2);
   const std::vector<Risk> many = risksOf(map, false);
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

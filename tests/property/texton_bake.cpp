@@ -360,7 +360,7 @@ TEST_CASE("the bytes of a texton bake do not depend on the number of threads") {
     CHECK(all.tables[i].texels == alone.tables[i].texels);
 }
 
-TEST_CASE("each texton option changes what it names") {
+TEST_CASE("support, order, bits and variance change the texton as documented") {
   MapExemplar map = test::threeMaterials(64, 64, 14);
   for (std::size_t i = 0; i < map.values.size(); ++i) // light that falls off to one side
     map.values[i] *= 0.5f + 0.5f * float(i / 3 % 64) / 63.0f;
@@ -392,6 +392,10 @@ TEST_CASE("the errors for options and maps out of range have the value") {
   refused(supportOf(1025), "support 1025");
   refused(supportOf(16, 2), "order 2");
   refused(supportOf(16, 1, 12), "12 bits");
+}
+
+TEST_CASE("a texton bake needs at least one map, and each map once") {
+  const MapExemplar map = test::threeMaterials(32, 32, 15);
   CHECK_FALSE(bakeTexton("stone", {}, supportOf(16)));
   const std::vector<MapExemplar> twice{map, map};
   CHECK_FALSE(bakeTexton("stone", twice, supportOf(16)));

@@ -239,7 +239,7 @@ TEST_CASE("along a ramp local mean and variance interpolate between the steps") 
   CHECK(all == Approx(1.0).margin(4.0 * windowError / std::sqrt(double(sums.size())) + 0.02));
 }
 
-TEST_CASE("the error for exemplars that cannot be mixed names them") {
+TEST_CASE("the error for exemplars that cannot be mixed gives the valid range or names them") {
   const MixedExemplar moss = exemplarOf("moss", 7), rock = exemplarOf("rock", 8);
   const auto message = [](const std::vector<MixedExemplar>& exemplars,
                           const TextonMixOptions& options, ErrorKind kind) {

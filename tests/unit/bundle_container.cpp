@@ -140,7 +140,7 @@ TEST_CASE("the error for a file of another kind names the kind") {
                                     {"\xabKTX 20\xbb", "is a KTX texture"},
                                     {"BLENDER-v", "is a Blender file"},
                                     {"Kaydara FBX Binary", "is an FBX file"},
-                                    {"# an OBJ file", "neither a GLB (first bytes glTF) nor a "
+                                    {"# an OBJ file", "is neither a GLB (first bytes glTF) nor a "
                                                       "JSON object"}}) {
     const auto bytes = std::as_bytes(std::span(start, std::strlen(start)));
     CHECK(parseBundle(bytes, "x").error().message ==

@@ -9,7 +9,9 @@
 #include <csignal>
 #include <string>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -93,6 +95,19 @@ TEST_CASE("a named pipe without a writer is an error, without waiting") {
   CHECK(readFile(folder / "pipe").error().message ==
         (folder / "pipe").string() + ": is not a regular file");
   ::alarm(0);
+}
+
+TEST_CASE("reading a socket is an error") {
+  const TemporaryFolder folder;
+  const std::string path = (folder / "socket").string();
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  REQUIRE(path.size() < sizeof(address.sun_path));
+  path.copy(address.sun_path, path.size());
+  const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  REQUIRE(::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0);
+  CHECK(readFile(path).error().message == path + ": is not a regular file");
+  ::close(socket);
 }
 
 TEST_CASE("the error for a file that is too long states both sizes") {

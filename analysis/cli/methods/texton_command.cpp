@@ -65,9 +65,10 @@ std::string verdict(std::string_view textons, const std::vector<double>& channel
   const auto worst = std::max_element(channelErrors.begin(), channelErrors.end());
   const std::string name = channelName(noise, std::size_t(worst - channelErrors.begin()));
   const bool isClose = *worst <= kCloseError;
-  std::string text = fmt::format(
-      "{} {}close to the spectrum: the largest model error is {:.2f} ({}); up to {:.2f} is close",
-      textons, isClose ? "" : "not ", *worst, name, kCloseError);
+  std::string text = fmt::format("{} {}close to the spectrum, with the colours and "
+                                 "outlines of Gaussian noise: the "
+                                 "largest model error is {:.2f} ({}); up to {:.2f} is close",
+                                 textons, isClose ? "" : "not ", *worst, name, kCloseError);
   if (!isClose)
     text += fmt::format("; what helps: {}{}",
                         isSupportWhole(noise.as<TextonShape>()) ? "" : "a larger --support, or ",

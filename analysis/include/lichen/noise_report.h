@@ -69,8 +69,8 @@ struct NoiseReport {
 
 /// Returns a page that needs no other file and no network. An exemplar's picture has at most 512^2
 /// pixels, and fewer if there are many maps or inputs, because all pictures together have at most
-/// kReportPixels. With 4 bytes each the page stays below 14 MiB, of photographs at about 7 MiB,
-/// plus 1 MiB for each inverse table. Synthesizes and measures as
+/// kReportPixels. A pixel takes at most 4 bytes, so the page stays below 14 MiB (about 7 MiB for
+/// photographs), plus 1 MiB per inverse table. Synthesizes and measures as
 /// compareNoise() does, which takes seconds: for a mix each input at its own weight. Also shows the
 /// steps between the inputs of a mix; one texture between all inputs is only shown, because it
 /// should look like none of them. Errors: as compareNoise() and synthesize().
