@@ -138,6 +138,28 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, MethodBake& bake) 
   return file;
 }
 
+/// Writes the page of --report and returns the lines to print about it; nothing without --report.
+Result<std::vector<std::string>> writeReport(const Arguments& arguments, const Judged& exemplar,
+                                             const MethodBake& bake, const Bundle& bundle,
+                                             const Notes& notes, StepTimes& times) {
+  const ReportedInput input{.name = exemplar.name,
+                            .exemplars = exemplar.maps,
+                            .risks = exemplar.assessed,
+                            .origins = exemplar.origins};
+  Result<std::vector<std::string>> lines = writeHtmlReport(arguments.report,
+                                                           {.files = arguments.inputs,
+                                                            .output = arguments.output,
+                                                            .bundle = bundle,
+                                                            .inputs = {&input, 1},
+                                                            .facts = bake.facts,
+                                                            .notes = notes.lines(),
+                                                            .timings = times.steps()},
+                                                           arguments.shared);
+  if (!arguments.report.empty())
+    times.end("Report");
+  return lines;
+}
+
 Result<int> run(Arguments& arguments) {
   StepTimes times;
   if (Result<void> checked = checkMethodOptions(arguments); !checked)
@@ -178,23 +200,10 @@ Result<int> run(Arguments& arguments) {
   notes.say();
   times.end("Preview and bundle");
 
-  const ReportedInput input{.name = exemplar.value().name,
-                            .exemplars = maps,
-                            .risks = exemplar.value().assessed,
-                            .origins = exemplar.value().origins};
-  const ReportedBake reported{.files = arguments.inputs,
-                              .output = arguments.output,
-                              .bundle = bundle,
-                              .inputs = {&input, 1},
-                              .facts = bake.facts,
-                              .notes = notes.lines(),
-                              .timings = times.steps()};
   const Result<std::vector<std::string>> page =
-      writeHtmlReport(arguments.report, reported, arguments.shared);
+      writeReport(arguments, exemplar.value(), bake, bundle, notes, times);
   if (!page)
     return page.error();
-  if (!arguments.report.empty())
-    times.end("Report");
   reportBake(arguments.shared, {.output = arguments.output,
                                 .bundle = bundle,
                                 .notes = notes.lines(),
