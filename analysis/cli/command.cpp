@@ -2,6 +2,7 @@
 // Checks and output that the verbs share.
 #include "command.h"
 
+#include <lichen/counted.h>
 #include <lichen/escaped.h>
 #include <lichen/files.h>
 
@@ -15,6 +16,11 @@ namespace lichen::cli {
 
 Result<void> checkOutput(const std::filesystem::path& output,
                          const std::array<std::string, 2>& extensions) {
+  std::error_code none;
+  if (std::filesystem::is_directory(output, none))
+    return Error{ErrorKind::usage, fmt::format("{}: is a folder; expected a file name with the "
+                                               "extension {} or {}",
+                                               output.string(), extensions[0], extensions[1])};
   const std::string extension = output.extension().string();
   if (extension != extensions[0] && extension != extensions[1])
     return Error{ErrorKind::usage, fmt::format("{}: expected the extension {} or {}",
@@ -27,8 +33,7 @@ std::string shortList(std::vector<std::string> items) {
   const std::size_t others = items.size() - std::min(items.size(), kMostNamed);
   items.resize(items.size() - others);
   return fmt::format("{}{}", fmt::join(items, ", "),
-                     others == 0 ? ""
-                                 : fmt::format(" and {} other{}", others, others == 1 ? "" : "s"));
+                     others == 0 ? "" : " and " + counted(others, "other"));
 }
 
 std::string toText(const nlohmann::ordered_json& json) {

@@ -95,8 +95,9 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments, Materi
                              arguments.result)};
   if (image.width != exemplar.width || image.height != exemplar.height)
     set.notes.push_back(fmt::format(
-        "{} is {} x {} pixels and the exemplar {} x {}; the measures need the same scale in "
-        "both: resize the image if the scales differ",
+        "{} is {} x {} pixels and the exemplar {} x {}; the measures need the same scale in both: "
+        "resize the image if the scales differ; the targets are for 4 exemplars a side, as "
+        "'compare' makes them of a bundle",
         arguments.result, image.width, image.height, exemplar.width, exemplar.height));
   const ValueEncoding encoding =
       exemplar.encoding == ValueEncoding::log2 ? exemplar.encoding : image.encoding;
@@ -232,6 +233,10 @@ Result<int> run(const Arguments& arguments) {
   if (arguments.mix && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--mix {:g}: {} is an image; expected a bundle",
                                                *arguments.mix, arguments.result)};
+  if (isBundle(arguments.exemplar))
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: is a bundle; expected a photograph or a folder, then the result",
+                             arguments.exemplar)};
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar)
     return exemplar.error();

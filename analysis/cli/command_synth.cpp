@@ -152,14 +152,14 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--origin", synthesis.origin, coordinates(kOriginRange), "0,0",
            "Top left corner in tiles, exact up to 2^40");
   addValue(verb, "--seed", arguments->seed, optional(seedNumber()), "",
-           "Seed of the pattern [default: the material's]");
+           "Seed of the pattern [default: the bundle's]");
   addFlag(verb, "--tileable", synthesis.tileable,
           "Make opposite borders of the image continue each other");
   addValue(verb, "--mix", arguments->mix, optional(mixWeights()), "",
            "Weight of a mix everywhere, or at the left and right borders, 0 to 1 [default: 0,1; "
            "tileable 0.5]");
   addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
-           "Factor of the variation [default: the material's]");
+           "Factor of the variation [default: the bundle's]");
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addSynthOptions(verb));
   arguments->verb = &verb;

@@ -50,7 +50,7 @@ double StepTimes::sum() const {
 void addReport(CLI::App& verb, std::string& path) {
   addText(verb, "--report", path, "OUT.html",
           "Also write a page with pictures, measures and charts of the noise; takes 5 to 30 s per "
-          "map");
+          "map of each input");
 }
 
 Result<void> checkReportPath(const std::string& path) {

@@ -26,7 +26,7 @@ Result<void> check(const Command& command) {
     return {};
   if (command.scene.empty() || command.output.empty())
     return usageError(kProgram, std::string(command.scene.empty() ? "the scene" : "--output") +
-                                    " is missing; for example: " + kProgram +
+                                    " is required; for example: " + kProgram +
                                     " SCENE.glb -o OUT.png");
   const std::filesystem::path output(command.output);
   const std::string extension = output.extension().string();

@@ -183,6 +183,9 @@ TEST_CASE("an invalid output is an error before the work starts") {
   checkRefusal({"synth", m.bundle, "-o", absent + "/new.png"}, kEnvironment, {missing});
   checkRefusal({"bake", m.image, "-o", m.image + "/new.glb"}, kEnvironment,
                {m.image + ": is a file; expected a folder"});
+  const std::string folder = std::filesystem::path(m.image).parent_path().string();
+  checkRefusal({"bake", m.image, "-o", folder}, kUsage,
+               {folder + ": is a folder; expected a file"});
   for (const char* name : {"new.png", "new", "new.glb.tmp"})
     checkRefusal({"bake", m.image, "-o", m.workplace.path(name)}, kUsage, {name, ".glb", ".gltf"});
   for (const char* name : {"new.jpg", "new", "new.glb"})

@@ -313,6 +313,7 @@ TEST_CASE("the error of compare for broken images and bundles is one line") {
   checkRefusal({"compare", image, cut}, bad, {"half.png"});
   checkRefusal({"compare", cut, bundle}, bad, {"half.png"});
   checkRefusal({"compare", workplace.path("absent.png"), bundle}, bad, {"absent.png"});
-  checkRefusal({"compare", bundle, image}, bad, {"noise.glb", "PNG"});
+  checkRefusal({"compare", bundle, image}, int(ErrorKind::usage),
+               {"noise.glb: is a bundle; expected a photograph"});
   checkRefusal({"compare", image}, int(ErrorKind::usage), {"RESULT|BUNDLE is required"});
 }

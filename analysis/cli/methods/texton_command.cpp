@@ -230,10 +230,10 @@ std::unique_ptr<const BakeOptions> TextonCommand::addBakeOptions(CLI::App& verb)
 std::unique_ptr<const UseOptions> TextonCommand::addSynthOptions(CLI::App& verb) const {
   auto options = std::make_unique<Use>();
   addValue(verb, "--impacts", options->impacts, optional(number(kImpactsRange)), "",
-           "Mean number of impacts at a point [default: the material's]")
+           "Mean number of impacts at a point [default: the bundle's]")
       .group(kHeading);
   addValue(verb, "--points", options->points, optional(pointProcess()), "",
-           "One impact per grid cell, or a Poisson process [default: the material's]")
+           "One impact per grid cell, or a Poisson process [default: the bundle's]")
       .group(kHeading);
   return options;
 }

@@ -114,7 +114,7 @@ public:
 std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
   auto options = std::make_unique<Use>();
   addValue(verb, "--sharpness", options->sharpness, optional(number(kBlendSharpnessRange)), "",
-           "Exponent of the blend weights [default: the material's]")
+           "Exponent of the blend weights [default: the bundle's]")
       .group(kHeading);
   addValue(verb, "--tile-rotation", options->tileRotation, optional(cli::tileRotation()), "",
            "Number of directions for random tile rotation: none, 2, 4, ..., or free [default: the "

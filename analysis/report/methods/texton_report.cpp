@@ -29,7 +29,8 @@ Measure flatnessMeasure(const KernelComparison& kernels) {
 Measure modelErrorMeasure(const KernelComparison& kernels) {
   return {"model_error",
           "",
-          "transport distance to the exemplar's Gaussian texture, as a share of its deviation",
+          "transport distance of all channels together to the exemplar's Gaussian texture, as a "
+          "share of its deviation",
           kernels.texton.modelError,
           {},
           {}};
