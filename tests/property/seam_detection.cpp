@@ -215,9 +215,8 @@ TEST_CASE("seam detection compares dark borders with equally dark lines inside")
 }
 
 TEST_CASE("at most 5 % of fixed cuts of tileable materials have borders that do not fit") {
-  // A regression bound on 240 fixed cuts, of which 9 fail now. It is no error rate: cuts of one
-  // image are not independent, and the materials are six. The rates are in
-  // docs/decisions/006-seam-detection.md.
+  // The same 240 cuts in every run; 9 of them fail. The bound detects a change of the method. It
+  // does not estimate how often other materials fail: docs/decisions/006-seam-detection.md does.
   constexpr int kSide = 128, kCuts = 40;
   int failures = 0;
   for (const Named& material : generatedMaterials(kSide))
