@@ -30,7 +30,11 @@ constexpr std::array<Family, 10> kFamilies{{{"bake", bakeRows},
                                             {"shader", shaderRows}}};
 
 const char* verdict(const Row& row) {
-  return row.skipped ? "not measured" : row.met() ? "met" : "missed";
+  if (row.skipped)
+    return "not measured";
+  if (row.target == kNoTarget)
+    return "no target";
+  return row.met() ? "met" : "missed";
 }
 
 /// A number with its unit, rounded to the precision of such a measurement.
@@ -40,17 +44,32 @@ std::string number(double value, const std::string& unit) {
   return text;
 }
 
+std::string targetOf(const Row& row) {
+  return row.target == kNoTarget ? "-" : number(row.target, row.unit);
+}
+
+/// The details, then the note.
+std::string explanation(const Row& row) {
+  std::string all;
+  for (const Detail& detail : row.details) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.4g %s; ", detail.value, detail.name.c_str());
+    all += text;
+  }
+  return all + row.note;
+}
+
 void printText(const char* family, const Row& row) {
-  std::printf("%-10s %-68s %10s %10s  %-7s %s\n", family, row.what.c_str(),
-              row.skipped ? "-" : number(row.measured, row.unit).c_str(),
-              number(row.target, row.unit).c_str(), verdict(row), row.note.c_str());
+  std::printf("%-10s %-68s %10s %10s  %-9s %s\n", family, row.what.c_str(),
+              row.skipped ? "-" : number(row.measured, row.unit).c_str(), targetOf(row).c_str(),
+              verdict(row), explanation(row).c_str());
   std::fflush(stdout);
 }
 
 void printMarkdown(const char* family, const Row& row) {
   std::printf("| %s | %s | %s | %s | %s | %s |\n", family, row.what.c_str(),
-              row.skipped ? "-" : number(row.measured, row.unit).c_str(),
-              number(row.target, row.unit).c_str(), verdict(row), row.note.c_str());
+              row.skipped ? "-" : number(row.measured, row.unit).c_str(), targetOf(row).c_str(),
+              verdict(row), explanation(row).c_str());
   std::fflush(stdout);
 }
 
@@ -58,9 +77,12 @@ nlohmann::ordered_json jsonOf(const char* family, const Row& row) {
   nlohmann::ordered_json json{{"family", family}, {"what", row.what}};
   if (!row.skipped)
     json["measured"] = row.measured;
-  json["target"] = row.target;
+  if (row.target != kNoTarget)
+    json["target"] = row.target;
   json["unit"] = row.unit;
   json["verdict"] = verdict(row);
+  for (const Detail& detail : row.details)
+    json[detail.name] = detail.value;
   json["note"] = row.note;
   return json;
 }

@@ -2,11 +2,21 @@
 // What lichen-bench prints: numbers next to their targets, and the families that measure them.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace lichen::bench {
+
+/// The target of a row that is there for comparison.
+inline constexpr double kNoTarget = std::numeric_limits<double>::infinity();
+
+/// A number beside a measurement. The name is that of a column: "ms", "fetches".
+struct Detail {
+  std::string name;
+  double value = 0.0;
+};
 
 /// One measurement. Every target of TARGETS.md is an upper limit.
 struct Row {
@@ -17,6 +27,7 @@ struct Row {
   /// How it was measured, or why it could not be; explains a missed target.
   std::string note;
   bool skipped = false; ///< the machine lacks a requirement that `note` names
+  std::vector<Detail> details;
 
   [[nodiscard]] bool met() const { return !skipped && measured <= target; }
 };
@@ -45,7 +56,7 @@ std::vector<Row> filterRows();    ///< mean colour from magnification to far awa
 std::vector<Row> viewRows();      ///< contrast, features and shimmer at all distances
 std::vector<Row> litRows();       ///< brightness of lit pictures at all distances
 std::vector<Row> textonRows();    ///< time, model error, flatness, border, covariance of textons
-std::vector<Row> shaderRows();    ///< ratios to a plain texture fetch
+std::vector<Row> shaderRows();    ///< ratios to plain and bare fetches; cost of options
 
 /// Bakes a generated exemplar of this side and returns the seconds it took. Serves `lichen-bench
 /// --peak-memory-of-bake SIDE`, which the bake and growth families run in separate processes.

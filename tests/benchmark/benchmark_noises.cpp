@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "benchmark_noises.h"
+
+#include "exemplars.h"
+#include "shader_frames.h"
+
+#include <lichen/bundle_writer.h>
+#include <lichen/image_io.h>
+#include <lichen/texton_mix.h>
+
+#include <materials.h>
+#include <stdexcept>
+#include <synthetic_noise.h>
+#include <synthetic_texton.h>
+
+namespace lichen::bench {
+namespace {
+
+std::vector<std::byte> encoded(const BundleFile& file) {
+  Result<std::vector<std::byte>> glb = encodeGlb(file);
+  if (!glb)
+    throw std::runtime_error(glb.error().message);
+  return std::move(glb).value();
+}
+
+test::SyntheticTexton textons() {
+  return {.coefficientsX = 63,
+          .coefficientsY = 63,
+          .mipLevels = 4,
+          .texelsPerTileX = kShaderExemplarSide,
+          .texelsPerTileY = kShaderExemplarSide};
+}
+
+} // namespace
+
+std::vector<std::byte> tilingGlb(LookupTable lut, GaussianOnly gaussian) {
+  TilingOptions options;
+  options.lut = lut;
+  options.gaussian = gaussian;
+  BundleFile file;
+  file.bundle = bakedBundle(exemplars::rust(kShaderExemplarSide), options);
+  PreviewImages preview;
+  preview.baseColor = encodePng(SrgbImage(1, 1, 3), 8).value();
+  file.previews = {preview};
+  file.shape = PreviewShape::none;
+  return encoded(file);
+}
+
+std::vector<std::byte> textonGlb() { return test::syntheticTextonGlb(textons()); }
+
+std::vector<std::byte> mixGlb() {
+  test::SyntheticTexton texton = textons();
+  texton.steps = TextonMixOptions{}.steps;
+  BundleFile file = test::syntheticTextonBundle(texton);
+  file.bundle.materials[0]->mix = {
+      .source = MixSource::direction, .start = {0.0, 0.0}, .end = {4.0, 0.0}};
+  return encoded(file);
+}
+
+std::vector<std::byte> slopeGlb() {
+  const test::SyntheticMap slopes{2, kShaderExemplarSide, kShaderExemplarSide, false, 8};
+  return test::syntheticGlb(std::span(&slopes, 1));
+}
+
+ReadyNoise::ReadyNoise(VulkanDevice& gpu, const std::vector<std::byte>& glb, const NoiseUse& use)
+    : host_(gpu, glb) {
+  LichenUniformInfo uniforms;
+  LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
+  uniforms.overrides =
+      LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_TILE_ROTATION;
+  uniforms.mapping = use.mapping;
+  uniforms.blendSharpness = use.blendSharpness;
+  uniforms.tileRotation = use.tileRotation;
+  const std::vector<test::Point> point(1);
+  // The first run uploads the noise.
+  (void)host_.evaluate(test::committedShader("tiling_evaluate.comp"), 0, uniforms, point);
+}
+
+VkDescriptorSetLayout ReadyNoise::layout() const {
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  if (lichenVulkanGetSetLayout(host_.assets(), 0, &layout) != LICHEN_SUCCESS)
+    throw std::runtime_error("no set layout");
+  return layout;
+}
+
+} // namespace lichen::bench

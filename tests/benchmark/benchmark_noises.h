@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The noises whose shaders lichen-bench times, and how the plugin makes them ready to be drawn.
+#pragma once
+
+#include <lichen/tiling.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <plugin_host.h>
+#include <vector>
+
+namespace lichen::bench {
+
+/// A tiling of a generated exemplar as a GLB.
+[[nodiscard]] std::vector<std::byte> tilingGlb(LookupTable lut, GaussianOnly gaussian);
+/// Bilinear textons that reach 64 texels, with the default of 30 impacts.
+[[nodiscard]] std::vector<std::byte> textonGlb();
+/// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other
+/// over four tiles.
+[[nodiscard]] std::vector<std::byte> mixGlb();
+/// A tiling of slopes.
+[[nodiscard]] std::vector<std::byte> slopeGlb();
+
+/// How a material uses the noise.
+struct NoiseUse {
+  LichenMapping mapping = LICHEN_MAPPING_UV;
+  double blendSharpness = 1.0;
+  std::uint32_t tileRotation = 0;
+};
+
+/// A noise on the device, uploaded and with its uniforms written.
+class ReadyNoise {
+public:
+  ReadyNoise(VulkanDevice& gpu, const std::vector<std::byte>& glb, const NoiseUse& use = {});
+
+  [[nodiscard]] VkDescriptorSetLayout layout() const;
+  [[nodiscard]] VkDescriptorSet set() const { return host_.set(); }
+
+private:
+  test::PluginHost host_;
+};
+
+} // namespace lichen::bench
