@@ -22,7 +22,6 @@
 #include <tiling.frag.gaussian.h>
 #include <tiling.frag.joint.h>
 #include <tiling.frag.one_tap.h>
-#include <tiling.frag.separable.h>
 #include <tiling.frag.sharp.h>
 #include <tiling.frag.turned.h>
 #include <tiling.frag.two_taps.h>
@@ -100,9 +99,8 @@ struct Kind {
   double floorTarget;
 };
 
-TilingOptions bakedWith(LookupTable lut, GaussianOnly gaussian) {
+TilingOptions bakedWith(GaussianOnly gaussian) {
   TilingOptions options;
-  options.lut = lut;
   options.gaussian = gaussian;
   return options;
 }
@@ -263,17 +261,15 @@ std::vector<Row> measure() {
   Result<DeviceImage> image = gpu.createImage(info);
   if (!image)
     throw std::runtime_error(image.error().message);
-  // Separable tables have the targets of the joint table, and mixes those of one texton.
+  // Mixes have the targets of one texton.
   const Kind kinds[] = {
-      {"tiling with joint table", exemplarGlb(bakedWith(LookupTable::joint, GaussianOnly::no)),
-       tiling_frag_joint, 3.6, 4.3},
-      {"tiling with separable table",
-       exemplarGlb(bakedWith(LookupTable::separable, GaussianOnly::no)), tiling_frag_separable, 3.6,
+      {"tiling with joint table", exemplarGlb(bakedWith(GaussianOnly::no)), tiling_frag_joint, 3.6,
        4.3},
-      {"tiling, Gaussian only", exemplarGlb(bakedWith(LookupTable::joint, GaussianOnly::yes)),
-       tiling_frag_gaussian, 2.5, 3.2},
+      {"tiling, Gaussian only", exemplarGlb(bakedWith(GaussianOnly::yes)), tiling_frag_gaussian,
+       2.5, 3.2},
       {"texton, 30 impacts", textonGlb(), texton_frag, 42.0, 50.0},
-      {"mix of textons, 30 impacts", mixGlb(), texton_frag_mixed, 42.0, 50.0}};
+      {"mix of textons, 30 impacts", mixGlb(), texton_frag_mixed, 42.0, 50.0},
+  };
   test::PluginHost unit(gpu, kinds[0].glb);
   prepare(unit);
   std::vector<Row> rows;
