@@ -105,8 +105,6 @@ LichenTableKind tableKindNumber(TableKind kind) {
   switch (kind) {
   case TableKind::joint:
     return LICHEN_TABLE_JOINT;
-  case TableKind::separable:
-    return LICHEN_TABLE_SEPARABLE;
   case TableKind::none:
     return LICHEN_TABLE_NONE;
   }

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Makes a contact sheet of the kinds of inverse table, one exemplar per row: the exemplar, and the
-# noise with a joint table, a separable table, and none (blank where the colours span fewer than
-# three dimensions). The last two rows are the first exemplar in grey and in two colours.
+# noise with a joint table, and with none (blank where the colours span fewer than three
+# dimensions). The last two rows are the first exemplar in grey and in two colours.
 #   samples/table_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
@@ -27,10 +27,9 @@ for exemplar in "$@" "$work/grey.png" "$work/two.png"; do
   row=$work/${#panels[@]}
   convert "$exemplar" -crop "${panel}x${panel}+0+0" +repage "$row-exemplar.png"
   noise "$exemplar" "$row-joint.png" --gaussian no
-  noise "$exemplar" "$row-separable.png" --gaussian no --lut separable
   noise "$exemplar" "$row-none.png" --gaussian yes 2>/dev/null ||
     convert -size "${panel}x${panel}" xc:white "$row-none.png"
-  panels+=("$row-exemplar.png" "$row-joint.png" "$row-separable.png" "$row-none.png")
+  panels+=("$row-exemplar.png" "$row-joint.png" "$row-none.png")
 done
-montage "${panels[@]}" -tile 4x -geometry +3+3 -background white -quality 78 "$output"
+montage "${panels[@]}" -tile 3x -geometry +3+3 -background white -quality 78 "$output"
 echo "$output"

@@ -72,7 +72,7 @@ Moments momentsOf(std::span<const float> values, int channels) {
       [&](std::size_t i, int c) { return values[i * stride + std::size_t(c)]; });
 }
 
-ColorSpace principalSpaceOf(const MapExemplar& map) {
+ColorSpace colorSpaceOf(const MapExemplar& map) {
   const int channels = int(map.channels.size());
   ColorSpace space{momentsOf(map.values, channels), {}};
   const auto solver = transport::principalAxes(space.moments.covariance);
@@ -90,13 +90,7 @@ ColorSpace principalSpaceOf(const MapExemplar& map) {
       direction = -direction;
     space.basis.row(Eigen::Index(row)) = direction.transpose();
   }
-  return space;
-}
-
-ColorSpace colorSpaceOf(const MapExemplar& map) {
-  ColorSpace space = principalSpaceOf(map);
-  const auto channels = Eigen::Index(map.channels.size());
-  if (space.basis.rows() == channels)
+  if (space.dimensions() == channels)
     space.basis = ChannelMatrix::Identity(channels, channels);
   return space;
 }

@@ -39,9 +39,6 @@ struct ColorSpace {
   }
 };
 [[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
-/// As colorSpaceOf(), but the directions are always the principal ones, with the largest variance
-/// first: coordinates are uncorrelated.
-[[nodiscard]] ColorSpace principalSpaceOf(const MapExemplar& map);
 
 /// The middle of the best values for photographs: docs/decisions/009-surroundings.md.
 inline constexpr float kUsualShare = 0.1f;

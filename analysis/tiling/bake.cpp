@@ -9,7 +9,6 @@
 #include "map_fit.h"
 #include "mip_chain.h"
 #include "prefilter.h"
-#include "separable.h"
 #include "slab_means.h"
 #include "slope_variance.h"
 
@@ -73,7 +72,7 @@ void appendValues(std::vector<double>& to, const auto& matrix) {
 }
 
 /// How the values of a map are stored.
-enum class MapKind { constant, gaussianOnly, separable, sorted, transported };
+enum class MapKind { constant, gaussianOnly, sorted, transported };
 
 /// A map and the way it will be stored.
 struct PlannedMap {
@@ -97,11 +96,7 @@ MapKind kindOf(const MapExemplar& map, const exemplar::ColorSpace& space,
     return MapKind::gaussianOnly;
   if (space.dimensions() == 1)
     return MapKind::sorted;
-  // Slopes need their variance, and half floats cannot hold light above 1 along an axis.
-  const bool mayBeSeparable =
-      map.encoding != ValueEncoding::slope && map.encoding != ValueEncoding::log2;
-  return options.lut == LookupTable::separable && mayBeSeparable ? MapKind::separable
-                                                                 : MapKind::transported;
+  return MapKind::transported;
 }
 
 /// The work of the steps of a map's bake, in units of transporting a pixel with the default effort.
@@ -135,9 +130,6 @@ MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort,
   case MapKind::gaussianOnly:
     work.fit = kWhitening * pixels;
     break;
-  case MapKind::separable:
-    work.fit = kSort * planned.space.dimensions() * matchings;
-    break;
   case MapKind::sorted:
     work.fit = joining * kSort * matchings;
     break;
@@ -155,7 +147,6 @@ struct MapTables {
   Table gaussian;
   std::vector<exemplar::ChannelMatrix> lost; ///< per mip level of `gaussian`
   std::optional<Table> inverse;
-  std::vector<double> tableBasis, tableOffset; ///< only for a separable table
 
   MapTables(Gaussianized gaussianized, int bits)
       : image(std::move(gaussianized)), gaussian(gaussianTable(image, bits)),
@@ -177,20 +168,6 @@ MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits, Progr
   return tables;
 }
 
-MapTables separableTables(const MapExemplar& map, const SeparableFit& fit, int bits,
-                          ProgressPart progress) {
-  progress.reach(0.0);
-  MapTables tables(combinedImage(fit), bits);
-  progress.reach(kMipsOfProgress);
-  // Values along an axis may be negative, and dark colours are differences: always half floats.
-  constexpr int kTableBits = 16;
-  tables.inverse =
-      inverseTableTexels(separableSlabs(fit, bits, tables.lost), map.encoding, kTableBits);
-  appendValues(tables.tableBasis, fit.basis);
-  appendValues(tables.tableOffset, fit.offset);
-  return tables;
-}
-
 void appendMap(const MapExemplar& map, const exemplar::Moments& moments, MapTables tables,
                const std::string& name, TilingBake& bake) {
   NoiseMap result;
@@ -209,8 +186,6 @@ void appendMap(const MapExemplar& map, const exemplar::Moments& moments, MapTabl
   bake.tables.push_back(std::move(tables.gaussian));
   if (tables.inverse) {
     tiling.levels = tableLevels();
-    tiling.tableBasis = std::move(tables.tableBasis);
-    tiling.tableOffset = std::move(tables.tableOffset);
     tables.inverse->name = prefix + ".inverse";
     tiling.inverseTable = bake.tables.size();
     bake.tables.push_back(*std::move(tables.inverse));
@@ -250,12 +225,6 @@ MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
         gaussianImage(map, planned.space.moments, fitting.periodic, fitting.precision, first);
     rest.reach(0.0);
     return {image, bits};
-  }
-  if (planned.kind == MapKind::separable) {
-    const SeparableFit fit = fitSeparable(map, fitting.periodic, fitting.precision, first);
-    // Code values may vary along axes where the light does not.
-    if (fit.dimensions() > 1)
-      return separableTables(map, fit, bits, rest);
   }
   return jointTables(map, fitJoint(planned, fitting, settled, first), bits, rest);
 }

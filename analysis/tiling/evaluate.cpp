@@ -218,26 +218,6 @@ Value TilingEvaluator::decodeJoint(const Map& map, const Value& gaussian, float 
   return t > 0.0f ? mix(value, slabLookup(map, uniform, slab + 1), t) : value;
 }
 
-Value TilingEvaluator::decodeSeparable(const Map& map, const Value& gaussian, float level) {
-  const auto side = std::size_t(map.tableSide);
-  const auto slab = std::size_t(level);
-  const std::size_t next = std::min(slab + 1, std::size_t(map.constants.tableLevels) - 1);
-  std::array<float, 3> along{};
-  for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis) {
-    const float place =
-        std::clamp(uniformFromGaussian(gaussian[axis]) * float(side) - 0.5f, 0.0f, float(side - 1));
-    const auto cell = std::size_t(place);
-    const std::size_t above = std::min(cell + 1, side - 1);
-    const float t = place - float(cell);
-    const auto line = [&](std::size_t k) {
-      const float value = map.table[k * side + cell][axis];
-      return value + t * (map.table[k * side + above][axis] - value);
-    };
-    along[axis] = line(slab) + (level - float(slab)) * (line(next) - line(slab));
-  }
-  return decodedSeparable(map.constants, along);
-}
-
 Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost, float contrast) {
   if (map.constants.decoding == LICHEN_DECODING_GAUSSIAN) {
     const float scaled = contrast * contrast * lost;
@@ -245,9 +225,7 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost,
                            {scaled, scaled, scaled});
   }
   const Value within = withinTable(gaussian, lost, contrast);
-  const float level = tableLevel(map.constants, lost, contrast);
-  return map.constants.decoding == LICHEN_DECODING_SEPARABLE ? decodeSeparable(map, within, level)
-                                                             : decodeJoint(map, within, level);
+  return decodeJoint(map, within, tableLevel(map.constants, lost, contrast));
 }
 
 Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,

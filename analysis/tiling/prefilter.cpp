@@ -199,8 +199,11 @@ std::vector<std::array<float, 3>> lossDisplacements(const exemplar::ChannelMatri
   return result;
 }
 
-std::vector<InverseTable> prefilteredSlabsFor(const InverseTable& table,
-                                              const std::vector<exemplar::ChannelMatrix>& losses) {
+std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
+                                           const std::vector<exemplar::ChannelMatrix>& lost) {
+  std::vector<exemplar::ChannelMatrix> losses;
+  for (const double level : tableLevels())
+    losses.push_back(lossAt(level, lost));
   switch (table.dimensions) {
   case 1:
     return slabsOf<1>(table, losses);
@@ -209,14 +212,6 @@ std::vector<InverseTable> prefilteredSlabsFor(const InverseTable& table,
   default:
     return slabsOf<3>(table, losses);
   }
-}
-
-std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
-                                           const std::vector<exemplar::ChannelMatrix>& lost) {
-  std::vector<exemplar::ChannelMatrix> losses;
-  for (const double level : tableLevels())
-    losses.push_back(lossAt(level, lost));
-  return prefilteredSlabsFor(table, losses);
 }
 
 Table inverseTableTexels(const std::vector<InverseTable>& slabs, ValueEncoding encoding, int bits) {

@@ -33,10 +33,6 @@ lossDisplacements(const exemplar::ChannelMatrix& loss, std::size_t count);
 [[nodiscard]] std::vector<InverseTable>
 prefilteredSlabs(const InverseTable& table, const std::vector<exemplar::ChannelMatrix>& lost);
 
-/// The same, with the lost covariance of each slab given: kTableLevels matrices.
-[[nodiscard]] std::vector<InverseTable>
-prefilteredSlabsFor(const InverseTable& table, const std::vector<exemplar::ChannelMatrix>& losses);
-
 /// Packs the slabs (at least one, all of one shape) into one KTX2-ready table: 2-D (256 x L) for
 /// D = 1, 2-D (64 x 64 L) for D = 2, 3-D (32 x 32 x 32 L) for D = 3. The encoding and bits, 8 or
 /// 16, select the format: RGBA8 SRGB for light, RGBA8 UNORM for other data in [0, 1], otherwise

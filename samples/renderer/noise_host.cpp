@@ -162,7 +162,7 @@ NoiseRoles NoiseHost::rolesOf(std::uint32_t noise, std::uint32_t texCoord) {
   for (std::uint32_t m = 0; m < properties.mapCount; ++m) {
     auto map = initialized<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     check(lichenGetMapProperties(bundle_.get(), noise, m, &map));
-    hasOtherTables_ = hasOtherTables_ || (isTiling && map.tableKind != LICHEN_TABLE_JOINT);
+    hasGaussianOnly_ = hasGaussianOnly_ || (isTiling && map.tableKind == LICHEN_TABLE_NONE);
     if (const std::optional<std::size_t> role = roleOf(map.target))
       roles.map[*role] = int(m);
     else
@@ -269,7 +269,7 @@ void NoiseHost::change(VkDevice device, const NoiseChanges& changes) {
     throw Failure{{ErrorKind::usage, "noise " + std::to_string(*changes.noise) +
                                          " does not exist; the bundle has " +
                                          std::to_string(names_.size())}};
-  hasOtherTables_ = hasTilingNoises_ = hasTextonNoises_ = hasSurfaceNoises_ = hasTriplanarNoises_ =
+  hasGaussianOnly_ = hasTilingNoises_ = hasTextonNoises_ = hasSurfaceNoises_ = hasTriplanarNoises_ =
       hasOtherMappings_ = hasMixes_ = hasObjectSpaces_ = hasTileRotation_ = false;
   changes_ = changes;
   changeNotes_.clear();

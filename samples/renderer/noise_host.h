@@ -53,8 +53,8 @@ public:
   [[nodiscard]] bool hasNoise(std::size_t material) const {
     return noises_[material] != LICHEN_NO_NOISE;
   }
-  /// Whether any of the rendered noises is a tiling noise without a joint table.
-  [[nodiscard]] bool hasOtherTables() const { return hasOtherTables_; }
+  /// Whether any map of a rendered tiling noise has no inverse table.
+  [[nodiscard]] bool hasGaussianOnly() const { return hasGaussianOnly_; }
   /// Whether any of the rendered noises is a tiling noise, or a texton noise.
   [[nodiscard]] bool hasTilingNoises() const { return hasTilingNoises_; }
   [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
@@ -126,7 +126,7 @@ private:
   glm::dvec3 origin_{0.0};
   /// notes of the file, of the last change() and of the last setOrigin()
   std::set<std::string> fileNotes_, changeNotes_, originNotes_;
-  bool hasOtherTables_ = false;
+  bool hasGaussianOnly_ = false;
   bool hasTilingNoises_ = false;
   bool hasTextonNoises_ = false;
   bool hasSurfaceNoises_ = false;

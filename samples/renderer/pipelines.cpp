@@ -161,7 +161,7 @@ struct Constants {
   VkBool32 hasNoise = VK_FALSE;
   VkBool32 hasNormalMap = VK_FALSE;
   std::int32_t debugView = DEBUG_NONE;
-  VkBool32 otherTables = VK_FALSE;
+  VkBool32 gaussianOnly = VK_FALSE;
   VkBool32 tilingNoises = VK_FALSE;
   VkBool32 mixedTextons = VK_FALSE;
   VkBool32 triplanar = VK_FALSE;
@@ -174,7 +174,7 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{0, offsetof(Constants, hasNoise), sizeof(VkBool32)},
     VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
-    VkSpecializationMapEntry{3, offsetof(Constants, otherTables), sizeof(VkBool32)},
+    VkSpecializationMapEntry{3, offsetof(Constants, gaussianOnly), sizeof(VkBool32)},
     VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
     VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)},
     VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)},
@@ -207,7 +207,7 @@ FragmentCode fragmentCodeFor(const SurfaceConstants& shared) {
 Constants constantsOf(const SurfaceConstants& shared, bool hasNoise) {
   return {.hasNoise = hasNoise,
           .debugView = shared.debugView,
-          .otherTables = shared.otherTables,
+          .gaussianOnly = shared.gaussianOnly,
           .tilingNoises = shared.tilingNoises,
           .mixedTextons = shared.mixedTextons,
           .triplanar = shared.triplanarNoises,

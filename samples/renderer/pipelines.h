@@ -60,7 +60,7 @@ struct PipelineLayouts {
 /// Specialization constants that all surfaces of a scene share.
 struct SurfaceConstants {
   int debugView = 0;            ///< one of the shaders' DEBUG_ constants
-  bool otherTables = false;     ///< some tiling noise has a separable table, or none
+  bool gaussianOnly = false;    ///< some map of a tiling noise has no table
   bool tilingNoises = false;    ///< some noise is a tiling noise
   bool textonNoises = false;    ///< some noise is a texton noise
   bool surfaceNoises = false;   ///< some noise uses surface mapping

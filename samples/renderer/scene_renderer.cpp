@@ -128,7 +128,7 @@ PipelinesUsed SceneRenderer::pipelinesUsed() const {
 
 SurfaceConstants SceneRenderer::surfaceConstants() const {
   return {debugView_,
-          noises_.hasOtherTables(),
+          noises_.hasGaussianOnly(),
           noises_.hasTilingNoises(),
           noises_.hasTextonNoises(),
           noises_.hasSurfaceNoises(),

@@ -19,9 +19,8 @@
 #define LICHEN_ENCODING_LOG2 3
 
 // LichenMap::decoding, from the Gaussian to the decoded value.
-#define LICHEN_DECODING_JOINT 0     // one table over all dimensions
-#define LICHEN_DECODING_SEPARABLE 1 // a table for each dimension, and an affine map
-#define LICHEN_DECODING_GAUSSIAN 2  // an affine map to the stored value, no table
+#define LICHEN_DECODING_JOINT 0    // one table over all dimensions
+#define LICHEN_DECODING_GAUSSIAN 1 // an affine map to the stored value, no table
 
 // LichenNoise::method.
 #define LICHEN_METHOD_TILING 0
@@ -109,8 +108,8 @@ struct LichenMap {
   // Tiling has only the first, of all channels together. Of textons a channel that is absent or
   // does not vary keeps nothing.
   uvec4 mipKept0, mipKept1, mipKept2;
-  // The affine map of separable and Gaussian decoding: channel c is dot(row c, (input, 1)), the
-  // input a separable table's values, or the Gaussian value less its mean.
+  // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
+  // value less its mean.
   vec4 row0, row1, row2;
   vec4 sumFactor; // of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix; w unused
 };

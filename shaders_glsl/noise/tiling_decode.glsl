@@ -2,20 +2,17 @@
 // What a map's blended Gaussian value (float3), of this contrast, stands for, where filtering has
 // taken the fraction `lostVariance` of its variance: the mean of the decoded quantity over what is
 // missing. Of slopes, z is the variance of a slope over what is missing.
-// [HN18] section 4.3; the three ways to decode are those of docs/gltf_extension/README.md, step 6.
+// [HN18] section 4.3; the two ways to decode are those of docs/gltf_extension/README.md, step 6.
 #ifndef LICHEN_TILING_DECODE_GLSL
 #define LICHEN_TILING_DECODE_GLSL
 
 #include "../interface/lichen_interface.h"
 #include "gaussian_cdf.glsl"
 
-// 0 where no map has a joint table, none a separable one, or where none has no table. Literals, or
-// the host's specialization constants. Not all are 0.
+// 0 where no map has a joint table, or where every map has one. Literals, or the host's
+// specialization constants. At least one is 1.
 #ifndef LICHEN_JOINT_TABLES
 #define LICHEN_JOINT_TABLES 1
-#endif
-#ifndef LICHEN_SEPARABLE_TABLES
-#define LICHEN_SEPARABLE_TABLES 1
 #endif
 #ifndef LICHEN_GAUSSIAN_ONLY
 #define LICHEN_GAUSSIAN_ONLY 1
@@ -60,24 +57,10 @@ vec4 lichenDecodeJoint(sampler3D table, vec3 gaussian, float level, LichenMap ma
   return value;
 }
 
-/// The affine map of separable and Gaussian decoding.
+/// The affine map of Gaussian decoding.
 vec3 lichenDecodeRows(vec3 value, LichenMap map) {
   vec4 homogeneous = vec4(value, 1.0);
   return vec3(dot(map.row0, homogeneous), dot(map.row1, homogeneous), dot(map.row2, homogeneous));
-}
-
-/// A table for each dimension, in a basis in which they are not correlated.
-vec4 lichenDecodeSeparable(sampler3D table, vec3 gaussian, float level, LichenMap map) {
-  vec3 uniformValue = lichenGaussianCdf(gaussian);
-  float depth = (level + 0.5) / float(int(map.tableLevels));
-  vec3 along;
-  along.x = textureLod(table, vec3(uniformValue.x, 0.5, depth), 0.0).x;
-  along.y = textureLod(table, vec3(uniformValue.y, 0.5, depth), 0.0).y;
-  along.z = map.dimensions == 3u ? textureLod(table, vec3(uniformValue.z, 0.5, depth), 0.0).z : 0.0;
-  // Together the three may leave the gamut, which each alone does not.
-  const float kHalfMax = 65504.0; // the most light that a table holds
-  float most = map.encoding == uint(LICHEN_ENCODING_LOG2) ? kHalfMax : 1.0;
-  return vec4(clamp(lichenDecodeRows(along, map), 0.0, most), 1.0);
 }
 
 /// A stored value -> the quantity, inside the range of its encoding.
@@ -154,20 +137,15 @@ vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lostVariance, LichenMap map) {
 /// is not fetched where the map has none.
 vec4 lichenTilingDecode(sampler3D table, vec3 gaussian, float lostVariance, float contrast,
                         LichenMap map) {
-  // In variables: of specialization constants negated below, glslang 11 makes invalid SPIR-V.
+  // In a variable: of a specialization constant negated below, glslang 11 makes invalid SPIR-V.
   bool hasJoint = bool(LICHEN_JOINT_TABLES);
-  bool hasGaussian = bool(LICHEN_GAUSSIAN_ONLY);
-  // The last kind that there is needs no test.
-  bool isSeparable =
-      map.decoding == uint(LICHEN_DECODING_SEPARABLE) || !(hasJoint || hasGaussian);
+  // If there is only one kind, it needs no test.
   bool isGaussian = map.decoding == uint(LICHEN_DECODING_GAUSSIAN) || !hasJoint;
   // Contrast scales what is missing with what is there.
-  if (bool(LICHEN_GAUSSIAN_ONLY) && isGaussian && !isSeparable)
+  if (bool(LICHEN_GAUSSIAN_ONLY) && isGaussian)
     return lichenDecodeGaussian(gaussian, vec3(contrast * contrast * lostVariance), map);
   vec3 within = lichenWithinTable(gaussian, lostVariance, contrast);
   float level = lichenTableLevel(lostVariance, contrast, map);
-  if (bool(LICHEN_SEPARABLE_TABLES) && isSeparable)
-    return lichenDecodeSeparable(table, within, level, map);
   return lichenDecodeJoint(table, within, level, map);
 }
 

@@ -33,9 +33,8 @@ test::SyntheticTexton textons() {
 
 } // namespace
 
-std::vector<std::byte> tilingGlb(LookupTable lut, GaussianOnly gaussian) {
+std::vector<std::byte> tilingGlb(GaussianOnly gaussian) {
   TilingOptions options;
-  options.lut = lut;
   options.gaussian = gaussian;
   BundleFile file;
   file.bundle = bakedBundle(exemplars::rust(kShaderExemplarSide), options);

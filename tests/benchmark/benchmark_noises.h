@@ -12,7 +12,7 @@
 namespace lichen::bench {
 
 /// A tiling of a generated exemplar as a GLB.
-[[nodiscard]] std::vector<std::byte> tilingGlb(LookupTable lut, GaussianOnly gaussian);
+[[nodiscard]] std::vector<std::byte> tilingGlb(GaussianOnly gaussian);
 /// Bilinear textons that reach 64 texels, with the default of 30 impacts.
 [[nodiscard]] std::vector<std::byte> textonGlb();
 /// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other

@@ -111,7 +111,7 @@ void appendRotationRows(std::vector<Row>& rows, const Glb& colors, const Screen&
 } // namespace
 
 void appendOptionRows(std::vector<Row>& rows, const Screen& screen) {
-  const Glb colors = tilingGlb(LookupTable::joint, GaussianOnly::no);
+  const Glb colors = tilingGlb(GaussianOnly::no);
   appendSurfaceRows(rows, screen);
   appendTriplanarRow(rows, colors, screen);
   appendLevelRows(rows, colors, screen);

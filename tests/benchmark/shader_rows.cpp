@@ -22,7 +22,6 @@
 #include <texton.frag.mixed.h>
 #include <tiling.frag.gaussian.h>
 #include <tiling.frag.joint.h>
-#include <tiling.frag.separable.h>
 #include <unity.frag.h>
 #include <view.vert.h>
 
@@ -99,9 +98,8 @@ void appendRows(std::vector<Row>& rows, const Screen& screen, std::span<const Ti
 std::vector<Row> measure() {
   const Screen screen;
   const PeerImages images(screen.gpu(), exemplars::rust(kShaderExemplarSide));
-  const auto joint = tilingGlb(LookupTable::joint, GaussianOnly::no);
-  const auto separable = tilingGlb(LookupTable::separable, GaussianOnly::no);
-  const auto gaussian = tilingGlb(LookupTable::joint, GaussianOnly::yes);
+  const auto joint = tilingGlb(GaussianOnly::no);
+  const auto gaussian = tilingGlb(GaussianOnly::yes);
   const TimedShader shaders[] = {
       peer("one plain fetch", plain_frag, screen, images),
       peer("three bare fetches", bare_frag, screen, images),
@@ -110,7 +108,6 @@ std::vector<Row> measure() {
       peer("Unity's stochastic texturing", unity_frag, screen, images),
       peer("[HN18] without prefilter", hn18_frag, screen, images),
       noise("tiling, joint table", tiling_frag_joint, screen, joint, {4.2, 4.2}),
-      noise("tiling, separable table", tiling_frag_separable, screen, separable, {4.2, 4.2}),
       noise("tiling, Gaussian only", tiling_frag_gaussian, screen, gaussian, {2.8, 3.1}),
       noise("texton, 30 impacts", texton_frag, screen, textonGlb(), {36.0, 40.0}),
       noise("mix of textons, 30 impacts", texton_frag_mixed, screen, mixGlb(), {42.0, 46.0})};

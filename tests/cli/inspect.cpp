@@ -106,7 +106,6 @@ TEST_CASE("inspect shows the kind of each inverse table and its fetches") {
     int fetches;
   };
   const Kind kinds[] = {{{}, "joint", "joint, 32 x 32 x 32 cells", 5},
-                        {{"--lut", "separable"}, "separable", "separable, 3 x 256 cells", 6},
                         {{"--gaussian", "yes"}, "none", "no inverse table", 3}};
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(kSide));

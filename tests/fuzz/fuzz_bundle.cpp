@@ -82,10 +82,6 @@ void checkTiling(const NoiseMap& map, const Bundle& bundle) {
   require(tiling.mipLoss.size() == image.mipLevels && areFinite(tiling.mipLoss),
           "losses of a Gaussian image");
   require(tiling.inverseTable.has_value() == !tiling.levels.empty(), "levels without a table");
-  require(tiling.tableOffset.empty() == tiling.tableBasis.empty(), "a basis without an offset");
-  require(tiling.inverseTable || tiling.tableBasis.empty(), "a basis without a table");
-  require(tiling.tableOffset.empty() || tiling.tableOffset.size() == map.channels.size(),
-          "size of a table's offset");
   require(!tiling.inverseTable || *tiling.inverseTable < bundle.tables.size(),
           "index of the table");
 }

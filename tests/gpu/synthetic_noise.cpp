@@ -67,15 +67,14 @@ float tableValue(double x, double y, double z, std::size_t c, double kept) {
 
 Table inverseTable(const SyntheticMap& map) {
   constexpr std::uint32_t kCells[] = {256, 64, 32};
-  const bool isSeparable = map.table == SyntheticTable::separable;
-  const int axes = isSeparable ? 1 : map.dimensions;
+  const int axes = map.dimensions;
   const std::uint32_t cells = kCells[axes - 1];
   const auto levels = std::uint32_t(map.levels);
   Table table;
   const bool slopes = map.dimensions == 2; // the format requires floats for slopes
-  table.format = !map.eightBit || slopes || isSeparable ? rgba16Sfloat
-                 : map.dimensions == 3                  ? rgba8Srgb
-                                                        : rgba8Unorm;
+  table.format = !map.eightBit || slopes ? rgba16Sfloat
+                 : map.dimensions == 3   ? rgba8Srgb
+                                         : rgba8Unorm;
   table.width = cells;
   const std::uint32_t rows = axes > 1 ? cells : 1;
   const std::uint32_t slices = axes > 2 ? cells : 1;
@@ -119,11 +118,6 @@ NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
   for (std::size_t i = 0; i < n; ++i)
     map.covariance[i * n + i] = 0.01;
   auto& tiling = map.as<TilingMap>();
-  if (source.table == SyntheticTable::separable) {
-    // Rotated by a third of a turn about the grey axis, and partly out of gamut.
-    tiling.tableBasis = {0.577, 0.816, 0.0, 0.577, -0.408, 0.707, 0.577, -0.408, -0.707};
-    tiling.tableOffset = {-0.3, 0.1, 0.2};
-  }
   for (std::size_t k = 0; source.table != SyntheticTable::none && k < source.levels; ++k)
     tiling.levels.push_back(1.0 - std::pow(1.0 - double(k) / double(source.levels - 1), 2.0));
   for (std::uint32_t level = 0; level < mipLevels; ++level)

@@ -9,7 +9,7 @@
 
 namespace lichen::test {
 
-enum class SyntheticTable { joint, separable, none };
+enum class SyntheticTable { joint, none };
 
 struct SyntheticMap {
   int dimensions = 3; ///< D, 1 to 3; selects the map's target
@@ -17,7 +17,7 @@ struct SyntheticMap {
   std::uint32_t height = 64;
   bool eightBit = false; ///< 8-bit tables instead of 16-bit floats
   std::size_t levels = 4;
-  SyntheticTable table = SyntheticTable::joint; ///< separable when D is 3
+  SyntheticTable table = SyntheticTable::joint;
 };
 
 /// One noise with these maps and one material that uses it.

@@ -243,22 +243,6 @@ TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, dou
   return value;
 }
 
-TilingReference::Decoded TilingReference::fromTables(const Decoded& gaussian, double level,
-                                                     unsigned dimensions) const {
-  Decoded value{0.0, 0.0, 0.0, 1.0};
-  const std::size_t n = map_.channels.size();
-  for (std::size_t c = 0; c < n; ++c) {
-    value[c] = tiling_.tableOffset[c];
-    for (unsigned axis = 0; axis < dimensions; ++axis) {
-      const double u = uniformOf(gaussian[axis]) * table_.width;
-      value[c] += tiling_.tableBasis[c * dimensions + axis] *
-                  sampleClamp(table_, {u, level + 0.5, 0.5})[axis];
-    }
-    value[c] = std::clamp(value[c], 0.0, map_.encoding == ValueEncoding::log2 ? 65504.0 : 1.0);
-  }
-  return value;
-}
-
 TilingReference::Decoded TilingReference::withoutTable(const Decoded& gaussian, double lost) const {
   const std::size_t n = map_.channels.size();
   // [L_ij] with L L^T the covariance, by the formulas for two and three dimensions.
@@ -352,8 +336,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
       return withoutTable(gaussian, missing);
     for (double& value : gaussian)
       value = 0.5 + (value - 0.5) / std::sqrt(std::max(1.0, missing));
-    return tiling_.tableOffset.empty() ? fromTable(gaussian, level, m.dimensions)
-                                       : fromTables(gaussian, level, m.dimensions);
+    return fromTable(gaussian, level, m.dimensions);
   };
   if (m.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(n))
     // Step 8, with rotated tiles.

@@ -50,8 +50,6 @@ public:
 private:
   using Decoded = std::array<double, 4>;
   [[nodiscard]] Decoded fromTable(const Decoded& gaussian, double level, unsigned dimensions) const;
-  [[nodiscard]] Decoded fromTables(const Decoded& gaussian, double level,
-                                   unsigned dimensions) const;
   [[nodiscard]] Decoded withoutTable(const Decoded& gaussian, double lost) const;
 
   std::vector<Volume> levels_;

@@ -222,7 +222,6 @@ struct OnDevice {
 const std::vector<SyntheticMap> kMaps = {{3, 64, 64},
                                          {2, 64, 32, false, 3},
                                          {1, 48, 80, false, 6},
-                                         {3, 64, 64, false, 5, SyntheticTable::separable},
                                          {3, 64, 64, false, 0, SyntheticTable::none},
                                          {2, 64, 32, false, 0, SyntheticTable::none}};
 

@@ -74,9 +74,6 @@ TEST_CASE("only maps with a joint table are corrected, and only towards such map
   const std::span<const MapExemplar> alone(&maps[1], 1);
   TilingOptions options;
   CHECK(lastImage(maps, options) != lastImage(alone, options));
-  options.lut = LookupTable::separable; // for the colour map; a linear table has none
-  CHECK(lastImage(maps, options) == lastImage(alone, options));
-  options.lut = LookupTable::joint;
   options.gaussian = GaussianOnly::yes;
   CHECK(lastImage(maps, options) == lastImage(alone, options));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Maps without a table, and maps with one table per axis.
+// Maps without an inverse table.
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
@@ -14,9 +14,6 @@
 #include <exemplar/value_encoding.h>
 #include <gaussian/normality.h>
 #include <tiling/gaussian_image.h>
-#include <tiling/mip_chain.h>
-#include <tiling/prefilter.h>
-#include <tiling/separable.h>
 #include <transport/random.h>
 
 using namespace lichen;
@@ -199,137 +196,4 @@ TEST_CASE("a dimension with only the dither of a 16-bit file needs a table") {
   const Result<TilingBake> refused = bakeTiling("dithered", {&dithered, 1}, options);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().message.find("span less than 3 dimensions") != std::string::npos);
-}
-
-TEST_CASE("a separable table's slabs are the integrals of each axis, at the middles of its cells") {
-  const MapExemplar map = test::threeMaterials(96, 96, 8);
-  const SeparableFit fit = fitSeparable(map, true, gaussian::Precision::bits16, {});
-  REQUIRE(fit.dimensions() == 3);
-  exemplar::ChannelMatrix half(3, 3);
-  half << 0.7, 0.1, 0.0, 0.1, 0.5, 0.0, 0.0, 0.0, 0.3;
-  const std::vector<double> levels = tableLevels();
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const InverseTable& table = fit.tables[std::size_t(axis)];
-    const std::vector<InverseTable> slabs = prefilteredSlabsFor(table, [&] {
-      std::vector<exemplar::ChannelMatrix> losses;
-      for (const double level : levels)
-        losses.push_back(lossAt(level, {half}).block(axis, axis, 1, 1));
-      return losses;
-    }());
-    const auto [low, high] = std::minmax_element(table.values.begin(), table.values.end());
-    for (const std::size_t k : {std::size_t(1), std::size_t(2), std::size_t(5)}) {
-      const double lost = lossAt(levels[k], {half})(axis, axis);
-      for (const std::size_t cell : {std::size_t(3), std::size_t(100), std::size_t(128)}) {
-        constexpr int kSteps = 20000; // of e, over eight standard deviations in each direction
-        const double middle = gaussian::gaussianQuantile((double(cell) + 0.5) / 256.0);
-        double sum = 0.0, weights = 0.0;
-        for (int n = 0; n < kSteps; ++n) {
-          const double z = 16.0 * (n + 0.5) / kSteps - 8.0;
-          const double weight = std::exp(-0.5 * z * z);
-          const double place = std::clamp(
-              256.0 * gaussian::gaussianCdf(middle + std::sqrt(lost) * z / 6.0) - 0.5, 0.0, 255.0);
-          const auto below = std::min(std::size_t(place), std::size_t(254));
-          const double t = place - double(below);
-          sum += weight *
-                 ((1.0 - t) * double(table.values[below]) + t * double(table.values[below + 1]));
-          weights += weight;
-        }
-        // The slabs are sampled at 256 stratified positions.
-        CHECK(double(slabs[k].values[cell]) ==
-              Approx(sum / weights).margin(double(*high - *low) / 256.0));
-      }
-    }
-  }
-}
-
-TEST_CASE("every level of a separable table has the exemplar's mean and its axis' variance") {
-  const MapExemplar map = test::threeMaterials(96, 96, 8);
-  const SeparableFit fit = fitSeparable(map, true, gaussian::Precision::bits16, {});
-  const exemplar::Moments wanted = lightMoments(map);
-  CHECK((fit.offset - wanted.mean).norm() < 1e-6);
-  exemplar::ChannelMatrix variances = exemplar::ChannelMatrix::Zero(3, 3);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const exemplar::Moments found = interpolatedMoments(fit.tables[axis]);
-    CHECK(std::abs(found.mean[0]) < 1e-4);
-    variances(Eigen::Index(axis), Eigen::Index(axis)) = found.covariance(0, 0);
-  }
-  CHECK((fit.basis * variances * fit.basis.transpose() - wanted.covariance).norm() <
-        2e-3 * wanted.covariance.norm());
-  const Table image = gaussianTable(combinedImage(fit), 16);
-  const std::vector<exemplar::ChannelMatrix> lost = lostVariance(image);
-  const std::vector<InverseTable> slabs = separableSlabs(fit, 16, lost);
-  // Grain and patches: the axes lose differently. Each slab belongs to one axis and is moved by one
-  // number.
-  const exemplar::ChannelMatrix middle = lossAt(tableLevels()[3], lost);
-  CHECK(middle.diagonal().maxCoeff() - middle.diagonal().minCoeff() > 0.1);
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    CHECK(double(slabs.back().values[std::size_t(axis)]) == Approx(0.0).margin(1e-4));
-    std::vector<exemplar::ChannelMatrix> losses;
-    for (const double level : tableLevels())
-      losses.push_back(lossAt(level, lost).block(axis, axis, 1, 1));
-    const std::vector<InverseTable> own =
-        prefilteredSlabsFor(fit.tables[std::size_t(axis)], losses);
-    const double deviation = std::sqrt(variances(axis, axis));
-    const auto moved = [&](std::size_t cell) {
-      return double(slabs[3].values[3 * cell + std::size_t(axis)]) - double(own[3].values[cell]);
-    };
-    for (std::size_t cell = 32; cell < 224; ++cell)
-      CHECK(moved(cell) == Approx(moved(128)).margin(1e-3 * deviation));
-  }
-}
-
-TEST_CASE("a noise with a separable table has the exemplar's light, near and far", "[large]") {
-  const MapExemplar map = test::threeMaterials(128, 128, 11);
-  TilingOptions options;
-  options.lut = LookupTable::separable;
-  const Bundle bundle = bakedWith(map, options);
-  const NoiseMap& baked = bundle.noises[0].maps[0];
-  REQUIRE(baked.as<TilingMap>().tableBasis.size() == 9);
-  CHECK(bundle.tables[*baked.as<TilingMap>().inverseTable].texels.size() == 256 * kTableLevels * 8);
-  const exemplar::Moments wanted = lightMoments(map);
-  const exemplar::Moments near = synthesizedMoments(bundle, 1024);
-  // As for the joint table in tests/property/tiling_evaluate.cpp. Clamping values outside the gamut
-  // also moves a channel by some thousandths, because three colours are far from independent axes.
-  CHECK((near.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.012);
-  CHECK((near.covariance - wanted.covariance).norm() < 0.1 * wanted.covariance.norm());
-  const exemplar::Moments far = synthesizedMoments(bundle, 32, 0.05);
-  CHECK((far.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.004);
-}
-
-TEST_CASE("a colour with little variance gets a joint table although separable is requested") {
-  // Dark red and green vary by one code step. This is negligible beside full blue, whose code step
-  // is seventeen times the light.
-  constexpr int kSide = 64;
-  MapExemplar dark;
-  dark.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
-  dark.width = dark.height = kSide;
-  const auto code = [](int place) { return (place < kSide / 2 ? 21.0f : 20.0f) / 255.0f; };
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
-      dark.values.insert(dark.values.end(), {code(x), code(y), 1.0f});
-  REQUIRE(exemplar::colorSpaceOf(dark).dimensions() == 2);
-  TilingOptions options;
-  options.lut = LookupTable::separable;
-  options.gaussian = GaussianOnly::no;
-  CHECK(bakedWith(dark, options).noises[0].maps[0].as<TilingMap>().tableBasis.empty());
-}
-
-TEST_CASE("one-dimensional maps, slopes and light above 1 always have a joint table", "[large]") {
-  MapExemplar grey = test::threeMaterials(48, 48, 2);
-  for (std::size_t i = 0; i < grey.values.size(); ++i)
-    grey.values[i] = grey.values[i - i % 3];
-  MapExemplar slopes = test::threeMaterials(48, 48, 2);
-  slopes.target = MapTarget::normal;
-  slopes.channels = {MapChannel::slopeX, MapChannel::slopeY};
-  slopes.encoding = ValueEncoding::slope;
-  slopes.values.resize(2 * 48 * 48);
-  MapExemplar bright = test::threeMaterials(48, 48, 2);
-  bright.encoding = ValueEncoding::log2;
-  TilingOptions joint, separable;
-  separable.lut = LookupTable::separable;
-  for (const MapExemplar& map : {grey, slopes, bright}) {
-    const Bundle bundle = bakedWith(map, separable);
-    CHECK(bundle.noises[0].maps[0].as<TilingMap>().tableBasis.empty());
-    CHECK(bundle.tables[1].texels == bakedWith(map, joint).tables[1].texels);
-  }
 }

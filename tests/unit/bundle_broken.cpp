@@ -265,33 +265,6 @@ TEST_CASE("every contradiction between a map and its tables is found") {
        [](GlbParts& p) { p.map(1, 2)["inverseTable"] = 3; }},
       {"slopes in 8 bits", "map-inverse-table",
        [](GlbParts& p) { p.map(1, 1)["inverseTable"] = 3; }},
-      {"a basis without an offset", "map-table-basis",
-       [](GlbParts& p) { p.map(1, 4).erase("tableOffset"); }},
-      {"an offset without a basis", "map-table-basis",
-       [](GlbParts& p) { p.map(1, 4).erase("tableBasis"); }},
-      {"a short basis", "map-table-basis", [](GlbParts& p) { p.map(1, 4)["tableBasis"].erase(8); }},
-      {"a short offset", "map-table-basis",
-       [](GlbParts& p) { p.map(1, 4)["tableOffset"].erase(2); }},
-      {"a basis of slopes", "map-table-basis",
-       [](GlbParts& p) {
-         p.map(1, 1)["tableBasis"] = {1, 0, 0, 1};
-         p.map(1, 1)["tableOffset"] = {0, 0};
-       }},
-      {"a basis of one dimension", "map-table-basis",
-       [](GlbParts& p) {
-         p.map(1, 2)["tableBasis"] = {1, 1, 1};
-         p.map(1, 2)["tableOffset"] = {0, 0, 0};
-       }},
-      {"a basis without a table", "map-table-basis",
-       [](GlbParts& p) {
-         p.map(1, 4).erase("inverseTable");
-         p.map(1, 4).erase("levels");
-       }},
-      {"a separable table of eight bits", "map-inverse-table",
-       [](GlbParts& p) {
-         p.map(1, 0)["tableBasis"] = p.map(1, 4)["tableBasis"];
-         p.map(1, 0)["tableOffset"] = p.map(1, 4)["tableOffset"];
-       }},
       {"a singular covariance without a table", "map-covariance",
        [](GlbParts& p) { p.map(1, 3)["covariance"] = {0.0}; }},
       {"other levels than slabs", "map-inverse-table",

@@ -326,12 +326,10 @@ BundleFile everyMap() {
 
   NoiseMap glow = makeMap(MapTarget::emissive, {red, green, blue}, ValueEncoding::srgb, 3);
   glow.as<TilingMap>().gaussian =
-      addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 4, 4, 0, 3));
+      addTable(bundle, patternTable("", TexelFormat::r8Unorm, 4, 4, 0, 3));
   glow.as<TilingMap>().inverseTable =
       addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 2, 0, 1));
   glow.as<TilingMap>().levels = levels(2);
-  glow.as<TilingMap>().tableBasis = {0.5, 0.5, 0.0, 0.5, -0.25, 0.25, 0.5, -0.25, -0.25};
-  glow.as<TilingMap>().tableOffset = {0.0, 0.125, 0.25};
   noise.maps.push_back(std::move(glow));
 
   bundle.noises.push_back(std::move(noise));

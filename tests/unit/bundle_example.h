@@ -23,7 +23,7 @@ namespace lichen::example {
 
 /// Two noises and a preview scene. The first noise is the smallest; the second has base colour (D =
 /// 3), normal (D = 2), occlusion-roughness-metallic (D = 1), opacity (without an inverse table) and
-/// emissive (a separable table).
+/// emissive (grey, D = 1).
 [[nodiscard]] BundleFile everyMap();
 
 /// One height map as a texton: 8 x 8 coefficients, half a sine period along each axis, in 10 x 10

@@ -290,8 +290,6 @@ TEST_CASE("a map without an inverse table has a placeholder of two texels at its
   CHECK(image.byteCount == 2);
   REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
   CHECK(map.tableKind == LICHEN_TABLE_JOINT);
-  REQUIRE(lichenGetMapProperties(bundle.handle, 1, 4, &map) == LICHEN_SUCCESS);
-  CHECK(map.tableKind == LICHEN_TABLE_SEPARABLE);
 }
 
 TEST_CASE(

@@ -129,18 +129,11 @@ bool isVolume(const Table& table) { return table.depth > 0; }
 
 /// Maximum texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane:
 /// three taps, plus the inverse table. A 3-D table needs two fetches, for the two slabs around the
-/// lost variance; a 2-D table needs one, which filters between them; a separable table needs one
-/// per axis.
+/// lost variance; a 2-D table needs one, which filters between them.
 int fetchesOfTiling(const TilingMap& map, const std::vector<Table>& tables) {
   constexpr int kTaps = 3;
-  switch (tableKindOf(map)) {
-  case TableKind::none:
+  if (tableKindOf(map) == TableKind::none)
     return kTaps;
-  case TableKind::separable:
-    return kTaps + int(map.tableBasis.size() / map.tableOffset.size());
-  case TableKind::joint:
-    break;
-  }
   return kTaps + (isVolume(tables[*map.inverseTable]) ? 2 : 1);
 }
 
@@ -152,9 +145,7 @@ std::string inverseTableOf(const TilingMap& map, const std::vector<Table>& table
   const Table& table = tables[*map.inverseTable];
   const std::size_t levels = map.levels.size();
   std::string cells = std::to_string(table.width);
-  if (kind == TableKind::separable)
-    cells = fmt::format("{} x {}", map.tableBasis.size() / map.tableOffset.size(), cells);
-  else if (isVolume(table))
+  if (isVolume(table))
     cells += fmt::format(" x {} x {}", table.height, table.depth / levels);
   else if (table.height > levels)
     cells += fmt::format(" x {}", table.height / levels);
@@ -171,11 +162,6 @@ std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb)
                                          {"default", TransportEffort::standard}};
   addValue(verb, "--transport", tiling.transport, oneOf(efforts), "default",
            "Quality of the colour matching (optimal transport)")
-      .group(kHeading);
-  const Choices<LookupTable> luts{{"joint", LookupTable::joint},
-                                  {"separable", LookupTable::separable}};
-  addValue(verb, "--lut", tiling.lut, oneOf(luts), "joint",
-           "Inverse table: joint over all colours, or separable, a small one per colour axis")
       .group(kHeading);
   const Choices<GaussianOnly> gaussian{
       {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};

@@ -20,13 +20,6 @@ enum class GaussianOnly {
   no
 };
 
-/// How Gaussian values decode to a map's own values.
-enum class LookupTable {
-  joint,     ///< one table over all dimensions: preserves the exemplar's histogram
-  separable, ///< a small table per principal axis of colour; slopes and one-dimensional maps still
-             ///< get a joint one
-};
-
 /// How close to the optimum the optimal transport gets: its largest cost above the optimum,
 /// measured on the exemplars of docs/decisions/008-multiscale-transport.md.
 enum class TransportEffort {
@@ -39,7 +32,6 @@ struct TilingOptions {
   int bits = 8; ///< 8 or 16 per channel of the tables
   TransportEffort transport = TransportEffort::standard;
   GaussianOnly gaussian = GaussianOnly::detect;
-  LookupTable lut = LookupTable::joint;
   Progress progress; ///< empty: no reports
 };
 

@@ -67,7 +67,6 @@ private:
                                      const TileFootprint& at, const Value& gaussian);
   [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
   [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float level);
-  [[nodiscard]] static Value decodeSeparable(const Map& map, const Value& gaussian, float level);
   [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost,
                                     float contrast);
 

@@ -67,25 +67,7 @@ Result<Json> gaussianPicture(const Table& table, int side) {
   return pictureJson(twoAsRedGreen(std::move(image)));
 }
 
-/// All slabs of a separable table, one below the other. Each has a row per axis, with the colours
-/// that the axis's values give while the other axes are at their mean.
-LinearImage axesPicture(const Table& table, const TilingMap& map, std::size_t channels) {
-  const std::vector<float> texels = decodeLevel(table, 0);
-  const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t axes = map.tableBasis.size() / channels;
-  LinearImage image(int(table.width), int(table.height * axes), int(channels));
-  for (std::size_t slab = 0; slab < table.height; ++slab)
-    for (std::size_t axis = 0; axis < axes; ++axis)
-      for (std::size_t x = 0; x < table.width; ++x)
-        for (std::size_t c = 0; c < channels; ++c)
-          image.pixel(int(x), int(slab * axes + axis))[c] =
-              std::max(0.0f, float(map.tableOffset[c] +
-                                   map.tableBasis[c * axes + axis] *
-                                       double(texels[(slab * table.width + x) * stored + axis])));
-  return image;
-}
-
-/// All slabs of a joint table, one below the other. The slices of a slab are side by side.
+/// All slabs of an inverse table, one below the other. The slices of a slab are side by side.
 LinearImage slicesPicture(const Table& table, std::size_t channels, std::size_t slices) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
@@ -146,11 +128,8 @@ Result<Json> TilingReport::table(const Bundle& bundle, const NoiseMap& map,
   if (!tiling.inverseTable)
     return Json();
   const Table& table = bundle.tables[*tiling.inverseTable];
-  const std::size_t channels = map.channels.size();
   const std::size_t slices = table.depth > 0 ? table.depth / tiling.levels.size() : 1;
-  Result<Json> shown = pictureJson(look.picture(tableKindOf(tiling) == TableKind::joint
-                                                    ? slicesPicture(table, channels, slices)
-                                                    : axesPicture(table, tiling, channels)));
+  Result<Json> shown = pictureJson(look.picture(slicesPicture(table, map.channels.size(), slices)));
   if (!shown)
     return shown;
   return Json{{"picture", std::move(shown).value()}, {"slices", slices}, {"levels", tiling.levels}};

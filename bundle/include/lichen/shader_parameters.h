@@ -28,10 +28,6 @@ namespace lichen {
 [[nodiscard]] std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
                                                    const std::array<float, 3>& gaussian,
                                                    const std::array<float, 3>& lostVariance);
-/// The twin of lichenDecodeRows, with the clamping of lichenDecodeSeparable: the values `along`
-/// from the tables of a map with LICHEN_DECODING_SEPARABLE -> the decoded value.
-[[nodiscard]] std::array<float, 4> decodedSeparable(const shader::LichenMap& map,
-                                                    const std::array<float, 3>& along);
 
 /// Settings that place a material's noise on a surface.
 struct Placement {

@@ -27,11 +27,6 @@ struct TilingMap {
   std::size_t gaussian = 0;                ///< index into Bundle::tables
   std::optional<std::size_t> inverseTable; ///< absent if the exemplar is already Gaussian
   std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
-  /// For a separable table: decoded = tableOffset + tableBasis t, where t has one value per axis.
-  /// tableBasis has n x D values, row-major, and tableOffset n, for n map channels. Both are empty
-  /// for a joint table or none.
-  std::vector<double> tableBasis;
-  std::vector<double> tableOffset;
   /// The lost variance of each mip level of the Gaussian image, as a share of the full variance,
   /// averaged over the channels. Values are in [0, 1], start at 0 and never decrease.
   std::vector<double> mipLoss;
@@ -47,11 +42,11 @@ struct TilingMap {
   [[nodiscard]] bool operator==(const TilingMap&) const = default;
 };
 
-/// How Gaussian values are decoded: by one table over all dimensions, by one table per dimension,
-/// or by the affine map from the mean and covariance.
-enum class TableKind { joint, separable, none };
+/// How Gaussian values are decoded: by one table over all dimensions, or by the affine map from the
+/// mean and covariance.
+enum class TableKind { joint, none };
 [[nodiscard]] TableKind tableKindOf(const TilingMap& map);
-/// "joint", "separable" or "none".
+/// "joint" or "none".
 [[nodiscard]] std::string_view nameOf(TableKind kind);
 
 } // namespace lichen

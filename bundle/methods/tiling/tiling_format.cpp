@@ -27,10 +27,6 @@ void TilingFormat::writeMap(const NoiseMap& map, Json& json) const {
   if (tiling.inverseTable) {
     json["inverseTable"] = *tiling.inverseTable;
     json["levels"] = tiling.levels;
-    if (!tiling.tableOffset.empty()) {
-      json["tableBasis"] = tiling.tableBasis;
-      json["tableOffset"] = tiling.tableOffset;
-    }
   }
   json["mipLoss"] = tiling.mipLoss;
 }
@@ -52,13 +48,11 @@ std::array<std::uint32_t, 2> TilingFormat::tileSize(const Bundle& bundle,
 }
 
 TableKind tableKindOf(const TilingMap& map) {
-  if (!map.inverseTable)
-    return TableKind::none;
-  return map.tableOffset.empty() ? TableKind::joint : TableKind::separable;
+  return map.inverseTable ? TableKind::joint : TableKind::none;
 }
 
 std::string_view nameOf(TableKind kind) {
-  constexpr std::array<std::string_view, 3> kNames = {"joint", "separable", "none"};
+  constexpr std::array<std::string_view, 2> kNames = {"joint", "none"};
   return kNames[std::size_t(kind)];
 }
 

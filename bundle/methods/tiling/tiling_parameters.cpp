@@ -27,10 +27,6 @@ std::vector<double> gaussianToStored(const std::vector<double>& covariance, std:
   return factor;
 }
 
-float dotRow(const shader::vec4& row, const std::array<float, 3>& v) {
-  return row.x * v[0] + row.y * v[1] + row.z * v[2];
-}
-
 /// Sets the mean of the decoded values, from the last slab of the inverse table, which is constant.
 void setTableMean(const TilingMap& map, const Bundle& bundle, shader::LichenMap& constants) {
   const Table& table = bundle.tables[*map.inverseTable];
@@ -39,8 +35,6 @@ void setTableMean(const TilingMap& map, const Bundle& bundle, shader::LichenMap&
   std::array<float, 4> mean{0.0f, 0.0f, 0.0f, 1.0f};
   std::copy_n(texels.end() - std::ptrdiff_t(channels), std::min<std::size_t>(channels, 3),
               mean.begin());
-  if (tableKindOf(map) == TableKind::separable)
-    mean = decodedSeparable(constants, {mean[0], mean[1], mean[2]});
   constants.mean = {mean[0], mean[1], mean[2], mean[3]};
 }
 
@@ -67,15 +61,6 @@ void setTileOffsets(shader::LichenNoise& result, const std::array<std::uint32_t,
 
 } // namespace
 
-std::array<float, 4> decodedSeparable(const shader::LichenMap& map,
-                                      const std::array<float, 3>& along) {
-  const float most = map.encoding == LICHEN_ENCODING_LOG2 ? kHalfMax : 1.0f;
-  const auto clamped = [&](const shader::vec4& row) {
-    return std::clamp(dotRow(row, along) + row.w, 0.0f, most);
-  };
-  return {clamped(map.row0), clamped(map.row1), clamped(map.row2), 1.0f};
-}
-
 Lattice TilingFormat::cells(const Noise&, const MaterialNoise&, const Placement& placement) const {
   return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY)
                             : Lattice{};
@@ -93,16 +78,11 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
   constants.mipKept0 = keptAmplitudes(tiling.mipLoss);
   constants.alignedMips = alignedMips(tileSize(bundle, noise), image);
   constants.tableLevels = shader::uint(tiling.levels.size());
-  const TableKind kind = tableKindOf(tiling);
-  if (kind == TableKind::none) {
+  if (tableKindOf(tiling) == TableKind::none) {
     const std::size_t n = map.mean.size();
     constants.decoding = LICHEN_DECODING_GAUSSIAN;
     setRows(constants, gaussianToStored(map.covariance, n), n, map.mean);
     return setGaussianMean(constants);
-  }
-  if (kind == TableKind::separable) {
-    constants.decoding = LICHEN_DECODING_SEPARABLE;
-    setRows(constants, tiling.tableBasis, constants.dimensions, tiling.tableOffset);
   }
   setTableMean(tiling, bundle, constants);
 }

@@ -18,37 +18,6 @@ using nlohmann::json;
 constexpr std::size_t kMaxTableLevels = 64;
 constexpr double kLevelTolerance = 1e-6;
 
-/// Reads the affine map of a separable table.
-void readTableBasis(ObjectReader& reader, const NoiseMap& map, const Table* gaussian,
-                    TilingMap& tiling) {
-  constexpr NumberRange kBasisRange{-1e6, 1e6};
-  const bool hasBasis = reader.has("tableBasis");
-  if (hasBasis != reader.has("tableOffset"))
-    return reader.error("map-table-basis", hasBasis ? "tableBasis" : "tableOffset",
-                        "present alone; give both tableBasis and tableOffset, or neither");
-  if (!hasBasis)
-    return;
-  const auto basis = reader.numbers("tableBasis", kBasisRange);
-  const auto offset = reader.numbers("tableOffset", kBasisRange);
-  const std::size_t n = map.channels.size();
-  if (!basis || !offset || gaussian == nullptr || n == 0)
-    return;
-  const std::size_t dimensions = usedChannels(gaussian->format);
-  if (map.encoding == ValueEncoding::slope || dimensions < 2)
-    return reader.error("map-table-basis", "tableBasis",
-                        "present for slopes or for one dimension, whose tables are joint");
-  if (basis->size() != n * dimensions)
-    return reader.error("map-table-basis", "tableBasis",
-                        counted(basis->size(), "value") + "; expected " +
-                            std::to_string(n * dimensions) + ", one per channel and dimension");
-  if (offset->size() != n)
-    return reader.error("map-table-basis", "tableOffset",
-                        counted(offset->size(), "value") + "; expected " + std::to_string(n) +
-                            ", one per channel");
-  tiling.tableBasis = *basis;
-  tiling.tableOffset = *offset;
-}
-
 void checkGaussian(ObjectReader& reader, const NoiseMap& map, const TilingMap& tiling,
                    const Table& image) {
   const auto fullChain = std::uint32_t(std::bit_width(std::max(image.width, image.height)));
@@ -82,19 +51,13 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const TilingMa
     return reader.error("map-inverse-table", "inverseTable",
                         std::to_string(table.mipLevels) + " mip levels; expected 1");
   const bool isSlope = map.encoding == ValueEncoding::slope;
-  const bool isSeparable = tableKindOf(tiling) == TableKind::separable;
-  const std::size_t needed = isSeparable
-                                 ? (gaussian == nullptr ? 0 : usedChannels(gaussian->format))
-                                 : map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
+  const std::size_t needed = map.channels.size() + (isSlope ? 1 : 0); // the slopes' variance
   if (usedChannels(table.format) < needed)
     return reader.error("map-inverse-table", "inverseTable",
                         counted(std::uint64_t(channelCount(table.format)), "channel") +
                             "; expected at least " + std::to_string(needed));
   const bool isUnorm = texelBytes(table.format) == std::size_t(channelCount(table.format));
   const bool isColor = map.encoding == ValueEncoding::srgb || map.encoding == ValueEncoding::linear;
-  if (isUnorm && isSeparable)
-    return reader.error("map-inverse-table", "inverseTable",
-                        "8-bit texels with a tableBasis; expected a float format");
   if (isUnorm && !isColor)
     return reader.error("map-inverse-table", "inverseTable",
                         "8-bit texels for the encoding " + std::string(nameOf(map.encoding)) +
@@ -107,7 +70,7 @@ void checkInverseTable(ObjectReader& reader, const NoiseMap& map, const TilingMa
   };
   const std::array<Shape, 3> shapes = {
       {{256, slabs, 0}, {64, 64 * slabs, 0}, {32, 32, 32 * slabs}}};
-  const Shape& shape = shapes[isSeparable ? 0 : usedChannels(gaussian->format) - 1];
+  const Shape& shape = shapes[usedChannels(gaussian->format) - 1];
   if (table.width != shape.width || table.height != shape.height || table.depth != shape.depth)
     reader.error("map-inverse-table", "inverseTable",
                  shapeOf(table) + " texels; expected " + std::to_string(shape.width) + " x " +
@@ -147,7 +110,6 @@ MethodMap TilingFormat::readMap(ObjectReader& reader, const Noise&, const NoiseM
   if (reader.has("inverseTable")) {
     std::size_t index = 0;
     readLevels(reader, tiling);
-    readTableBasis(reader, map, gaussian, tiling);
     const Table* table =
         readTableIndex(reader, "inverseTable", "map-inverse-table-index", tables, index);
     tiling.inverseTable = index;
@@ -155,8 +117,6 @@ MethodMap TilingFormat::readMap(ObjectReader& reader, const Noise&, const NoiseM
       checkInverseTable(reader, map, tiling, *table, gaussian);
   } else if (reader.optional("levels") != nullptr) {
     reader.error("map-levels", "levels", "present although there is no inverseTable");
-  } else if (reader.has("tableBasis") || reader.has("tableOffset")) {
-    reader.error("map-table-basis", "tableBasis", "present although there is no inverseTable");
   } else if (const std::size_t n = map.channels.size();
              n != 0 && map.covariance.size() == n * n &&
              !hasEigenvaluesFrom(map.covariance, n, kCovarianceTolerance)) {

@@ -194,12 +194,11 @@ typedef enum LichenChannel {
 } LichenChannel;
 
 /* How a map's Gaussian values become its own, none for all of texton noise. Of tiling:
- * LICHEN_JOINT_TABLES, LICHEN_SEPARABLE_TABLES and LICHEN_GAUSSIAN_ONLY of the shader library may
- * be 0 where no map has that kind. */
+ * LICHEN_JOINT_TABLES and LICHEN_GAUSSIAN_ONLY of the shader library may be 0 where no map has that
+ * kind. */
 typedef enum LichenTableKind {
   LICHEN_TABLE_JOINT = 0,
-  LICHEN_TABLE_SEPARABLE = 1,
-  LICHEN_TABLE_NONE = 2,
+  LICHEN_TABLE_NONE = 1,
   LICHEN_TABLE_KIND_MAX_ENUM = 0x7FFFFFFF
 } LichenTableKind;
 

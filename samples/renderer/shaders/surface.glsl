@@ -5,8 +5,8 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-// Whether any noise of the scene has a separable table, or none; whether any is a tiling noise.
-layout(constant_id = 3) const bool kOtherTables = true;
+// Whether any map of a tiling noise has no table; whether any noise is a tiling noise.
+layout(constant_id = 3) const bool kGaussianOnly = true;
 layout(constant_id = 4) const bool kTilingNoises = true;
 layout(constant_id = 5) const bool kMixedTextons = true; // whether any is a mix
 layout(constant_id = 6) const bool kTriplanar = true; // whether any uses triplanar mapping
@@ -20,8 +20,7 @@ layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates 
 #endif
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_TILE_ROTATION kTileRotation
-#define LICHEN_SEPARABLE_TABLES kOtherTables
-#define LICHEN_GAUSSIAN_ONLY kOtherTables
+#define LICHEN_GAUSSIAN_ONLY kGaussianOnly
 #include "lichen.glsl"
 #include "scene_interface.h"
 
