@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "checkout_paths.h"
 #include "exemplars.h"
+
+#include "checkout_paths.h"
 
 #include <lichen/image_io.h>
 #include <lichen/texton.h>
