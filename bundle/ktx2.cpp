@@ -52,10 +52,9 @@ struct FormatEntry {
   std::uint32_t typeSize; ///< bytes per component
   bool isFloat;
 };
-constexpr std::array<FormatEntry, 9> kFormats = {{{TexelFormat::r8Unorm, 9, 1, false},
+constexpr std::array<FormatEntry, 8> kFormats = {{{TexelFormat::r8Unorm, 9, 1, false},
                                                   {TexelFormat::rg8Unorm, 16, 1, false},
                                                   {TexelFormat::rgba8Unorm, 37, 1, false},
-                                                  {TexelFormat::rgba8Srgb, 43, 1, false},
                                                   {TexelFormat::r16Sfloat, 76, 2, true},
                                                   {TexelFormat::rg16Sfloat, 83, 2, true},
                                                   {TexelFormat::rgba16Sfloat, 97, 2, true},
@@ -92,20 +91,16 @@ std::vector<std::uint32_t> describeFormat(TexelFormat format) {
   constexpr std::uint32_t kModelRgbsda = 1;
   constexpr std::uint32_t kPrimariesBt709 = 1;
   constexpr std::uint32_t kTransferLinear = 1;
-  constexpr std::uint32_t kTransferSrgb = 2;
   constexpr std::uint32_t kChannelAlpha = 15;
-  constexpr std::uint32_t kQualifierLinear = 0x10;
   constexpr std::uint32_t kQualifierSigned = 0x40;
   constexpr std::uint32_t kQualifierFloat = 0x80;
   const FormatEntry& entry = entryOf(format);
-  const bool srgb = format == TexelFormat::rgba8Srgb;
   const auto channels = std::uint32_t(channelCount(format));
   const std::uint32_t blockBytes = 24 + 16 * channels;
   std::vector<std::uint32_t> words = {blockBytes + 4, // total size, with this word
                                       0,              // Khronos, basic format
                                       kVersion1_3 | blockBytes << 16u,
-                                      kModelRgbsda | kPrimariesBt709 << 8u |
-                                          (srgb ? kTransferSrgb : kTransferLinear) << 16u,
+                                      kModelRgbsda | kPrimariesBt709 << 8u | kTransferLinear << 16u,
                                       0, // texel block of 1 x 1 x 1 x 1
                                       std::uint32_t(texelBytes(format)), // bytes of plane 0
                                       0};
@@ -115,8 +110,6 @@ std::vector<std::uint32_t> describeFormat(TexelFormat format) {
     std::uint32_t type = alpha ? kChannelAlpha : channel;
     if (entry.isFloat)
       type |= kQualifierFloat | kQualifierSigned;
-    else if (srgb && alpha)
-      type |= kQualifierLinear;
     words.push_back(channel * bits | (bits - 1) << 16u | type << 24u);
     words.push_back(0); // sample position
     // The values of black and white: the full range of UNORM, -1 to 1 for floats.
@@ -152,8 +145,8 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
   });
   if (format == kFormats.end())
     return refusal(name, "vkFormat " + std::to_string(header.vkFormat) +
-                             "; expected 9, 16, 37, 43, 76, 83, 97, 100 or 109 (R8, RG8, RGBA8, "
-                             "RGBA8 SRGB, R16F, RG16F, RGBA16F, R32F or RGBA32F)");
+                             "; expected 9, 16, 37, 76, 83, 97, 100 or 109 (R8, RG8, RGBA8, "
+                             "R16F, RG16F, RGBA16F, R32F or RGBA32F)");
   if (header.typeSize != format->typeSize)
     return refusal(name, "typeSize " + std::to_string(header.typeSize) + "; vkFormat " +
                              std::to_string(header.vkFormat) + " has " +
@@ -169,10 +162,8 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
     return refusal(name, counted(header.layerCount, "layer") + " and " +
                              counted(header.faceCount, "face") +
                              "; expected a single 2-D or 3-D image (0 and 1)");
-  const auto mostLevels =
-      header.pixelDepth > 0
-          ? 1
-          : std::uint32_t(std::bit_width(std::max(header.pixelWidth, header.pixelHeight)));
+  const auto mostLevels = std::uint32_t(
+      std::bit_width(std::max({header.pixelWidth, header.pixelHeight, header.pixelDepth})));
   if (header.levelCount == 0 || header.levelCount > mostLevels)
     return refusal(name, std::to_string(header.levelCount) + " mip levels; expected 1 to " +
                              std::to_string(mostLevels) + " for this size");

@@ -6,13 +6,6 @@
 #include <cmath>
 
 namespace lichen {
-namespace {
-
-/// 2 sqrt(3) minus its nearest double, kLatticeColumnsPerTile.
-constexpr double kColumnsRemainder = 2.0070168443613806e-16;
-
-} // namespace
-
 Lattice periodicLattice(double widthTiles, double heightTiles) {
   constexpr int kFewestColumns = 3; // with fewer, a vertex is its own neighbour
   constexpr int kFewestRows = 4;
@@ -26,24 +19,11 @@ Lattice periodicLattice(double widthTiles, double heightTiles) {
   return lattice;
 }
 
-LatticeOrigin latticeOrigin(std::int64_t tileX, std::int64_t tileY) {
-  // j = 4 y is an integer; i = 2 sqrt(3) x - j / 2, where j / 2 = 2 y is an integer too. Two
-  // doubles hold the product with x; one alone is off by 5e-4 cells at 2^40 tiles.
-  const auto x = double(tileX);
-  const double columns = x * kLatticeColumnsPerTile;
-  const double rest = std::fma(x, kLatticeColumnsPerTile, -columns) + x * kColumnsRemainder;
-  double column = std::floor(columns);
-  double fraction = columns - column + rest;
-  column += std::floor(fraction);
-  fraction -= std::floor(fraction);
-
-  LatticeOrigin origin;
-  const auto whole = std::uint64_t(std::int64_t(column));
-  origin.cell[0] = std::int32_t(std::uint32_t(whole - 2u * std::uint64_t(tileY)));
-  origin.cell[1] = std::int32_t(std::uint32_t(4u * std::uint64_t(tileY)));
-  // A fraction just below 1 must not round up to 1 in float, because cells are half-open.
-  origin.fraction[0] = std::min(float(fraction), std::nextafter(1.0f, 0.0f));
-  return origin;
+std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY) {
+  // I = 7/2 x - J / 2 and J = 4 y, modulo 2^32.
+  const auto halfX = std::uint64_t(tileX / 2);
+  const auto y = std::uint64_t(tileY);
+  return {std::int32_t(std::uint32_t(7u * halfX - 2u * y)), std::int32_t(std::uint32_t(4u * y))};
 }
 
 } // namespace lichen

@@ -14,7 +14,8 @@ constexpr std::array<std::string_view, 6> kTargetNames = {
 constexpr std::array<std::string_view, 10> kChannelNames = {
     "red",       "green",     "blue",     "slopeX", "slopeY",
     "occlusion", "roughness", "metallic", "height", "opacity"};
-constexpr std::array<std::string_view, 4> kEncodingNames = {"srgb", "linear", "slope", "log2"};
+constexpr std::array<std::string_view, 5> kEncodingNames = {"root", "linear", "slope", "log2",
+                                                            "srgb"};
 constexpr std::array<std::string_view, 4> kMappingNames = {"uv", "triplanar", "surface", "solid"};
 constexpr std::array<std::string_view, 2> kSpaceNames = {"world", "object"};
 constexpr std::array<std::string_view, 2> kPointProcessNames = {"stratified", "poisson"};
@@ -47,7 +48,8 @@ std::optional<MapChannel> mapChannelFrom(std::string_view name) {
   return find<MapChannel>(kChannelNames, name);
 }
 std::optional<ValueEncoding> valueEncodingFrom(std::string_view name) {
-  return find<ValueEncoding>(kEncodingNames, name);
+  const std::optional<ValueEncoding> found = find<ValueEncoding>(kEncodingNames, name);
+  return found == ValueEncoding::srgb ? std::nullopt : found;
 }
 std::optional<Mapping> mappingFrom(std::string_view name) {
   return find<Mapping>(kMappingNames, name);

@@ -14,8 +14,9 @@ namespace {
 
 shader::uint encodingOf(ValueEncoding encoding) {
   switch (encoding) {
-  case ValueEncoding::srgb:
-    return LICHEN_ENCODING_SRGB;
+  case ValueEncoding::root:
+  case ValueEncoding::srgb: // never in a bundle
+    return LICHEN_ENCODING_ROOT;
   case ValueEncoding::linear:
     return LICHEN_ENCODING_LINEAR;
   case ValueEncoding::slope:
@@ -23,33 +24,31 @@ shader::uint encodingOf(ValueEncoding encoding) {
   case ValueEncoding::log2:
     return LICHEN_ENCODING_LOG2;
   }
-  return LICHEN_ENCODING_SRGB;
+  return LICHEN_ENCODING_ROOT;
 }
 
-/// The integer part of an offset in tiles; on a periodic lattice, its whole periods.
-double wholePart(double offset, bool periodic, double periodTiles) {
-  return periodic ? std::floor(offset / periodTiles) * periodTiles : std::floor(offset);
+/// A place [tiles] as a multiple of `step` tiles, which is a corner of cells, and the rest.
+struct SplitOrigin {
+  std::int64_t tile;
+  float offset;
+};
+SplitOrigin splitOrigin(std::int64_t origin, double offset, std::int64_t step) {
+  const double whole = std::floor(offset);
+  const std::int64_t tile = origin + std::int64_t(whole);
+  const std::int64_t rest = (tile % step + step) % step;
+  return {tile - rest, float(offset - whole + double(rest))};
 }
 
-/// A tile origin modulo the period, in [0, period). If the origin is not 0, the period is a whole
-/// number.
-double reduced(std::int64_t origin, double period) {
-  if (origin == 0)
-    return 0.0;
-  const auto whole = std::int64_t(period);
-  return double(((origin % whole) + whole) % whole);
+/// How many tiles hold a whole number of columns: two of 3.5.
+std::int64_t tilesOfColumns(const Lattice& lattice) {
+  return lattice.columnsPerTile == std::floor(lattice.columnsPerTile) ? 1 : 2;
 }
 
-/// The position of a tile origin in a periodic lattice.
-LatticeOrigin periodicOrigin(const Lattice& lattice, bool isSkewed, const Placement& placement) {
-  const double row = reduced(placement.tileOriginY, placement.periodTilesY) * lattice.rowsPerTile;
-  const double column =
-      reduced(placement.tileOriginX, placement.periodTilesX) * lattice.columnsPerTile -
-      (isSkewed ? 0.5 * row : 0.0);
-  const float belowOne = std::nextafter(1.0f, 0.0f); // cells are half-open
-  return {{int(std::floor(column)), int(std::floor(row))},
-          {std::min(float(column - std::floor(column)), belowOne),
-           std::min(float(row - std::floor(row)), belowOne)}};
+/// A place reduced to one period. [tiles] Unless the origin is 0, the period is a whole number.
+float withinPeriod(double offset, std::int64_t origin, double periodTiles) {
+  const std::int64_t rest = origin == 0 ? 0 : origin % std::int64_t(periodTiles);
+  const double place = offset + double(rest);
+  return float(place - std::floor(place / periodTiles) * periodTiles);
 }
 
 /// Sets the method's cells, and the position of the tile origin in them.
@@ -65,19 +64,21 @@ void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoi
   result.periodTilesY = float(placement.periodTilesY);
   // Moves whole tiles or periods of the offset to the origin, where they are exact, so that floats
   // hold only the rest.
-  const double wholeX = wholePart(material.offset[0], placement.periodic, placement.periodTilesX);
-  const double wholeY = wholePart(material.offset[1], placement.periodic, placement.periodTilesY);
-  result.offsetX = float(material.offset[0] - wholeX);
-  result.offsetY = float(material.offset[1] - wholeY);
-  const std::int64_t tileX = placement.tileOriginX + std::int64_t(wholeX);
-  const std::int64_t tileY = placement.tileOriginY + std::int64_t(wholeY);
-  const LatticeOrigin origin = placement.periodic
-                                   ? periodicOrigin(lattice, format.hasSkewedRows(), placement)
-                                   : format.cellOf(lattice, tileX, tileY);
-  result.cellI = origin.cell[0];
-  result.cellJ = origin.cell[1];
-  result.fractionI = origin.fraction[0];
-  result.fractionJ = origin.fraction[1];
+  if (placement.periodic) {
+    result.offsetX =
+        withinPeriod(material.offset[0], placement.tileOriginX, placement.periodTilesX);
+    result.offsetY =
+        withinPeriod(material.offset[1], placement.tileOriginY, placement.periodTilesY);
+    return;
+  }
+  const SplitOrigin x =
+      splitOrigin(placement.tileOriginX, material.offset[0], tilesOfColumns(lattice));
+  const SplitOrigin y = splitOrigin(placement.tileOriginY, material.offset[1], 1);
+  result.offsetX = x.offset;
+  result.offsetY = y.offset;
+  const std::array<std::int32_t, 2> cell = format.cellOf(lattice, x.tile, y.tile);
+  result.cellI = cell[0];
+  result.cellJ = cell[1];
 }
 
 /// A 3-D origin in tiles -> its coordinates to the right and down in the plane perpendicular to an
@@ -109,22 +110,16 @@ void setPlanes(shader::LichenNoise& result, const Bundle& bundle, const Noise& n
     const auto [right, down] = ontoPlane(placement, axis);
     const std::array<double, 2> origin{cosine * right + sine * down,
                                        aspect * (cosine * down - sine * right)};
-    std::array<std::int64_t, 2> tile{};
-    std::array<float, 2> rest{};
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double offset = origin[k] - std::floor(origin[k]) + material.offset[k];
-      tile[k] = std::int64_t(std::floor(origin[k])) + std::int64_t(std::floor(offset));
-      rest[k] = float(offset - std::floor(offset));
-    }
-    const LatticeOrigin at = format.cellOf(lattice, tile[0], tile[1]);
-    *planes[axis] = {at.cell[0],
-                     at.cell[1],
-                     at.fraction[0],
-                     at.fraction[1],
-                     rest[0],
-                     rest[1],
-                     latticeSeed(material.seed, std::uint32_t(axis)),
-                     0};
+    const auto split = [&](std::size_t k, std::int64_t step) {
+      const double whole = std::floor(origin[k]);
+      return splitOrigin(std::int64_t(whole), origin[k] - whole + material.offset[k], step);
+    };
+    const SplitOrigin x = split(0, tilesOfColumns(lattice));
+    const SplitOrigin y = split(1, 1);
+    const std::array<std::int32_t, 2> cell = format.cellOf(lattice, x.tile, y.tile);
+    *planes[axis] = {
+        cell[0], cell[1], x.offset, y.offset, latticeSeed(material.seed, std::uint32_t(axis)),
+        0,       0,       0};
   }
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Texel formats of a table: bytes per texel and mip level, texels to floats and back. Texel (x, y,
 // z) of a mip level starts at byte ((z * height + y) * width + x) * texelBytes(format).
-// Sources: IEEE 754-2008 binary16; IEC 61966-2-1 (sRGB).
-#include "srgb_curve.h"
-
+// Source: IEEE 754-2008 binary16.
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -70,22 +68,6 @@ float floatFromHalf(std::uint16_t half) {
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) | sign);
 }
 
-/// The linear light of each 8-bit sRGB code.
-const std::array<float, 256>& lightOfCode() {
-  static const std::array<float, 256> table = [] {
-    std::array<float, 256> light{};
-    for (std::size_t code = 0; code < light.size(); ++code)
-      light[code] = srgbToLight(float(code) / kUnorm8Max);
-    return light;
-  }();
-  return table;
-}
-
-/// Whether a channel of a format holds an sRGB code; alpha never does.
-bool isSrgbChannel(TexelFormat format, std::size_t channel) {
-  return format == TexelFormat::rgba8Srgb && channel < 3;
-}
-
 } // namespace
 
 int channelCount(TexelFormat format) {
@@ -130,15 +112,12 @@ std::vector<float> decodeLevel(const Table& table, std::uint32_t level) {
   const LevelRange range = levelRange(table, level);
   assert(range.offset + range.size <= table.texels.size());
   const std::size_t bytes = componentBytes(table.format);
-  const auto channels = std::size_t(channelCount(table.format));
   std::vector<float> values(range.size / bytes);
   for (std::size_t i = 0; i < values.size(); ++i) {
     const std::byte* source = table.texels.data() + range.offset + i * bytes;
     switch (componentOf(table.format)) {
     case Component::unorm8:
-      values[i] = isSrgbChannel(table.format, i % channels)
-                      ? lightOfCode()[std::to_integer<std::size_t>(*source)]
-                      : float(std::to_integer<int>(*source)) / kUnorm8Max;
+      values[i] = float(std::to_integer<int>(*source)) / kUnorm8Max;
       break;
     case Component::half: {
       std::uint16_t half = 0;
@@ -157,20 +136,15 @@ std::vector<float> decodeLevel(const Table& table, std::uint32_t level) {
 void appendTexels(std::vector<std::byte>& texels, TexelFormat format,
                   std::span<const float> values) {
   const std::size_t bytes = componentBytes(format);
-  const auto channels = std::size_t(channelCount(format));
-  assert(values.size() % channels == 0);
+  assert(values.size() % std::size_t(channelCount(format)) == 0);
   std::size_t end = texels.size();
   texels.resize(end + values.size() * bytes);
   for (std::size_t i = 0; i < values.size(); ++i, end += bytes) {
     std::byte* target = texels.data() + end;
     switch (componentOf(format)) {
-    case Component::unorm8: {
-      float code = std::clamp(values[i], 0.0f, 1.0f);
-      if (isSrgbChannel(format, i % channels))
-        code = lightToSrgb(code);
-      *target = std::byte(std::lround(code * kUnorm8Max));
+    case Component::unorm8:
+      *target = std::byte(std::lround(std::clamp(values[i], 0.0f, 1.0f) * kUnorm8Max));
       break;
-    }
     case Component::half: {
       const std::uint16_t half = halfFromFloat(std::clamp(values[i], -kHalfMax, kHalfMax));
       std::memcpy(target, &half, sizeof half);

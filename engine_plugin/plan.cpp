@@ -27,8 +27,6 @@ std::uint32_t vkFormatOf(TexelFormat format) {
     return 16;
   case TexelFormat::rgba8Unorm:
     return 37;
-  case TexelFormat::rgba8Srgb:
-    return 43;
   case TexelFormat::r16Sfloat:
     return 76;
   case TexelFormat::rg16Sfloat:
@@ -112,9 +110,9 @@ LichenTableKind tableKindNumber(TableKind kind) {
 }
 
 /// A placeholder for the table binding of maps without a table: the shader declares the binding but
-/// never reads it. (A depth of 1 would make it a 2-D image.)
+/// never reads it.
 Table placeholderTable() {
-  return {"unused", TexelFormat::r8Unorm, 1, 1, 2, 1, std::vector<std::byte>(2)};
+  return {"unused", TexelFormat::r8Unorm, 1, 1, 1, 1, std::vector<std::byte>(1)};
 }
 
 /// The table that the shader fetches from for a map: Gaussian image or texton.
@@ -169,14 +167,10 @@ void planNoise(LichenBundle_T& plan, const Noise& noise) {
   for (std::size_t i = 0; i < noise.maps.size(); ++i) {
     maps.push_back(shaderMap(plan.bundle, noise, i));
     assert(plan.bundle.tables[imageOf(noise.maps[i])].mipLevels <= LICHEN_MAX_MIPS);
-    const auto* tiling = std::get_if<TilingMap>(&noise.maps[i].data);
-    if (tiling == nullptr || !tiling->inverseTable)
-      continue;
-    const std::size_t index = *tiling->inverseTable;
-    const Table& table = plan.bundle.tables[index];
-    const auto levels = std::uint32_t(tiling->levels.size());
-    if (table.depth == 0) // 1 and 2 channels: levels are stacked vertically
-      plan.extents[index] = {table.width, table.height / levels, levels, 3};
+    // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
+    if (const auto* tiling = std::get_if<TilingMap>(&noise.maps[i].data);
+        tiling != nullptr && tiling->dimensions == 1)
+      plan.showsGreenAsAlpha[tiling->gaussian] = true;
   }
   plan.maps.push_back(std::move(maps));
 }
@@ -186,6 +180,7 @@ void planBundle(LichenBundle_T& plan) {
   for (const Table& table : plan.bundle.tables)
     plan.extents.push_back(
         {table.width, table.height, std::max(1u, table.depth), table.depth == 0 ? 2u : 3u});
+  plan.showsGreenAsAlpha.resize(plan.bundle.tables.size());
   for (const Noise& noise : plan.bundle.noises)
     planNoise(plan, noise);
   plan.unknownRevisions.resize(plan.bundle.materials.size());
@@ -336,6 +331,12 @@ LichenResult lichenGetImageProperties(LichenBundle bundle, std::uint32_t image,
   values.depth = extent.depth;
   values.mipLevels = table.mipLevels;
   values.texelBytes = std::uint32_t(texelBytes(table.format));
+  constexpr std::uint32_t kZero = 1, kRed = 3, kGreen = 4; // of VkComponentSwizzle
+  if (bundle->showsGreenAsAlpha[image]) {
+    values.vkSwizzle[0] = kRed;
+    values.vkSwizzle[1] = values.vkSwizzle[2] = kZero;
+    values.vkSwizzle[3] = kGreen;
+  }
   values.bytes = table.texels.data();
   values.byteCount = table.texels.size();
   return writeStruct(values, LICHEN_STRUCTURE_IMAGE_PROPERTIES, properties);
@@ -360,7 +361,7 @@ LichenResult lichenGetCopy(LichenBundle bundle, std::uint32_t image, std::uint32
 
 LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerProperties* properties) {
   // Numbers of VkFilter, VkSamplerMipmapMode and VkSamplerAddressMode.
-  constexpr std::uint32_t kLinear = 1, kNearestMip = 0, kLinearMip = 1, kRepeat = 0, kClamp = 2;
+  constexpr std::uint32_t kLinear = 1, kLinearMip = 1, kRepeat = 0, kClamp = 2;
   LichenSamplerProperties values{};
   values.vkFilter = kLinear;
   if (use == LICHEN_SAMPLER_IMAGE) {
@@ -369,8 +370,9 @@ LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerPrope
     values.maxLod = float(LICHEN_MAX_MIPS);
     values.takesAnisotropy = 1;
   } else if (use == LICHEN_SAMPLER_TABLE) {
-    values.vkMipmapMode = kNearestMip;
+    values.vkMipmapMode = kLinearMip;
     values.vkAddressMode = kClamp;
+    values.maxLod = float(LICHEN_MAX_MIPS);
   } else {
     return LICHEN_ERROR_USAGE;
   }

@@ -11,13 +11,14 @@
 
 struct LichenBundle_T {
   lichen::Bundle bundle;
-  /// Extent of table i as an image. Tables store 2-D inverse tables as 2-D data; on the device they
-  /// are 3-D images.
+  /// Extent of table i as an image.
   struct Extent {
     std::uint32_t width = 1, height = 1, depth = 1;
     std::uint32_t dimensionality = 2;
   };
   std::vector<Extent> extents;
+  /// Per table: whether its image view shows green as alpha.
+  std::vector<bool> showsGreenAsAlpha;
   /// maps[n][k]: the shader constants of map k of noise n.
   std::vector<std::vector<lichen::shader::LichenMap>> maps;
   /// tables[n][k]: the image index of that map's inverse table, or of a placeholder that is never

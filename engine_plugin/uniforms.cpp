@@ -137,7 +137,7 @@ LichenResult checkPeriod(const MaterialNoise& parameters, const LichenUniformInf
 
 LichenResult checkParameters(const MaterialNoise& parameters, const LichenUniformInfo& info,
                              LichenDiagnostic* diagnostic) {
-  constexpr double kFarthest = 1099511627776; // 2^40 tiles, as latticeOrigin() states
+  constexpr double kFarthest = 1099511627776; // 2^40 tiles, exact in the doubles of triplanar origins
   const struct {
     const char* name;
     double value;

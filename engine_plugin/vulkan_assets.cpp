@@ -128,6 +128,9 @@ LichenResult createViews(LichenVulkanAssets_T& assets, LichenBundle bundle,
     info.image = assets.images[i].handle;
     info.viewType = properties.dimensionality == 3 ? VK_IMAGE_VIEW_TYPE_3D : VK_IMAGE_VIEW_TYPE_2D;
     info.format = VkFormat(properties.vkFormat);
+    const std::uint32_t* swizzle = properties.vkSwizzle;
+    info.components = {VkComponentSwizzle(swizzle[0]), VkComponentSwizzle(swizzle[1]),
+                       VkComponentSwizzle(swizzle[2]), VkComponentSwizzle(swizzle[3])};
     info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, properties.mipLevels, 0, 1};
     if (const VkResult result =
             create(context, context.functions.createImageView, info, assets.images[i].view);

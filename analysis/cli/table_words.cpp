@@ -17,8 +17,6 @@ FormatName formatName(TexelFormat format) {
     return {"RG8", 8};
   case TexelFormat::rgba8Unorm:
     return {"RGBA8", 8};
-  case TexelFormat::rgba8Srgb:
-    return {"RGBA8 sRGB", 8};
   case TexelFormat::r16Sfloat:
     return {"R16F", 16};
   case TexelFormat::rg16Sfloat:

@@ -2,12 +2,29 @@
 // A map's stored values -> the quantity that averages correctly, and back.
 #pragma once
 
-#include <lichen/bundle.h>
+#include <lichen/exemplar.h>
+
+#include <span>
+#include <vector>
 
 namespace lichen::exemplar {
 
-/// Returns linear light for srgb and log2 values, the value itself for linear ones and slopes.
+/// Returns linear light for srgb, root and log2 values, the value itself for linear ones and
+/// slopes.
 [[nodiscard]] float decoded(float value, ValueEncoding encoding);
 [[nodiscard]] float encoded(float value, ValueEncoding encoding);
+
+/// The value that an inverse table holds for a stored value, and back: the square root of light for
+/// srgb and root, otherwise the decoded value.
+[[nodiscard]] float tableValue(float stored, ValueEncoding encoding);
+[[nodiscard]] float storedOfTable(float tableValue, ValueEncoding encoding);
+
+/// The encoding in which a noise stores values of this encoding: roots of light in place of sRGB
+/// codes.
+[[nodiscard]] ValueEncoding storedEncoding(ValueEncoding encoding);
+/// The map with its values in that encoding. Throws std::bad_alloc.
+[[nodiscard]] MapExemplar asStored(const MapExemplar& map);
+/// The same for several maps.
+[[nodiscard]] std::vector<MapExemplar> asStored(std::span<const MapExemplar> maps);
 
 } // namespace lichen::exemplar

@@ -57,12 +57,15 @@ void whiten(MatrixXd& points) {
 std::vector<Point> storedPoints(MatrixXd& points, Precision precision) {
   whiten(points);
   if (precision == Precision::bits8) {
+    // Codes 0 to 255, of which 128 stands for the mean.
+    constexpr double kSteps = 255.0;
+    constexpr double kShift = 128.0 / kSteps - kGaussianMean;
     for (int pass = 0; pass < kWhiteningPasses; ++pass) {
-      points = points.cwiseMax(0.0).cwiseMin(1.0);
+      points = points.cwiseMax(-kShift).cwiseMin(1.0 - kShift);
       whiten(points);
     }
-    constexpr double kSteps = 255.0;
-    points = ((points.cwiseMax(0.0).cwiseMin(1.0) * kSteps).array().round() / kSteps).matrix();
+    const auto codes = (points.array() + kShift).max(0.0).min(1.0) * kSteps;
+    points = (codes.round() / kSteps - kShift).matrix();
   }
   std::vector<Point> result(std::size_t(points.cols()));
   for (std::size_t i = 0; i < result.size(); ++i) {

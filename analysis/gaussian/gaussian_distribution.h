@@ -22,7 +22,7 @@ inline constexpr double kGaussianDeviation = 1.0 / 6.0;
 
 /// The precision at which samples will be stored.
 enum class Precision {
-  bits8,  ///< clamped to [0, 1] and rounded to 1 / 255
+  bits8,  ///< rounded to multiples of 1 / 255 from the mean, of which there are 256
   bits16, ///< stored as half floats: neither clamped nor rounded here
 };
 

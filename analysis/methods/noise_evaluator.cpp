@@ -15,10 +15,9 @@ NoiseEvaluator::create(const Bundle& bundle, const MaterialNoise& material,
                                        std::to_string(bundle.noises.size())};
   const Noise& noise = bundle.noises[material.noise];
   if (!mappingFits(noise.method(), material.mapping))
-    return Error{ErrorKind::usage, "noise '" + noise.name + "' of the method " +
-                                       std::string(nameOf(noise.method())) +
-                                       " does not fit the mapping " +
-                                       std::string(nameOf(material.mapping))};
+    return Error{ErrorKind::usage,
+                 "noise '" + noise.name + "' of the method " + std::string(nameOf(noise.method())) +
+                     " does not fit the mapping " + std::string(nameOf(material.mapping))};
   return withinMemory(
       [&] { return "noise '" + noise.name + "': not enough memory for its tables"; },
       [&] { return analysisOf(noise.method()).evaluator(bundle, material, placement, options); });
@@ -35,9 +34,7 @@ NoiseEvaluator::Value NoiseEvaluator::evaluateUv(std::size_t map, const UvFootpr
     return std::array{constants_.uvToTileXX * uv[0] + constants_.uvToTileXY * uv[1],
                       constants_.uvToTileYX * uv[0] + constants_.uvToTileYY * uv[1]};
   };
-  TileFootprint tile{toTile(at.uv), toTile(at.dx), toTile(at.dy)};
-  tile.position[0] += constants_.offsetX;
-  tile.position[1] += constants_.offsetY;
+  const TileFootprint tile{toTile(at.uv), toTile(at.dx), toTile(at.dy)};
   Value value = evaluate(map, tile, mixAt(at.uv));
   if (holdsSlopes_[map]) { // lichenSlopesToUv
     const float length = std::hypot(constants_.uvToTileXX, constants_.uvToTileXY);

@@ -56,9 +56,11 @@ SrgbImage MapLook::picture(LinearImage decoded) const {
   picture.height = texture.height;
   picture.channels = texture.channels;
   picture.values = std::move(texture.values);
-  if (map_.encoding == ValueEncoding::srgb || map_.encoding == ValueEncoding::log2)
+  const ValueEncoding shown =
+      map_.encoding == ValueEncoding::root ? ValueEncoding::srgb : map_.encoding;
+  if (shown == ValueEncoding::srgb || shown == ValueEncoding::log2)
     for (float& value : picture.values)
-      value = exemplar::encoded(value, map_.encoding) / largest_;
+      value = exemplar::encoded(value, shown) / largest_;
   return picture;
 }
 

@@ -7,10 +7,12 @@
 
 namespace lichen {
 
-/// Returns the mip level at which a trilinear sampler fetches the footprint, in an image of this
-/// many texels per tile. The level is negative under magnification and is not clamped to the last
-/// mip.
+/// lichenFootprintLevel: log2 of the side of the footprint, in an image of this many texels per
+/// tile, at least 0.
 [[nodiscard]] float footprintLevel(const TileFootprint& at, float texelsPerTileX,
                                    float texelsPerTileY);
+
+/// lichenSharpLevel: the mip level at which a trilinear sampler fetches it.
+[[nodiscard]] float sharpLevel(float footprintLevel);
 
 } // namespace lichen

@@ -18,19 +18,24 @@ std::size_t wrapped(int k, int side) {
 
 } // namespace
 
-std::vector<Value> texelsOf(const Table& table, std::uint32_t level) {
+std::vector<Value> texelsOf(const Table& table, std::uint32_t level, Alpha alpha) {
   const std::vector<float> values = decodeLevel(table, level);
   const auto channels = std::size_t(channelCount(table.format));
   std::vector<Value> texels(values.size() / channels, Value{0.0f, 0.0f, 0.0f, 1.0f});
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    std::copy_n(&values[i * channels], std::min<std::size_t>(channels, 3), texels[i].begin());
+  const std::size_t colors =
+      alpha == Alpha::lastChannel ? channels - 1 : std::min<std::size_t>(channels, 3);
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    std::copy_n(&values[i * channels], colors, texels[i].begin());
+    if (alpha == Alpha::lastChannel)
+      texels[i][3] = values[i * channels + colors];
+  }
   return texels;
 }
 
-RepeatingImage::RepeatingImage(const Table& table) {
+RepeatingImage::RepeatingImage(const Table& table, Alpha alpha) {
   for (std::uint32_t level = 0; level < table.mipLevels; ++level)
     mips_.push_back({std::max(1, int(table.width >> level)),
-                     std::max(1, int(table.height >> level)), texelsOf(table, level)});
+                     std::max(1, int(table.height >> level)), texelsOf(table, level, alpha)});
 }
 
 Value RepeatingImage::bilinear(const Mip& mip, float u, float v) {

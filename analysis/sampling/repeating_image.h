@@ -9,9 +9,14 @@
 
 namespace lichen {
 
+/// Where the fourth component of a texel comes from: it is 1, or the table's last channel, as in
+/// Gaussian images.
+enum class Alpha { one, lastChannel };
+
 /// Returns the texels of a table: red, green and blue, which are 0 where the table has fewer
-/// channels, and 1.
-[[nodiscard]] std::vector<std::array<float, 4>> texelsOf(const Table& table, std::uint32_t level);
+/// channels, and alpha.
+[[nodiscard]] std::vector<std::array<float, 4>> texelsOf(const Table& table, std::uint32_t level,
+                                                         Alpha alpha = Alpha::one);
 
 /// a + t (b - a). Inline: a synthesis calls it ten or more times per fetch, and a real call would
 /// take a fifth of the time.
@@ -29,7 +34,7 @@ public:
   using Value = std::array<float, 4>;
 
   /// Throws std::bad_alloc.
-  explicit RepeatingImage(const Table& table);
+  explicit RepeatingImage(const Table& table, Alpha alpha = Alpha::one);
 
   /// Returns the value at (u, v), where the whole image is one unit. `lod` is in mip levels and is
   /// clamped to those that exist.

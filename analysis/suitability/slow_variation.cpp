@@ -55,6 +55,7 @@ double slowEnergy(const MapExemplar& map, std::size_t channel, const Wave& acros
 double spanOf(const MapExemplar& map) {
   switch (map.encoding) {
   case ValueEncoding::srgb:
+  case ValueEncoding::root:
   case ValueEncoding::linear:
     break;
   case ValueEncoding::slope:

@@ -31,12 +31,12 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
                       const shader::LichenTexton& texton) {
   const Vec2 texelsPerTile{texton.texelsPerTileX, texton.texelsPerTileY};
   const Vec2 cellsPerTile{noise.columnsPerTile, noise.rowsPerTile};
+  const Vec2 offset{noise.offsetX, noise.offsetY};
   const Vec2 coefficients{float(texton.coefficientsX), float(texton.coefficientsY)};
-  const Vec2 fraction{noise.fractionI, noise.fractionJ};
   const std::array<std::int32_t, 2> origin{noise.cellI, noise.cellJ};
   const std::array<std::int32_t, 2> period{noise.periodColumns, noise.periodRows};
   Impacts impacts;
-  impacts.footprintLevel = std::max(0.0f, footprintLevel(at, texelsPerTile[0], texelsPerTile[1]));
+  impacts.footprintLevel = sharpLevel(footprintLevel(at, texelsPerTile[0], texelsPerTile[1]));
   impacts.level = std::min(impacts.footprintLevel, float(texton.mipCount - 1));
   const Reach reach = mipReach(impacts.level, texton);
   for (std::size_t k = 0; k < 2; ++k) {
@@ -52,7 +52,7 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
     impacts.middle[k] = 0.5f * (low + high);
     impacts.radius[k] = high - impacts.middle[k];
     // The centre of the coefficients lies at the impact's position.
-    const float grid = at.position[k] * cellsPerTile[k] + fraction[k];
+    const float grid = (at.position[k] + offset[k]) * cellsPerTile[k];
     const float cell = std::floor(grid);
     const float inside = grid - cell;
     impacts.cellTexels[k] = texelsPerTile[k] / cellsPerTile[k];

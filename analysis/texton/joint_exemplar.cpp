@@ -3,6 +3,7 @@
 #include "joint_exemplar.h"
 
 #include "exemplar/resample.h"
+#include "exemplar/value_encoding.h"
 #include "transport/moments.h"
 
 #include <algorithm>
@@ -81,7 +82,8 @@ JointExemplar joinedMaps(std::span<const MapExemplar> maps) {
   const std::size_t pixels = std::size_t(joint.width) * std::size_t(joint.height);
   joint.values.resize(pixels * std::size_t(channels));
   Index first = 0;
-  for (const MapExemplar& map : maps) {
+  for (const MapExemplar& source : maps) {
+    const MapExemplar map = exemplar::asStored(source);
     const auto n = Index(map.channels.size());
     const Moments own = momentsOf(map.values, std::size_t(n));
     joint.mean.segment(first, n) = own.mean;

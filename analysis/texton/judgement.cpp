@@ -5,6 +5,7 @@
 // Sources: [GLM14] section 4 and eq. 5.
 #include "comparison.h"
 #include "exemplar/resample.h"
+#include "exemplar/value_encoding.h"
 #include "gaussian/gaussian_texture.h"
 #include "gaussian/model_covariance.h"
 #include "transport/covariance_map.h"
@@ -67,8 +68,8 @@ std::pair<float, float> shownRange(ValueEncoding encoding) {
 
 MapExemplar gaussianTextureOf(const NoiseMap& map, const MapExemplar& exemplar,
                               std::uint64_t seed) {
-  const gaussian::GaussianModel model = modelOf(exemplar);
-  MapExemplar result = exemplar;
+  MapExemplar result = exemplar::asStored(exemplar);
+  const gaussian::GaussianModel model = modelOf(result);
   result.width = 2 * exemplar.width;
   result.height = 2 * exemplar.height;
   const gaussian::NoisePlanes noise =
@@ -113,7 +114,7 @@ Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noiseIn
       return Error{ErrorKind::badInput, "the exemplar has other channels than the map " +
                                             std::string(nameOf(map.target)) + " of noise '" +
                                             noise.name + "'"};
-    return compared(bundle, noise, map, exemplar, step);
+    return compared(bundle, noise, map, exemplar::asStored(exemplar), step);
   });
 }
 

@@ -3,6 +3,7 @@
 //
 // At any support, a texton's noise has Gaussian values and random phases, so it reproduces neither
 // the exemplar's histogram nor its outlines. It also misses variation slower than the support.
+#include "exemplar/value_encoding.h"
 #include "gaussian/normality.h"
 #include "progress_part.h"
 #include "suitability/calibration.h"
@@ -213,7 +214,8 @@ Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int su
                                                   int heightTexels) {
   const Texels texels{widthTexels > 0 ? widthTexels : map.width,
                       heightTexels > 0 ? heightTexels : map.height, support};
-  return assessed(map, [&] { return risksOf(map, texels, ProgressPart(progress)); });
+  return assessed(map,
+                  [&] { return risksOf(exemplar::asStored(map), texels, ProgressPart(progress)); });
 }
 
 } // namespace lichen

@@ -3,6 +3,7 @@
 #include "texton_maps.h"
 
 #include "color_correction.h"
+#include "exemplar/value_encoding.h"
 #include "texton_table.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ void storeMaps(std::span<const TextonOfMaps> steps, std::span<const MapExemplar>
     NoiseMap map;
     map.target = source.target;
     map.channels = source.channels;
-    map.encoding = source.encoding;
+    map.encoding = exemplar::storedEncoding(source.encoding);
     TextonMap texton;
     texton.scale = scaleOf(covariances, first, n);
     Table table =

@@ -6,10 +6,10 @@
 #include "gaussian/normality.h"
 #include "gaussian_image.h"
 #include "inverse_table.h"
+#include "level_means.h"
 #include "map_fit.h"
 #include "mip_chain.h"
 #include "prefilter.h"
-#include "slab_means.h"
 #include "slope_variance.h"
 
 #include <lichen/tiling.h>
@@ -25,7 +25,8 @@ using namespace tiling;
 
 /// Whether the covariance is positive definite, as the format requires of a map without a table,
 /// with a margin for rounding in the file.
-bool spansAll(const exemplar::ColorSpace& space) {
+bool spansAll(const MapExemplar& map) {
+  const exemplar::ColorSpace space = exemplar::colorSpaceOf(exemplar::asStored(map));
   constexpr double kLeastShare = 1e-8; // of the variance, ten times what the format accepts
   const auto solver = transport::principalAxes(space.moments.covariance);
   return space.dimensions() == int(space.moments.mean.size()) &&
@@ -41,7 +42,7 @@ Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions
   for (const MapExemplar& map : maps) {
     if (Result<void> checked = exemplar::checkRanges(map); !checked)
       return checked;
-    if (options.gaussian == GaussianOnly::yes && !spansAll(exemplar::colorSpaceOf(map)))
+    if (options.gaussian == GaussianOnly::yes && !spansAll(map))
       return usage(
           "the values of " + std::string(nameOf(map.target)) + " span less than " +
           std::to_string(map.channels.size()) +
@@ -61,7 +62,7 @@ MapFit constantFit(const MapExemplar& map) {
   fit.table.channels = int(map.channels.size());
   for (int cell = 0; cell < fit.table.side; ++cell)
     for (std::size_t c = 0; c < map.channels.size(); ++c)
-      fit.table.values.push_back(exemplar::decoded(map.values[c], map.encoding));
+      fit.table.values.push_back(exemplar::tableValue(map.values[c], map.encoding));
   return fit;
 }
 
@@ -92,7 +93,7 @@ MapKind kindOf(const MapExemplar& map, const exemplar::ColorSpace& space,
     return MapKind::gaussianOnly;
   if (space.dimensions() == 0)
     return MapKind::constant;
-  if (mayBeGaussian && spansAll(space) && gaussian::isGaussian(map, progress))
+  if (mayBeGaussian && spansAll(map) && gaussian::isGaussian(exemplar::asStored(map), progress))
     return MapKind::gaussianOnly;
   if (space.dimensions() == 1)
     return MapKind::sorted;
@@ -141,51 +142,50 @@ MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort,
   return work;
 }
 
-/// The tables of a map and what the bundle stores about them.
+/// The tables of a map.
 struct MapTables {
-  Gaussianized image;
+  int dimensions = 1;
   Table gaussian;
-  std::vector<exemplar::ChannelMatrix> lost; ///< per mip level of `gaussian`
   std::optional<Table> inverse;
-
-  MapTables(Gaussianized gaussianized, int bits)
-      : image(std::move(gaussianized)), gaussian(gaussianTable(image, bits)),
-        lost(lostVariance(gaussian)) {}
 };
 
-/// Part of the progress after the fit; the slabs take the rest.
+/// Part of the progress after the fit; the levels of the table take the rest.
 constexpr double kMipsOfProgress = 0.5;
 
 MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits, ProgressPart progress) {
   progress.reach(0.0);
-  MapTables tables(fit.gaussian, bits);
+  MapTables tables{fit.gaussian.dimensions, gaussianTable(fit.gaussian, bits), {}};
+  const std::vector<exemplar::ChannelMatrix> lost =
+      lostVariance(tables.gaussian, tables.dimensions);
+  const std::vector<float> losses = fetchLosses(tables.gaussian);
   progress.reach(kMipsOfProgress);
-  std::vector<InverseTable> slabs = prefilteredSlabs(fit.table, tables.lost);
-  restoreSlabMeans(slabs, tables.gaussian, tables.lost);
-  if (map.encoding == ValueEncoding::slope)
-    appendSlopeVariance(slabs, fit.table, tables.gaussian, tables.lost);
-  tables.inverse = inverseTableTexels(slabs, map.encoding, bits);
+  const ValueEncoding encoding = exemplar::storedEncoding(map.encoding);
+  const bool holdsRoots = encoding == ValueEncoding::root;
+  std::vector<InverseTable> levels = prefilteredLevels(fit.table, lost, holdsRoots);
+  restoreLevelMeans(levels, holdsRoots, tables.gaussian, losses);
+  if (encoding == ValueEncoding::slope)
+    appendSlopeVariance(levels, fit.table, tables.gaussian, lost, losses);
+  tables.inverse = inverseTableTexels(levels, encoding, bits);
   return tables;
 }
 
-void appendMap(const MapExemplar& map, const exemplar::Moments& moments, MapTables tables,
-               const std::string& name, TilingBake& bake) {
+void appendMap(const MapExemplar& map, MapTables tables, const std::string& name,
+               TilingBake& bake) {
+  const MapExemplar stored = exemplar::asStored(map);
+  const exemplar::Moments moments = exemplar::momentsOf(stored.values, int(stored.channels.size()));
   NoiseMap result;
   result.target = map.target;
   result.channels = map.channels;
-  result.encoding = map.encoding;
+  result.encoding = stored.encoding;
   appendValues(result.mean, moments.mean);
   appendValues(result.covariance, moments.covariance);
   TilingMap tiling;
-  double loss = 0.0;
-  for (const exemplar::ChannelMatrix& mip : tables.lost)
-    tiling.mipLoss.push_back(loss = std::max(loss, scalarLoss(mip)));
+  tiling.dimensions = tables.dimensions;
   const std::string prefix = name + "." + std::string(nameOf(map.target));
   tables.gaussian.name = prefix + ".gaussian";
   tiling.gaussian = bake.tables.size();
   bake.tables.push_back(std::move(tables.gaussian));
   if (tables.inverse) {
-    tiling.levels = tableLevels();
     tables.inverse->name = prefix + ".inverse";
     tiling.inverseTable = bake.tables.size();
     bake.tables.push_back(*std::move(tables.inverse));
@@ -222,9 +222,9 @@ MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
     return jointTables(map, constantFit(map), bits, rest);
   if (planned.kind == MapKind::gaussianOnly) {
     const Gaussianized image =
-        gaussianImage(map, planned.space.moments, fitting.periodic, fitting.precision, first);
+        gaussianImage(exemplar::asStored(map), fitting.periodic, fitting.precision, first);
     rest.reach(0.0);
-    return {image, bits};
+    return {image.dimensions, gaussianTable(image, bits), std::nullopt};
   }
   return jointTables(map, fitJoint(planned, fitting, settled, first), bits, rest);
 }
@@ -280,8 +280,7 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
       fitting.settled = settled;
       const ProgressPart part = bakes.part(done / whole, after / whole);
       std::vector<SettledMap>* const joined = joins && &map != &planned.back() ? &settled : nullptr;
-      appendMap(map.map, map.space.moments, tablesOf(map, options.bits, fitting, joined, part),
-                name, bake);
+      appendMap(map.map, tablesOf(map, options.bits, fitting, joined, part), name, bake);
       part.reach(1.0);
       done = after;
     }

@@ -100,7 +100,7 @@ InverseTable onAxes(const InverseTable& table, const MapExemplar& map,
   exemplar::ChannelVector d(table.channels);
   for (std::size_t cell = 0; cell < table.cellCount(); ++cell) {
     for (int c = 0; c < table.channels; ++c)
-      d[c] = double(exemplar::encoded(
+      d[c] = double(exemplar::storedOfTable(
                  table.values[cell * std::size_t(table.channels) + std::size_t(c)], map.encoding)) -
              space.moments.mean[c];
     const exemplar::ChannelVector p = space.basis * d;

@@ -3,8 +3,8 @@
 // the prefiltered table. Steps and names follow shaders_glsl/noise/tiling.glsl with a trilinear
 // sampler.
 #include "fewer_taps.h"
+#include "polynomial_cdf.h"
 #include "sampling/footprint_level.h"
-#include "sampling/level_kept.h"
 #include "sampling/repeating_image.h"
 #include "simplex_lattice.h"
 #include "tile_rotation.h"
@@ -22,89 +22,23 @@ namespace {
 
 using Value = TilingEvaluator::Value;
 
-/// Abramowitz and Stegun 7.1.28, |error| <= 3e-7.
-float errorFunction(float x) {
-  const float a = std::abs(x);
-  float p = 0.0000430638f;
-  for (const float coefficient :
-       {0.0002765672f, 0.0001520143f, 0.0092705272f, 0.0422820123f, 0.0705230784f, 1.0f})
-    p = p * a + coefficient;
-  p *= p;
-  p *= p;
-  p *= p;
-  p *= p;
-  return std::copysign(1.0f - 1.0f / p, x);
-}
-
-/// [HN18] eq. 22, corrected: the CDF of N(1/2, (1/6)^2).
-float uniformFromGaussian(float value) {
-  constexpr float kThreeRootTwo = 4.2426406871f;
-  return 0.5f + 0.5f * errorFunction(kThreeRootTwo * (value - 0.5f));
-}
-
-/// lichenTilingLevel for a trilinear sampler; at most the last mip level.
-float levelOfDetail(const shader::LichenMap& map, const TileFootprint& at) {
-  return std::min(footprintLevel(at, map.widthTexels, map.heightTexels), float(map.mipCount - 1));
-}
-
-/// The share of the variance that remains after a bilinear fetch of one mip level.
-float fetchKept(const shader::LichenMap& map, int mip, const TileFootprint& at, float magnified,
-                bool shareTexels) {
-  const float kept = mipKept(map.mipKept0, mip);
-  // Midway between four texels the fetch is their average, a texel of the next mip level.
-  constexpr float kLeast = 1e-3f; // of the unorm bytes, below the smallest
-  const float loss = 4.0f - 4.0f * mipKept(map.mipKept0, mip + 1) / std::max(kept, kLeast);
-  // The average over all positions between texels applies if the taps differ in position, or if
-  // pixels are smaller than texels, where the table's level would show as a mesh.
-  constexpr float kAverage = 1.0f / 6.0f;
-  const auto share = [&](float position, float size) {
-    const float texel = std::ldexp(position * size, -mip) - 0.5f;
-    const float inside = texel - std::floor(texel);
-    const float here =
-        shareTexels && mip < int(map.alignedMips) ? inside * (1.0f - inside) : kAverage;
-    return 1.0f - loss * (here + magnified * (kAverage - here));
-  };
-  return kept * kept * share(at.position[0], map.widthTexels) *
-         share(at.position[1], map.heightTexels);
-}
-
-/// The share of the variance that a tap loses: it blends a mip level with its own average.
-float lostVariance(const shader::LichenMap& map, const shader::LichenNoise& noise,
-                   const TileFootprint& at, float level) {
-  const bool shareTexels = tiling::turnsKeepTexels(noise);
-  const float lod = std::max(level, 0.0f);
-  const int mip = int(lod);
-  const float magnified = std::clamp(-level, 0.0f, 1.0f);
-  const float below = fetchKept(map, mip, at, magnified, shareTexels);
-  const float above = fetchKept(map, mip + 1, at, magnified, shareTexels);
-  const float rest = 1.0f - (lod - float(mip));
-  return 1.0f - (above + rest * rest * (below - above));
-}
-
-/// The share of the lost variance that is due to the footprint; interpolation loses the rest.
-float footprintShare(const shader::LichenMap& map, float level, float lostVariance) {
-  const float lost = 1.0f - levelKept(map, std::max(level, 0.0f));
-  return lost < lostVariance ? lost / lostVariance : 1.0f;
-}
-
-/// The level of the table that is prefiltered for this lost variance: lichenTableLevel.
-float tableLevel(const shader::LichenMap& map, float lost, float contrast) {
-  const auto last = float(map.tableLevels - 1);
-  const float beforeLast = 1.0f / std::max(last * last, 1.0f);
-  const float least = std::min(std::max(0.0f, 1.0f - lost), beforeLast);
-  return last * (1.0f - std::sqrt(std::max(1.0f - contrast * contrast * lost, least)));
-}
-
-/// lichenWithinTable.
-Value withinTable(const Value& gaussian, float lost, float contrast) {
-  const float scale = 1.0f / std::sqrt(std::max(1.0f, contrast * contrast * lost));
-  Value within = gaussian;
-  for (std::size_t c = 0; c < 3; ++c)
-    within[c] = 0.5f + scale * (gaussian[c] - 0.5f);
-  return within;
-}
-
 bool isSlope(const shader::LichenMap& map) { return map.encoding == LICHEN_ENCODING_SLOPE; }
+
+/// lichenLossShare.
+float lossShare(const shader::LichenNoise& noise, const TileFootprint& at, float footprint) {
+  const std::array<float, 2> texels{noise.tileTexelsX, noise.tileTexelsY};
+  float here = 0.0f;
+  std::array<float, 2> squares{};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const float texel = at.position[axis] * texels[axis];
+    const float fromCentre = std::abs(texel - std::floor(texel) - 0.5f);
+    here += 3.0f * fromCentre * (1.0f - fromCentre);
+    squares[0] += at.dx[axis] * texels[axis] * at.dx[axis] * texels[axis];
+    squares[1] += at.dy[axis] * texels[axis] * at.dy[axis] * texels[axis];
+  }
+  const float squared = std::min(1.0f, std::max(squares[0], squares[1]));
+  return 1.0f + squared * squared * (1.0f - std::min(footprint, 1.0f)) * (here - 1.0f);
+}
 
 void turnSlopesBack(Value& value, const std::array<float, 2>& turn) {
   const auto [x, y] = tiling::slopesTurnedBack(value[0], value[1], turn);
@@ -125,12 +59,22 @@ std::optional<std::string> problemOf(const TilingQuality& quality) {
 
 } // namespace
 
+/// The tiles at a point: where they are fetched, and what is fetched; 0 where a weight is.
+struct TilingEvaluator::Tiles {
+  tiling::Taps taps;
+  std::array<Value, 3> value{};
+};
+
 struct TilingEvaluator::Map {
+  /// A mip level of the inverse table: cells with the first axis fastest.
+  struct Level {
+    int side = 0;
+    std::vector<Value> cells;
+  };
   shader::LichenMap constants{};
   RepeatingImage image;
   std::size_t channels = 0;
-  int tableSide = 0;
-  std::vector<Value> table; ///< slab k, then the cells, first axis fastest; empty without one
+  std::vector<Level> table; ///< empty without one
 };
 
 Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex,
@@ -152,14 +96,13 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
       const auto& stored = noise.maps[m].as<TilingMap>();
       Map map{shaderMap(bundle, noise, m),
-              RepeatingImage(bundle.tables[stored.gaussian]),
+              RepeatingImage(bundle.tables[stored.gaussian], Alpha::lastChannel),
               noise.maps[m].channels.size(),
-              0,
               {}};
       if (stored.inverseTable) {
         const Table& table = bundle.tables[*stored.inverseTable];
-        map.tableSide = int(table.width);
-        map.table = texelsOf(table, 0);
+        for (std::uint32_t level = 0; level < table.mipLevels; ++level)
+          map.table.push_back({int(table.width >> level), texelsOf(table, level)});
       }
       maps->push_back(std::move(map));
     }
@@ -174,106 +117,145 @@ std::vector<float> TilingEvaluator::decodedTexels(std::size_t mapIndex) const {
   std::vector<float> values;
   values.reserve(map.image.texels(0).size() * map.channels);
   for (const Value& texel : map.image.texels(0)) {
-    const Value value = decode(map, texel, 0.0f, 1.0f);
+    constexpr float kShift = 0.5f - kStoredGaussianMean;
+    const Value value =
+        decode(map, {texel[0] + kShift, texel[1] + kShift, texel[2] + kShift, 0.0f}, 1.0f);
     values.insert(values.end(), value.begin(), value.begin() + std::ptrdiff_t(map.channels));
   }
   return values;
 }
 
-Value TilingEvaluator::slabLookup(const Map& map, const Value& uniform, std::size_t slab) {
-  const auto side = std::size_t(map.tableSide);
-  const std::size_t dimensions = map.constants.dimensions;
+Value TilingEvaluator::lookup(const Map& map, const Value& uniform, std::size_t level) {
+  const std::vector<Value>& cells = map.table[level].cells;
+  const auto side = std::size_t(map.table[level].side);
   std::array<std::size_t, 3> step{};
   std::array<float, 3> fraction{};
-  std::size_t base = slab;
+  std::size_t first = 0;
   std::size_t stride = 1;
-  for (std::size_t axis = 0; axis < dimensions; ++axis)
-    base *= side;
-  for (std::size_t axis = 0; axis < dimensions; ++axis, stride *= side) {
+  for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis, stride *= side) {
     const float place = std::clamp(uniform[axis] * float(side) - 0.5f, 0.0f, float(side - 1));
     const auto cell = std::size_t(place);
-    base += cell * stride;
+    first += cell * stride;
     step[axis] = cell + 1 < side ? stride : 0;
     fraction[axis] = place - float(cell);
   }
-  const Value* cells = map.table.data() + base;
   const auto line = [&](std::size_t at) {
     return mix(cells[at], cells[at + step[0]], fraction[0]);
   };
   const auto square = [&](std::size_t at) {
-    return mix(line(at), line(at + step[1]), fraction[1]);
+    return step[1] > 0 ? mix(line(at), line(at + step[1]), fraction[1]) : line(at);
   };
-  if (dimensions == 1)
-    return line(0);
-  return dimensions == 2 ? square(0) : mix(square(0), square(step[2]), fraction[2]);
+  return step[2] > 0 ? mix(square(first), square(first + step[2]), fraction[2]) : square(first);
 }
 
-Value TilingEvaluator::decodeJoint(const Map& map, const Value& gaussian, float level) {
+/// lichenDecodeTable.
+Value TilingEvaluator::decodeTable(const Map& map, const Value& gaussian, float lost) {
+  constexpr float kLevels = 5.0f;
+  const float kept = std::sqrt(std::max(1.0f - lost, 0.0f));
+  const float level = std::min(kLevels - kLevels * kept, float(map.table.size() - 1));
   Value uniform{};
   for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
-    uniform[axis] = uniformFromGaussian(gaussian[axis]);
-  const auto slab = std::size_t(level);
-  const Value value = slabLookup(map, uniform, slab);
-  const float t = level - float(slab);
-  return t > 0.0f ? mix(value, slabLookup(map, uniform, slab + 1), t) : value;
+    uniform[axis] = tiling::polynomialCdf(gaussian[axis]);
+  const auto fine = std::size_t(level);
+  const float t = level - float(fine);
+  Value value = lookup(map, uniform, fine);
+  if (t > 0.0f)
+    value = mix(value, lookup(map, uniform, fine + 1), t);
+  if (map.constants.encoding == LICHEN_ENCODING_ROOT)
+    for (float& component : value)
+      component *= component;
+  return value;
 }
 
-Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float lost, float contrast) {
-  if (map.constants.decoding == LICHEN_DECODING_GAUSSIAN) {
-    const float scaled = contrast * contrast * lost;
-    return decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
-                           {scaled, scaled, scaled});
+/// lichenDecode, of a Gaussian value with the share of the lost variance in the fourth component.
+Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float contrast) {
+  const float lost = gaussian[3];
+  const float within = std::min(contrast, 1.0f);
+  const float scaled = contrast * contrast * lost;
+  Value value = map.constants.decoding == LICHEN_DECODING_GAUSSIAN
+                    ? decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
+                                      {scaled, scaled, scaled})
+                    : decodeTable(map, gaussian, within * within * lost);
+  if (isSlope(map.constants))
+    value[2] *= footprintShare(map, lost);
+  return value;
+}
+
+TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map, const shader::LichenNoise& noise,
+                                                TileFootprint at) const {
+  at.position[0] += noise.offsetX;
+  at.position[1] += noise.offsetY;
+  Tiles tiles{tiling::tapsAt(noise, at.position), {}};
+  tiling::takeFewerTaps(tiles.taps, at, quality_);
+  const float footprint = footprintLevel(at, noise.tileTexelsX, noise.tileTexelsY);
+  const float level = sharpLevel(footprint + map.constants.levelOffset);
+  const bool sharesTexels = map.constants.levelOffset == 0.0f && tiling::turnsKeepTexels(noise);
+  const float share = sharesTexels ? lossShare(noise, at, footprint) : 1.0f;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (tiles.taps.weight[k] == 0.0f)
+      continue;
+    const auto [x, y] = tiles.taps.position[k];
+    tiles.value[k] = map.image.at(x, y, level);
+    for (std::size_t c = 0; c < 3; ++c)
+      tiles.value[k][c] += 0.5f - kStoredGaussianMean;
+    tiles.value[k][3] *= share;
   }
-  const Value within = withinTable(gaussian, lost, contrast);
-  return decodeJoint(map, within, tableLevel(map.constants, lost, contrast));
+  return tiles;
 }
 
-Value TilingEvaluator::blended(const Map& map, const shader::LichenNoise& noise,
-                               const TileFootprint& at, BlendOperator blend, float lod,
-                               float lost) const {
-  tiling::Taps taps = tiling::tapsAt(noise, at.position);
-  tiling::takeFewerTaps(taps, at, quality_);
-  const bool decodeFirst = blend != BlendOperator::histogramPreserving;
+/// Of the variance of slopes over what fetches lose, the share that the footprint hides:
+/// interpolation between texels hides nothing.
+float TilingEvaluator::footprintShare(const Map& map, float lost) {
+  const float interpolation = map.constants.interpolationLoss;
+  return lost > interpolation ? (lost - interpolation) / (lost - lost * interpolation) : 0.0f;
+}
+
+Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenNoise& noise) {
+  Value blend{};
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t c = 0; c < 4; ++c)
+      blend[c] += tiles.taps.weight[k] * tiles.value[k][c];
+  const float gain = noise.contrast / tiles.taps.norm;
+  for (std::size_t c = 0; c < 3; ++c)
+    blend[c] = 0.5f + gain * (blend[c] - 0.5f);
+  return blend;
+}
+
+/// The tiles decoded one by one and blended about the mean; comparison operators.
+Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
+                                      const shader::LichenNoise& noise, BlendOperator blend) {
   const bool turnsSlopes = tiling::turnsTiles(noise) && isSlope(map.constants);
   const shader::vec4& mean = map.constants.mean;
-  const Value middle = !decodeFirst  ? Value{0.5f, 0.5f, 0.5f, 1.0f}
-                       : turnsSlopes ? Value{0.0f, 0.0f, mean.z, 1.0f}
-                                     : Value{mean.x, mean.y, mean.z, 1.0f};
-  Value sum{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (taps.weight[k] == 0.0f)
-      continue;
-    Value tap = map.image.at(taps.position[k][0], taps.position[k][1], lod);
-    if (decodeFirst)
-      tap = decode(map, tap, lost, 1.0f);
-    if (decodeFirst && turnsSlopes)
-      turnSlopesBack(tap, taps.turn[k]);
-    for (std::size_t c = 0; c < 3; ++c)
-      sum[c] += taps.weight[k] * (tap[c] - middle[c]);
-  }
-  const float scale = noise.contrast / (blend == BlendOperator::linear ? 1.0f : taps.norm);
+  const Value middle =
+      turnsSlopes ? Value{0.0f, 0.0f, mean.z, 1.0f} : Value{mean.x, mean.y, mean.z, 1.0f};
   Value result = middle;
-  for (std::size_t c = 0; c < 3; ++c)
-    result[c] += scale * sum[c];
+  const float gain = noise.contrast / (blend == BlendOperator::linear ? 1.0f : tiles.taps.norm);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (tiles.taps.weight[k] == 0.0f)
+      continue;
+    Value value = decode(map, tiles.value[k], 1.0f);
+    if (turnsSlopes)
+      turnSlopesBack(value, tiles.taps.turn[k]);
+    for (std::size_t c = 0; c < 3; ++c)
+      result[c] += gain * tiles.taps.weight[k] * (value[c] - middle[c]);
+  }
   return result;
 }
 
-/// Blends the slopes of rotated tiles, each of which has lost the share `lost` of its variance:
-/// lichenTilingDecodeTiles.
-Value TilingEvaluator::turnedSlopes(const Map& map, const shader::LichenNoise& noise,
-                                    const TileFootprint& at, float lod, float lost) const {
-  tiling::Taps taps = tiling::tapsAt(noise, at.position);
-  tiling::takeFewerTaps(taps, at, quality_);
+/// The slopes of rotated tiles, decoded one by one, turned back and blended about 0: a joint table
+/// knows slopes as they lie in the exemplar.
+Value TilingEvaluator::turnedSlopes(const Map& map, const Tiles& tiles,
+                                    const shader::LichenNoise& noise) {
   Value sum{0.0f, 0.0f, 0.0f, 1.0f};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (taps.weight[k] == 0.0f)
+    if (tiles.taps.weight[k] == 0.0f)
       continue;
-    Value tap = map.image.at(taps.position[k][0], taps.position[k][1], lod);
+    Value tile = tiles.value[k];
     for (std::size_t c = 0; c < 3; ++c)
-      tap[c] = 0.5f + noise.contrast * (tap[c] - 0.5f);
-    Value slopes = decode(map, tap, lost, noise.contrast);
-    turnSlopesBack(slopes, taps.turn[k]);
-    const float share = taps.weight[k] / taps.norm;
+      tile[c] = 0.5f + noise.contrast * (tile[c] - 0.5f);
+    Value slopes = decode(map, tile, noise.contrast);
+    turnSlopesBack(slopes, tiles.taps.turn[k]);
+    const float share = tiles.taps.weight[k] / tiles.taps.norm;
     sum[0] += share * slopes[0];
     sum[1] += share * slopes[1];
     sum[2] += share * share * slopes[2];
@@ -281,38 +263,21 @@ Value TilingEvaluator::turnedSlopes(const Map& map, const shader::LichenNoise& n
   return sum;
 }
 
-/// Decodes a Gaussian value of one plane.
-Value TilingEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
-                               const TileFootprint& at, const Value& gaussian) {
-  Value result = decode(map, gaussian, gaussian[3], noise.contrast);
-  if (isSlope(map.constants))
-    result[2] *= footprintShare(map.constants, levelOfDetail(map.constants, at), gaussian[3]);
-  return result;
-}
-
 Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const TileFootprint& at) const {
-  const Map& map = (*maps_)[mapIndex];
-  const float lod = levelOfDetail(map.constants, at);
-  const float lost = lostVariance(map.constants, noise, at, lod);
-  Value result = blended(map, noise, at, BlendOperator::histogramPreserving, lod, lost);
-  result[3] = lost;
-  return result;
+  return blended(tilesAt((*maps_)[mapIndex], noise, at), noise);
 }
 
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
                                 const TileFootprint& at, BlendOperator blend) const {
   const Map& map = (*maps_)[mapIndex];
-  const bool turnsSlopes = tiling::turnsTiles(noise) && isSlope(map.constants);
-  if (blend == BlendOperator::histogramPreserving && !turnsSlopes)
-    return decoded(map, noise, at, gaussian(mapIndex, noise, at));
-  const float lod = levelOfDetail(map.constants, at);
-  const float lost = lostVariance(map.constants, noise, at, lod);
+  const Tiles tiles = tilesAt(map, noise, at);
   if (blend != BlendOperator::histogramPreserving)
-    return blended(map, noise, at, blend, lod, lost);
-  Value slopes = turnedSlopes(map, noise, at, lod, lost);
-  slopes[2] *= footprintShare(map.constants, lod, lost);
-  return slopes;
+    return blendedDecoded(map, tiles, noise, blend);
+  if (tiling::turnsTiles(noise) && isSlope(map.constants))
+    return turnedSlopes(map, tiles, noise);
+  const Value gaussian = blended(tiles, noise);
+  return decode(map, gaussian, noise.contrast);
 }
 
 Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
@@ -330,7 +295,7 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise&
       return evaluate(mapIndex, plane.noise, plane.at);
     });
   const Value blend = gaussian(mapIndex, noise, at);
-  return decode(map, blend, blend[3], noise.contrast);
+  return decode(map, blend, noise.contrast);
 }
 
 } // namespace lichen

@@ -8,11 +8,12 @@
 
 namespace lichen::tiling {
 
-Gaussianized gaussianImage(const MapExemplar& map, const exemplar::Moments& moments, bool periodic,
-                           gaussian::Precision precision, ProgressPart progress) {
+Gaussianized gaussianImage(const MapExemplar& map, bool periodic, gaussian::Precision precision,
+                           ProgressPart progress) {
   // Part of the progress; whitening takes the rest.
   constexpr double kPoints = 0.3, kFaded = 0.6;
   const auto n = Eigen::Index(map.channels.size());
+  const exemplar::Moments moments = exemplar::momentsOf(map.values, int(n));
   const Eigen::LLT<exemplar::ChannelMatrix> factor(moments.covariance);
   std::vector<Point> points(map.values.size() / std::size_t(n));
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -12,8 +12,7 @@ namespace lichen::tiling {
 /// must be positive definite. If `periodic` is false the borders are then cross-faded. Mean 1/2 and
 /// covariance I/36 are exact, even in 8 bits, where values beyond three standard deviations are
 /// clamped. `matched` is empty.
-[[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, const exemplar::Moments& moments,
-                                         bool periodic, gaussian::Precision precision,
-                                         ProgressPart progress = {});
+[[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, bool periodic,
+                                         gaussian::Precision precision, ProgressPart progress = {});
 
 } // namespace lichen::tiling

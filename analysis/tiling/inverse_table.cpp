@@ -88,15 +88,17 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<Point>& gaussian, int 
   return order;
 }
 
-/// The quantile function of the projected values, averaged exactly over each cell: D = 1.
-InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const float> decoded,
-                          int channels) {
+/// The quantile function of the projected values, averaged exactly over each cell: D = 1. Many
+/// pixels share a Gaussian value of 8 bits; among them, the points have the order that it lacks.
+InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const Point> points,
+                          std::span<const float> decoded, int channels) {
   InverseTable table{1, kTableSide[0], channels, {}};
   const std::size_t count = gaussian.matched.size();
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return gaussian.matched[a].x < gaussian.matched[b].x;
+    return std::pair(gaussian.matched[a].x, points[a].x) <
+           std::pair(gaussian.matched[b].x, points[b].x);
   });
   for (int cell = 0; cell < table.side; ++cell) {
     const double begin = double(cell) * double(count) / table.side;
@@ -256,7 +258,7 @@ InverseTable fitInverseTable(const Gaussianized& gaussian, std::span<const Point
                              const TransportOptions& options, CellValue value) {
   std::optional<InverseTable> fitted;
   if (gaussian.dimensions == 1)
-    fitted = fitQuantiles(gaussian, decoded, channels);
+    fitted = fitQuantiles(gaussian, points, decoded, channels);
   else if (value == CellValue::mean && gaussian.dimensions == 2)
     fitted = fitMeans(gaussian, decoded, channels);
   InverseTable table =

@@ -40,11 +40,12 @@ enum class CellValue {
   mean,     ///< the mean of its pixels, about four per cell, which keeps neighbours similar
 };
 
-/// Fits a table to the pairs (gaussian.matched[i], decoded[i]). `decoded` holds the exemplar's
-/// decoded values (light for sRGB), `points` the same in the transport's space. In one dimension a
-/// cell is the mean of its quantile interval. In more, unless `value` is CellValue::mean, a second
-/// transport from the pixels to the cells' centres starts from the first one. The looked-up values
-/// then have the exemplar's mean and covariance, as far as its range of values allows.
+/// Fits a table to the pairs (gaussian.matched[i], decoded[i]). `decoded` holds what the
+/// table is to hold for the exemplar's values (roots of light for colours), `points` the same in
+/// the transport's space. In one dimension a cell is the mean of its quantile interval. In more,
+/// unless `value` is CellValue::mean, a second transport from the pixels to the cells' centres
+/// starts from the first one. The looked-up values then have the exemplar's mean and covariance, as
+/// far as its range of values allows.
 [[nodiscard]] InverseTable fitInverseTable(const Gaussianized& gaussian,
                                            std::span<const Point> points,
                                            std::span<const float> decoded, int channels,

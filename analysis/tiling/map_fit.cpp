@@ -106,7 +106,7 @@ MapFit fitWith(const MapExemplar& map, const exemplar::ColorSpace& space, float 
       {}};
   std::vector<float> values(map.values.size());
   std::transform(map.values.begin(), map.values.end(), values.begin(),
-                 [&](float value) { return exemplar::decoded(value, map.encoding); });
+                 [&](float value) { return exemplar::tableValue(value, map.encoding); });
   transport.progress = options.progress.part(0.7, 1.0);
   fit.table =
       fitInverseTable(fit.gaussian, points, values, int(map.channels.size()), transport,

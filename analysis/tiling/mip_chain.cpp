@@ -2,6 +2,8 @@
 // Gaussian image (width * height points) -> mip chain -> lost covariance of each mip level.
 #include "mip_chain.h"
 
+#include "fetch_loss.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -79,11 +81,24 @@ exemplar::ChannelMatrix covarianceOf(const std::vector<float>& values, int strid
 constexpr double kNoVariance = 1e-12;
 
 TexelFormat formatOf(int dimensions, int bits) {
-  constexpr std::array<TexelFormat, 3> k8{TexelFormat::r8Unorm, TexelFormat::rg8Unorm,
-                                          TexelFormat::rgba8Unorm};
-  constexpr std::array<TexelFormat, 3> k16{TexelFormat::r16Sfloat, TexelFormat::rg16Sfloat,
-                                           TexelFormat::rgba16Sfloat};
-  return (bits == 8 ? k8 : k16)[std::size_t(dimensions - 1)];
+  if (dimensions == 1)
+    return bits == 8 ? TexelFormat::rg8Unorm : TexelFormat::rg16Sfloat;
+  return bits == 8 ? TexelFormat::rgba8Unorm : TexelFormat::rgba16Sfloat;
+}
+
+/// Sets the last channel of each mip level.
+void setLoss(Table& table, const std::vector<double>& losses) {
+  const std::size_t texel = texelBytes(table.format);
+  const bool isHalf = texel > std::size_t(channelCount(table.format));
+  for (std::uint32_t mip = 0; mip < table.mipLevels; ++mip) {
+    std::vector<std::byte> loss;
+    appendTexels(loss, isHalf ? TexelFormat::r16Sfloat : TexelFormat::r8Unorm,
+                 std::array{float(losses[mip])});
+    const LevelRange range = levelRange(table, mip);
+    for (std::size_t end = texel; end <= range.size; end += texel)
+      std::copy(loss.begin(), loss.end(),
+                table.texels.begin() + std::ptrdiff_t(range.offset + end - loss.size()));
+  }
 }
 
 } // namespace
@@ -97,7 +112,8 @@ Table gaussianTable(const Gaussianized& gaussianized, int bits) {
   Plane level{gaussianized.width, gaussianized.height, channels, {}};
   level.values.reserve(gaussianized.image.size() * std::size_t(channels));
   for (const Point& p : gaussianized.image) {
-    const std::array<float, 4> texel{p.x, p.y, p.z, 1.0f};
+    constexpr float kShift = kStoredGaussianMean - float(gaussian::kGaussianMean);
+    const std::array<float, 4> texel{p.x + kShift, p.y + kShift, p.z + kShift, 0.0f};
     level.values.insert(level.values.end(), texel.begin(), texel.begin() + channels);
   }
   appendTexels(table.texels, table.format, level.values);
@@ -106,12 +122,12 @@ Table gaussianTable(const Gaussianized& gaussianized, int bits) {
     appendTexels(table.texels, table.format, level.values);
     ++table.mipLevels;
   }
+  setLoss(table, fetchLoss(table, gaussianized.dimensions));
   return table;
 }
 
-std::vector<exemplar::ChannelMatrix> lostVariance(const Table& gaussian) {
+std::vector<exemplar::ChannelMatrix> lostVariance(const Table& gaussian, int channels) {
   const int stride = channelCount(gaussian.format);
-  const int channels = std::min(stride, exemplar::kMaxChannels);
   const exemplar::ChannelMatrix full = covarianceOf(decodeLevel(gaussian, 0), stride, channels);
   const double variance = full.trace() / double(channels);
   std::vector<exemplar::ChannelMatrix> lost(gaussian.mipLevels,

@@ -11,16 +11,18 @@
 
 namespace lichen::tiling {
 
-/// Stores the image as an R8, RG8, RGBA8 (bits 8) or R16F, RG16F, RGBA16F (bits 16) table with all
+/// Stores the image as an RG8 (D = 1) or RGBA8 table, or for 16 bits as RG16F or RGBA16F, with all
 /// mip levels down to 1 x 1. Each texel is the area average of the next finer level, so odd sides
-/// lose no row. D = 3 is stored with alpha 1.
+/// lose no row. The last channel is fetchLoss() of the level. Throws std::bad_alloc.
 [[nodiscard]] Table gaussianTable(const Gaussianized& gaussianized, int bits);
 
 /// Returns Cov(level 0) - Cov(level) for each mip level of the stored table, in units of the
-/// variance of a channel: 0 for level 0, the identity if all variance is lost.
-[[nodiscard]] std::vector<exemplar::ChannelMatrix> lostVariance(const Table& gaussian);
+/// variance of a channel: 0 for level 0, the identity if all variance is lost. The first
+/// `dimensions` channels count.
+[[nodiscard]] std::vector<exemplar::ChannelMatrix> lostVariance(const Table& gaussian,
+                                                                int dimensions);
 
-/// The mean over the channels of a loss matrix: the scalar that mipLoss and levels store.
+/// The mean over the channels of a loss matrix.
 [[nodiscard]] double scalarLoss(const exemplar::ChannelMatrix& loss);
 
 } // namespace lichen::tiling

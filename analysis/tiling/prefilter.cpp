@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One inverse table -> kTableLevels tables, each averaged over the lost variance of its fetches.
+// One inverse table -> kTableLevels tables, each averaged over the lost variance of its fetches and
+// fitted with fewer cells.
 #include "prefilter.h"
 
+#include "coarse_table.h"
 #include "table_lookup.h"
 #include "transport/covariance_map.h"
 
@@ -110,7 +112,7 @@ InverseTable sampled(const InverseTable& table, const exemplar::ChannelMatrix& l
 /// Averages over displacements of covariance `loss` / 36. The part that all directions share is
 /// blurred axis by axis, exactly; the rest is sampled on the blurred table.
 template <std::size_t kDimensions>
-InverseTable averaged(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
+InverseTable averagedIn(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   const auto solver = transport::principalAxes(loss);
   const double alike = std::max(0.0, solver.eigenvalues()[0]);
   const InverseTable blurred = blurredAlongAxes(table, alike);
@@ -122,57 +124,40 @@ InverseTable averaged(const InverseTable& table, const exemplar::ChannelMatrix& 
   return sampled<kDimensions>(blurred, rest);
 }
 
-template <std::size_t kDimensions>
-std::vector<InverseTable> slabsOf(const InverseTable& table,
-                                  const std::vector<exemplar::ChannelMatrix>& losses) {
-  const exemplar::Moments moments = interpolatedMoments(table);
-  std::vector<InverseTable> slabs{table};
-  for (std::size_t k = 1; k + 1 < losses.size(); ++k)
-    slabs.push_back(averaged<kDimensions>(table, losses[k]));
-  slabs.push_back(table);
-  const auto channels = std::size_t(table.channels);
-  for (std::size_t i = 0; i < table.values.size(); ++i)
-    slabs.back().values[i] = float(moments.mean[Eigen::Index(i % channels)]);
-  return slabs;
+/// Applies `function` to every value.
+template <class Function>
+InverseTable mapped(InverseTable table, const Function& function) {
+  for (float& value : table.values)
+    value = function(value);
+  return table;
 }
 
 TexelFormat tableFormat(std::size_t channels, ValueEncoding encoding, int bits) {
   const bool unorm =
-      bits == 8 && (encoding == ValueEncoding::srgb || encoding == ValueEncoding::linear);
+      bits == 8 && (encoding == ValueEncoding::root || encoding == ValueEncoding::linear);
   if (channels == 1)
     return unorm ? TexelFormat::r8Unorm : TexelFormat::r16Sfloat;
   if (channels == 2)
     return unorm ? TexelFormat::rg8Unorm : TexelFormat::rg16Sfloat;
-  if (unorm)
-    return encoding == ValueEncoding::srgb ? TexelFormat::rgba8Srgb : TexelFormat::rgba8Unorm;
-  return TexelFormat::rgba16Sfloat;
+  return unorm ? TexelFormat::rgba8Unorm : TexelFormat::rgba16Sfloat;
 }
 
 } // namespace
 
-std::vector<double> tableLevels() {
-  std::vector<double> levels;
-  for (int k = 0; k < kTableLevels; ++k) {
-    const double kept = 1.0 - double(k) / (kTableLevels - 1);
-    levels.push_back(1.0 - kept * kept);
-  }
-  return levels;
-}
-
-exemplar::ChannelMatrix lossAt(double level, const std::vector<exemplar::ChannelMatrix>& lost) {
+exemplar::ChannelMatrix lossAt(double loss, const std::vector<exemplar::ChannelMatrix>& lost) {
   const auto n = lost.front().rows();
   exemplar::ChannelMatrix below = exemplar::ChannelMatrix::Zero(n, n);
   double scalarBelow = 0.0;
   const auto between = [&](const exemplar::ChannelMatrix& above,
                            double scalarAbove) -> exemplar::ChannelMatrix {
-    const double t = (level - scalarBelow) / (scalarAbove - scalarBelow);
+    const double t = (loss - scalarBelow) / (scalarAbove - scalarBelow);
     return below + t * (above - below);
   };
   for (const exemplar::ChannelMatrix& mip : lost) {
     const double scalar = scalarLoss(mip);
     if (scalar <= scalarBelow)
       continue;
-    if (level <= scalar)
+    if (loss <= scalar)
       return between(mip, scalar);
     below = mip;
     scalarBelow = scalar;
@@ -199,38 +184,51 @@ std::vector<std::array<float, 3>> lossDisplacements(const exemplar::ChannelMatri
   return result;
 }
 
-std::vector<InverseTable> prefilteredSlabs(const InverseTable& table,
-                                           const std::vector<exemplar::ChannelMatrix>& lost) {
-  std::vector<exemplar::ChannelMatrix> losses;
-  for (const double level : tableLevels())
-    losses.push_back(lossAt(level, lost));
+InverseTable averaged(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   switch (table.dimensions) {
   case 1:
-    return slabsOf<1>(table, losses);
+    return averagedIn<1>(table, loss);
   case 2:
-    return slabsOf<2>(table, losses);
+    return averagedIn<2>(table, loss);
   default:
-    return slabsOf<3>(table, losses);
+    return averagedIn<3>(table, loss);
   }
 }
 
-Table inverseTableTexels(const std::vector<InverseTable>& slabs, ValueEncoding encoding, int bits) {
-  const InverseTable& first = slabs.front();
+std::vector<InverseTable> prefilteredLevels(const InverseTable& table,
+                                            const std::vector<exemplar::ChannelMatrix>& lost,
+                                            bool holdsRoots) {
+  std::vector<InverseTable> levels{table};
+  const InverseTable light =
+      holdsRoots ? mapped(table, [](float root) { return root * root; }) : table;
+  for (int level = 1; level < kTableLevels; ++level) {
+    InverseTable average = averaged(light, lossAt(levelLoss(level), lost));
+    if (holdsRoots)
+      average = mapped(std::move(average), [](float value) { return std::sqrt(value); });
+    levels.push_back(coarser(average, table.side >> level, keptAmplitude(level)));
+  }
+  return levels;
+}
+
+Table inverseTableTexels(const std::vector<InverseTable>& levels, ValueEncoding encoding,
+                         int bits) {
+  const InverseTable& first = levels.front();
   const auto side = std::uint32_t(first.side);
-  const auto levels = std::uint32_t(slabs.size());
-  Table table;
-  table.format = tableFormat(std::size_t(first.channels), encoding, bits);
-  table.width = side;
-  table.height = first.dimensions == 1 ? levels : first.dimensions == 2 ? side * levels : side;
-  table.depth = first.dimensions == 3 ? side * levels : 0;
-  const auto texelChannels = std::size_t(channelCount(table.format));
   const auto channels = std::size_t(first.channels);
-  std::vector<float> texels;
-  for (const InverseTable& slab : slabs)
-    for (std::size_t cell = 0; cell < slab.cellCount(); ++cell)
+  Table table;
+  table.format = tableFormat(channels, encoding, bits);
+  table.width = side;
+  table.height = first.dimensions > 1 ? side : 1;
+  table.depth = first.dimensions > 2 ? side : 1;
+  table.mipLevels = std::uint32_t(levels.size());
+  const auto texelChannels = std::size_t(channelCount(table.format));
+  for (const InverseTable& level : levels) {
+    std::vector<float> texels;
+    for (std::size_t cell = 0; cell < level.cellCount(); ++cell)
       for (std::size_t c = 0; c < texelChannels; ++c)
-        texels.push_back(c < channels ? slab.values[cell * channels + c] : 1.0f);
-  appendTexels(table.texels, table.format, texels);
+        texels.push_back(c < channels ? level.values[cell * channels + c] : 1.0f);
+    appendTexels(table.texels, table.format, texels);
+  }
   return table;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prefilters slabs of the inverse table, so that a filtered Gaussian value decodes to the average.
+// The mip levels of the inverse table: each averages over the variance that filtering has lost, so
+// that a filtered Gaussian value decodes to the average.
 #pragma once
 
 #include "inverse_table.h"
@@ -10,34 +11,44 @@
 
 namespace lichen::tiling {
 
-/// Number of slabs in a table, 1/7 apart in kept amplitude (docs/decisions/002-inverse-table.md).
-inline constexpr int kTableLevels = 8;
+/// Mip levels of a table, and the amplitude that a Gaussian value keeps at one of them: 1, 0.8, ...
+/// 0.2 (docs/decisions/002-inverse-table.md).
+inline constexpr int kTableLevels = 5;
+[[nodiscard]] constexpr double keptAmplitude(int level) {
+  return 1.0 - double(level) / kTableLevels;
+}
+/// The lost variance for which a level is prefiltered, as a share of the full variance.
+[[nodiscard]] constexpr double levelLoss(int level) {
+  return 1.0 - keptAmplitude(level) * keptAmplitude(level);
+}
 
-/// levels[k] = 1 - (1 - k / (kTableLevels - 1))^2, the lost variance of slab k: kTableLevels values
-/// from 0 to 1, in units of the full variance.
-[[nodiscard]] std::vector<double> tableLevels();
-
-/// The lost covariance whose mean over the channels is `level`, interpolated between 0, the mip
+/// The lost covariance whose mean over the channels is `loss`, interpolated between 0, the mip
 /// levels' losses in `lost` and the identity.
-[[nodiscard]] exemplar::ChannelMatrix lossAt(double level,
+[[nodiscard]] exemplar::ChannelMatrix lossAt(double loss,
                                              const std::vector<exemplar::ChannelMatrix>& lost);
 
 /// Zero-mean Gaussian displacements, stratified, with the covariance `loss` / 36.
 [[nodiscard]] std::vector<std::array<float, 3>>
 lossDisplacements(const exemplar::ChannelMatrix& loss, std::size_t count);
 
-/// Slab k of the result is E[T^-1(g + e)] with e ~ N(0, S / 36), where S is the lost covariance
-/// whose mean is levels[k], interpolated between the mip levels' losses in `lost`. Slab 0 is the
-/// table itself, the last one the constant mean. `lost` has at least one matrix; each is symmetric,
-/// has eigenvalues in [0, 1] and as many rows as the table has dimensions. Throws std::bad_alloc.
-[[nodiscard]] std::vector<InverseTable>
-prefilteredSlabs(const InverseTable& table, const std::vector<exemplar::ChannelMatrix>& lost);
+/// Returns a table of as many cells that holds E[T^-1(g + e)], e ~ N(0, loss / 36), at the cells'
+/// centres: `loss` is symmetric, has eigenvalues in [0, 1] and as many rows as the table has
+/// dimensions. Throws std::bad_alloc.
+[[nodiscard]] InverseTable averaged(const InverseTable& table, const exemplar::ChannelMatrix& loss);
 
-/// Packs the slabs (at least one, all of one shape) into one KTX2-ready table: 2-D (256 x L) for
-/// D = 1, 2-D (64 x 64 L) for D = 2, 3-D (32 x 32 x 32 L) for D = 3. The encoding and bits, 8 or
-/// 16, select the format: RGBA8 SRGB for light, RGBA8 UNORM for other data in [0, 1], otherwise
-/// RGBA16F; data with one or two channels uses R or RG. A fourth channel is 1.
-[[nodiscard]] Table inverseTableTexels(const std::vector<InverseTable>& slabs,
+/// The mip levels of a table. Level 0 is `table` itself. Level k has half as many cells on each
+/// axis as the one before, and is the least-squares fit, for Gaussian values that keep
+/// keptAmplitude(k), of the average over the lost variance; `lost` has the losses of the Gaussian
+/// image's mip levels, at least one. Where `holdsRoots` is set, cells hold square roots: their
+/// squares are averaged, and the fit is of the root of the average. Throws std::bad_alloc.
+[[nodiscard]] std::vector<InverseTable>
+prefilteredLevels(const InverseTable& table, const std::vector<exemplar::ChannelMatrix>& lost,
+                  bool holdsRoots);
+
+/// Packs the levels into one 3-D table with mip levels. The encoding and `bits`, 8 or 16, select
+/// the format: UNORM for roots of light and data in [0, 1], otherwise half floats. Tables of one
+/// and two channels use R and RG; a fourth channel is 1.
+[[nodiscard]] Table inverseTableTexels(const std::vector<InverseTable>& levels,
                                        ValueEncoding encoding, int bits);
 
 } // namespace lichen::tiling

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights of the three taps of a blend at a random point of the lattice.
+// Weights of the three taps of a blend at a random point of the lattice, and positions for taps.
 #pragma once
 
 #include <array>
@@ -22,6 +22,14 @@ namespace lichen::tiling {
   const float c = 1.0f - a - b;
   const float norm = std::sqrt(a * a + b * b + c * c);
   return {a / norm, b / norm, c / norm};
+}
+
+/// Position `k` of `count` that are spread evenly over the unit square: a lattice of the golden
+/// ratio.
+[[nodiscard]] inline std::array<float, 2> spreadPosition(std::uint32_t k, std::uint32_t count) {
+  constexpr double kGoldenRatio = 0.61803398874989485;
+  const double turns = kGoldenRatio * k;
+  return {(float(k) + 0.5f) / float(count), float(turns - std::floor(turns))};
 }
 
 } // namespace lichen::tiling

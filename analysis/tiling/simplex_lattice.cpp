@@ -41,10 +41,9 @@ void setTap(Taps& taps, std::size_t k, const shader::LichenNoise& noise,
         noise.tileRotation);
     tap = turned(turnsKeepTexels(noise) ? tap : way, taps.turn[k], noise.tileAspect);
   }
-  const std::array<std::uint32_t, 2> offset = tileOffsetIndex(
-      std::uint32_t(i), std::uint32_t(j), noise.seedWord, noise.offsetCountX, noise.offsetCountY);
-  tap[0] += float(offset[0]) * noise.offsetStepX;
-  tap[1] += float(offset[1]) * noise.offsetStepY;
+  const auto steps = tileOffsetSteps(std::uint32_t(i), std::uint32_t(j), noise.seedWord);
+  tap[0] += float(steps[0]) * noise.offsetStepX;
+  tap[1] += float(steps[1]) * noise.offsetStepY;
 }
 
 void sharpen(Taps& taps, float exponent) {
@@ -64,9 +63,8 @@ void sharpen(Taps& taps, float exponent) {
 } // namespace
 
 Taps tapsAt(const shader::LichenNoise& noise, const std::array<float, 2>& position) {
-  const float b = position[1] * noise.rowsPerTile + noise.fractionJ;
-  const float a =
-      position[0] * noise.columnsPerTile - 0.5f * position[1] * noise.rowsPerTile + noise.fractionI;
+  const float b = position[1] * noise.rowsPerTile;
+  const float a = position[0] * noise.columnsPerTile - 0.5f * b;
   const float floorA = std::floor(a);
   const float floorB = std::floor(b);
   const std::int32_t i = wrappingSum(std::int32_t(floorA), noise.cellI);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Slabs of slopes (n channels) -> slabs with the variance of the slopes added (n + 1).
+// Levels of a table of slopes (n channels) -> levels with the variance of the slopes added (n + 1).
 // Uses the law of total variance, conditional on the fetched Gaussian value: LEAN's moments [OB10]
 // without its assumption that slopes are Gaussian.
 #include "slope_variance.h"
 
+#include "coarse_table.h"
+#include "level_means.h"
 #include "prefilter.h"
-#include "slab_means.h"
 #include "table_lookup.h"
 
 #include <tbb/parallel_for.h>
@@ -20,12 +21,12 @@ constexpr std::size_t kSamplesPerCell = 256;
 
 /// The variance of each cell's slopes over the lost displacements, as the mean of the channels.
 template <std::size_t kDimensions>
-std::vector<float> sampledVariance(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
+InverseTable sampledVariance(const InverseTable& table, const exemplar::ChannelMatrix& loss) {
   const std::vector<std::array<float, 3>> offsets = lossDisplacements(loss, kSamplesPerCell);
   const TableLookup<kDimensions> lookup(table);
   const std::vector<Point> middles = cellMiddles(table.dimensions, table.side);
-  std::vector<float> result(table.cellCount());
-  tbb::parallel_for(std::size_t(0), result.size(), [&](std::size_t cell) {
+  InverseTable result{table.dimensions, table.side, 1, std::vector<float>(table.cellCount())};
+  tbb::parallel_for(std::size_t(0), table.cellCount(), [&](std::size_t cell) {
     std::array<double, 4> sum{};
     std::array<double, 4> squares{};
     for (const std::array<float, 3>& offset : offsets) {
@@ -41,25 +42,25 @@ std::vector<float> sampledVariance(const InverseTable& table, const exemplar::Ch
     double variance = 0.0;
     for (std::size_t c = 0; c < std::size_t(table.channels); ++c)
       variance += squares[c] / kCount - sum[c] / kCount * (sum[c] / kCount);
-    result[cell] = float(std::max(0.0, variance / table.channels));
+    result.values[cell] = float(std::max(0.0, variance / table.channels));
   });
   return result;
 }
 
-InverseTable appended(const InverseTable& slab, const std::vector<float>& channel) {
-  InverseTable result{slab.dimensions, slab.side, slab.channels + 1, {}};
+InverseTable appended(const InverseTable& level, const std::vector<float>& channel) {
+  InverseTable result{level.dimensions, level.side, level.channels + 1, {}};
   result.values.reserve(channel.size() * std::size_t(result.channels));
   for (std::size_t cell = 0; cell < channel.size(); ++cell) {
-    const auto first = slab.values.begin() + std::ptrdiff_t(cell) * slab.channels;
-    result.values.insert(result.values.end(), first, first + slab.channels);
+    const auto first = level.values.begin() + std::ptrdiff_t(cell) * level.channels;
+    result.values.insert(result.values.end(), first, first + level.channels);
     result.values.push_back(channel[cell]);
   }
   return result;
 }
 
 /// Scales the last channel so that it and the variance of the others add up to `whole`.
-void scaleToWhole(InverseTable& slab, const FetchMoments& fetched, double whole) {
-  const auto slopes = std::size_t(slab.channels - 1);
+void scaleToWhole(InverseTable& level, const FetchMoments& fetched, double whole) {
+  const auto slopes = std::size_t(level.channels - 1);
   double shown = 0.0;
   for (std::size_t c = 0; c < slopes; ++c)
     shown += (fetched.square[c] - fetched.mean[c] * fetched.mean[c]) / double(slopes);
@@ -67,25 +68,29 @@ void scaleToWhole(InverseTable& slab, const FetchMoments& fetched, double whole)
   if (hidden <= 0.0)
     return;
   const auto scale = float(std::max(0.0, whole - shown) / hidden);
-  for (std::size_t i = slopes; i < slab.values.size(); i += slopes + 1)
-    slab.values[i] *= scale;
+  for (std::size_t i = slopes; i < level.values.size(); i += slopes + 1)
+    level.values[i] *= scale;
 }
 
 } // namespace
 
-void appendSlopeVariance(std::vector<InverseTable>& slabs, const InverseTable& table,
-                         const Table& gaussian, const std::vector<exemplar::ChannelMatrix>& lost) {
+void appendSlopeVariance(std::vector<InverseTable>& levels, const InverseTable& table,
+                         const Table& gaussian, const std::vector<exemplar::ChannelMatrix>& lost,
+                         const std::vector<float>& losses) {
   const double whole = interpolatedMoments(table).covariance.trace() / double(table.channels);
-  const std::vector<double> levels = tableLevels();
-  const std::size_t cells = table.cellCount();
-  slabs.front() = appended(slabs.front(), std::vector<float>(cells, 0.0f));
-  slabs.back() = appended(slabs.back(), std::vector<float>(cells, float(whole)));
-  for (std::size_t k = 1; k + 1 < slabs.size(); ++k) {
-    const exemplar::ChannelMatrix loss = lossAt(levels[k], lost);
-    slabs[k] = appended(slabs[k], table.dimensions == 1 ? sampledVariance<1>(table, loss)
-                                                        : sampledVariance<2>(table, loss));
-    scaleToWhole(slabs[k], fetchMoments(slabs[k], gaussian, levels[k], lost), whole);
-  }
+  const RepeatingImage image(gaussian);
+  levels.front() = appended(levels.front(), std::vector<float>(table.cellCount(), 0.0f));
+  tbb::parallel_for(1, int(levels.size()), [&](int k) {
+    InverseTable& level = levels[std::size_t(k)];
+    const exemplar::ChannelMatrix loss = lossAt(levelLoss(k), lost);
+    const InverseTable fine =
+        table.dimensions == 1 ? sampledVariance<1>(table, loss) : sampledVariance<2>(table, loss);
+    InverseTable variance = coarser(fine, level.side, keptAmplitude(k));
+    for (float& value : variance.values)
+      value = std::max(value, 0.0f);
+    level = appended(level, variance.values);
+    scaleToWhole(level, fetchMoments(level, k, image, losses), whole);
+  });
 }
 
 } // namespace lichen::tiling

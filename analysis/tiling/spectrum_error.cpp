@@ -103,7 +103,7 @@ Spectrum noisePower(const MapExemplar& map, const Gaussianized& gaussian, const 
                     int window) {
   InverseTable encodedTable = table;
   for (float& value : encodedTable.values)
-    value = exemplar::encoded(value, map.encoding);
+    value = exemplar::storedOfTable(value, map.encoding);
   const TableLookup<kDimensions> lookup(encodedTable);
   const auto count = std::uint32_t(kSampledTexels / (window * window));
   std::vector<Spectrum> powers(count);

@@ -62,12 +62,10 @@ std::array<Plane, 3> planesAt(const TriplanarFootprint& at, const shader::Lichen
     plane.noise = noise;
     plane.noise.cellI = origin.cellI;
     plane.noise.cellJ = origin.cellJ;
-    plane.noise.fractionI = origin.fractionI;
-    plane.noise.fractionJ = origin.fractionJ;
     plane.noise.seedWord = origin.seedWord;
-    const Vec2 position = tiles(at.position);
-    plane.at = {
-        {origin.offsetX + position[0], origin.offsetY + position[1]}, tiles(at.dx), tiles(at.dy)};
+    plane.noise.offsetX = origin.offsetX;
+    plane.noise.offsetY = origin.offsetY;
+    plane.at = {tiles(at.position), tiles(at.dx), tiles(at.dy)};
     const float squaredCosine = at.normal[axis] * at.normal[axis] / dot(at.normal, at.normal);
     plane.seen = 0.5f + 0.5f * squaredCosine;
   }

@@ -51,12 +51,11 @@ public:
                                                               const Noise& noise) const = 0;
 
   /// The noise's cells on texture coordinates (cells), and the cell of an integer tile origin
-  /// (cellOf). Each skewed row is shifted by half a column relative to the previous one.
+  /// (cellOf), modulo 2^32, at the corner of which the origin lies.
   [[nodiscard]] virtual Lattice cells(const Noise& noise, const MaterialNoise& material,
                                       const Placement& placement) const = 0;
-  [[nodiscard]] virtual LatticeOrigin cellOf(const Lattice& cells, std::int64_t tileX,
-                                             std::int64_t tileY) const = 0;
-  [[nodiscard]] virtual bool hasSkewedRows() const = 0;
+  [[nodiscard]] virtual std::array<std::int32_t, 2> cellOf(const Lattice& cells, std::int64_t tileX,
+                                                           std::int64_t tileY) const = 0;
 
   /// Sets the noise constants for Mapping::surface. Called only if fits(Mapping::surface).
   virtual void setSurface(const Noise&, const MaterialNoise&, const Placement&,

@@ -32,40 +32,43 @@ def lattice_seed(seed, plane):
     return pcg((pcg(seed) + plane) % WORD)
 
 
+def vertex_hash(i, j, seed_word):
+    h = i % WORD * 0x9E3779B1 % WORD
+    h = ((h ^ (h >> 15)) + j) % WORD ^ seed_word
+    h = h * 0x85EBCA6B % WORD
+    h = (h ^ (h >> 15)) * 0xC2B2AE35 % WORD
+    return h ^ (h >> 16)
+
+
 def tile_offset(i, j, seed_word, width, height):
-    def offset(word, size):
+    def offset(steps, size):
         step = 1
         while size // (2 * step) >= 64:
             step *= 2
-        return (word >> 16) * (size // step) // 65536 * step
+        return steps * step % size
 
-    x, y, _ = pcg3d(i % WORD, j % WORD, seed_word)
-    return [offset(x, width), offset(y, height)]
+    h = vertex_hash(i, j, seed_word)
+    return [offset(h % 2048, width), offset(h // 2**21, height)]
 
 
 def tile_rotation(i, j, seed_word, steps):
-    return (pcg3d(i % WORD, j % WORD, seed_word)[2] >> 16) * steps // 65536
+    return (pcg(vertex_hash(i, j, seed_word)) // 65536) * steps // 65536
 
 
 def signed(word):
     return word - WORD if word >= WORD // 2 else word
 
 
-def lattice_origin(tile_x, tile_y):
-    columns = 2 * Decimal(3).sqrt() * tile_x - 2 * tile_y
-    cell = int(columns.to_integral_value(rounding="ROUND_FLOOR"))
-    return {
-        "tile": [tile_x, tile_y],
-        "cell": [signed(cell % WORD), signed(4 * tile_y % WORD)],
-        "fraction": [float(columns - cell), 0.0],
-    }
+def lattice_cell(tile_x, tile_y):
+    columns = 7 * tile_x // 2 - 2 * tile_y
+    return {"tile": [tile_x, tile_y], "cell": [signed(columns % WORD), signed(4 * tile_y % WORD)]}
 
 
 def periodic_lattice(width, height):
     def half_up(value):
         return int((value + Decimal("0.5")).to_integral_value(rounding="ROUND_FLOOR"))
 
-    columns = max(3, half_up(2 * Decimal(3).sqrt() * Decimal(width)))
+    columns = max(3, half_up(Decimal("3.5") * Decimal(width)))
     rows = max(4, 2 * half_up(4 * Decimal(height) / 2))
     return {"tiles": [width, height], "columns": columns, "rows": rows}
 
@@ -187,7 +190,7 @@ WORDS = [0, 1, 2, 3, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x12345678]
 VERTICES = [(0, 0), (1, 0), (0, 1), (-1, -1), (-2147483648, 2147483647), (34641016, -40000000)]
 SEEDS = [(0, 0), (1, 0), (1, 1), (1, 2), (4294967295, 0)]
 SIZES = [(1, 1), (256, 256), (1000, 17), (16384, 16384)]
-TILES = [(0, 0), (1, 0), (0, 1), (-1, -1), (10000000, -3), (-(2**40), 2**40 - 1)]
+TILES = [(0, 0), (2, 0), (0, 1), (-2, -1), (10000000, -3), (-(2**40), 2**40 - 1)]
 PERIODS = [(0.5, 0.5), (1.0, 1.0), (1.37, 2.0), (4.0, 4.0), (16.0, 3.0)]
 GRIDS = [([63, 63], 1, 30, [1024, 1024]), ([64, 64], 0, 30, [1024, 512]),
          ([61, 21], 3, 12.5, [1000, 17]), ([8, 8], 1, 1000, [32, 32]), ([31, 31], 1, 1, [31, 40])]
@@ -204,13 +207,15 @@ print(json.dumps({
     "pcg3d": [{"value": [w, (w * 5 + 1) % WORD, (w * 9 + 2) % WORD],
                "hash": pcg3d(w, (w * 5 + 1) % WORD, (w * 9 + 2) % WORD)} for w in WORDS],
     "latticeSeed": [{"seed": s, "plane": p, "word": lattice_seed(s, p)} for s, p in SEEDS],
+    "vertexHash": [{"vertex": list(v), "seed": s, "plane": p,
+                    "hash": vertex_hash(*v, lattice_seed(s, p))} for v in VERTICES for s, p in SEEDS],
     "tileOffset": [{"vertex": list(v), "seed": s, "plane": p, "size": list(size),
                     "texels": tile_offset(*v, lattice_seed(s, p), *size)}
                    for v in VERTICES for s, p in SEEDS[1:3] for size in SIZES],
     "tileRotation": [{"vertex": list(v), "seed": s, "plane": p, "steps": steps,
                       "step": tile_rotation(*v, lattice_seed(s, p), steps)}
                      for v in VERTICES for s, p in SEEDS[1:3] for steps in (2, 4, 7, 65536)],
-    "latticeOrigin": [lattice_origin(*tile) for tile in TILES],
+    "latticeCell": [lattice_cell(*tile) for tile in TILES],
     "periodicLattice": [periodic_lattice(*period) for period in PERIODS],
     "impactGrid": [impact_grid(*grid) for grid in GRIDS],
     "poissonCount": [{"word": w, "count": poisson_count(w)} for w in COUNTS],

@@ -13,7 +13,7 @@
 #define LICHEN_MAX_MIPS 16
 
 // LichenMap::encoding, of the stored values.
-#define LICHEN_ENCODING_SRGB 0
+#define LICHEN_ENCODING_ROOT 0 // square roots of light
 #define LICHEN_ENCODING_LINEAR 1
 #define LICHEN_ENCODING_SLOPE 2
 #define LICHEN_ENCODING_LOG2 3
@@ -58,10 +58,9 @@ struct uvec4 {
 /// of texture coordinates, at the host's tile origin in space.
 struct LichenPlane {
   int cellI, cellJ;
-  float fractionI, fractionJ;
   float offsetX, offsetY; // [tiles]
   uint seedWord;          // latticeSeed(seed, plane)
-  uint reserved0;         // 0: to a multiple of 16 bytes
+  uint reserved0, reserved1, reserved2; // 0: to a multiple of 16 bytes
 };
 
 /// How one material uses one noise. May change every frame.
@@ -71,16 +70,13 @@ struct LichenNoise {
   float offsetX, offsetY;
   float blendSharpness; // [0.25, 16] exponent of the blend weights
   float contrast;       // [0, 4] scale of the Gaussian value about its mean
-  // The lattice of tiling, or the grid of impacts of texton noise: cells per tile, and where the
-  // host's integer tile origin lies inside its cell. Cells of surface noise are cubes,
-  // columnsPerTile of them to the width of a tile.
+  // The lattice of tiling, or the grid of impacts of texton noise: cells per tile. Cells of surface
+  // noise are cubes, columnsPerTile of them to the width of a tile.
   float columnsPerTile, rowsPerTile;
-  float fractionI, fractionJ;       // [0, 1)
   int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
   int periodColumns, periodRows;    // 0, 0 when the lattice is infinite; rows of tiling even
   float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
   float offsetStepX, offsetStepY;   // [tiles] between neighbouring offsets of a tile
-  uint offsetCountX, offsetCountY;  // of different offsets on each axis, [1, 2^14]
   uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
   uint seed;                        // as the material gives it
   float maxAnisotropy; // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
@@ -89,8 +85,9 @@ struct LichenNoise {
   int cellK;            // of surface noise: the third of cellI and cellJ
   float planeSharpness; // [1, 64] exponent of the planes' weights; 0 but for triplanar noise
   float tileAspect;     // width over height of a tile in space
-  uint tileRotation;    // [0, 65536] of tiling: steps of a turn that tiles lie in; 0 and 1: none
-  uint reserved0;       // 0: to a multiple of 16 bytes
+  float tileTexelsX, tileTexelsY; // of the widest and the highest map
+  uint tileRotation; // [0, 65536] of tiling: steps of a turn that tiles lie in; 0 and 1: none
+  uint reserved0, reserved1, reserved2; // 0: to a multiple of 16 bytes
   LichenPlane planeX, planeY, planeZ; // of triplanar noise: looking along x, y, z
 };
 
@@ -99,14 +96,13 @@ struct LichenMap {
   float widthTexels, heightTexels; // of the image's level 0
   uint dimensions;                 // D of the Gaussian image, channels of a texton, 1 to 3
   uint mipCount;                   // [1, LICHEN_MAX_MIPS]
-  uint alignedMips; // how many of the first mips' texels all taps meet at the same place
-  uint tableLevels; // L, the slabs of the inverse table; 0 without a table
+  float levelOffset; // of tiling: log2 of the map's width over that of the widest
+  float interpolationLoss; // of tiling: share of the variance that fetches of level 0 lose
   uint encoding;    // LICHEN_ENCODING_*
   uint decoding;    // LICHEN_DECODING_*
   vec4 mean;        // of the decoded values; w is 1. Slopes: z is the variance of a slope
-  // Amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte m of sixteen.
-  // Tiling has only the first, of all channels together. Of textons a channel that is absent or
-  // does not vary keeps nothing.
+  // Of textons: amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte m
+  // of sixteen. A channel that is absent or does not vary keeps nothing.
   uvec4 mipKept0, mipKept1, mipKept2;
   // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
   // value less its mean.

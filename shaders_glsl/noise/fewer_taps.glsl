@@ -6,7 +6,7 @@
 #ifndef LICHEN_FEWER_TAPS_GLSL
 #define LICHEN_FEWER_TAPS_GLSL
 
-#include "simplex_lattice.glsl"
+#include "tiling.glsl"
 
 // How many tiles are fetched at most, 3 or 2. A literal, or the host's specialization constant.
 #ifndef LICHEN_TILING_TAPS
@@ -22,7 +22,7 @@
 /// Whether some tiles are left out anywhere; known at compile time.
 bool lichenHasFewerTaps() { return LICHEN_TILING_TAPS < 3 || LICHEN_ONE_TAP_TILES > 0.0; }
 
-/// Whether the tile of this weight is fetched. All are where none are left out.
+/// Whether a tile is fetched. All are where none are left out.
 bool lichenIsTaken(float weight) { return lichenHasFewerTaps() ? weight > 0.0 : true; }
 
 /// How far a pixel with these derivatives [tiles] is on the way from all taps to one, [0, 1].
@@ -38,29 +38,24 @@ float lichenOneTapShare(vec2 gradientX, vec2 gradientY) {
   return clamp(2.0 * side / LICHEN_ONE_TAP_TILES - 1.0, 0.0, 1.0);
 }
 
-/// Swizzles, since what is indexed lives in memory on most devices.
-void lichenSortByWeight(inout LichenTriangle triangle) {
-  if (triangle.weights.x < triangle.weights.y) {
-    triangle.weights = triangle.weights.yxz;
-    triangle.i = triangle.i.yxz;
-    triangle.j = triangle.j.yxz;
-  }
-  if (triangle.weights.y < triangle.weights.z) {
-    triangle.weights = triangle.weights.xzy;
-    triangle.i = triangle.i.xzy;
-    triangle.j = triangle.j.xzy;
-  }
-  if (triangle.weights.x < triangle.weights.y) {
-    triangle.weights = triangle.weights.yxz;
-    triangle.i = triangle.i.yxz;
-    triangle.j = triangle.j.yxz;
-  }
+/// Exchanges two vertices if the first has less weight.
+void lichenOrder(inout float weightA, inout ivec2 vertexA, inout float weightB,
+                 inout ivec2 vertexB) {
+  bool isSwapped = weightA < weightB;
+  float weight = isSwapped ? weightA : weightB;
+  ivec2 vertex = isSwapped ? vertexA : vertexB;
+  weightA = isSwapped ? weightB : weightA;
+  vertexA = isSwapped ? vertexB : vertexA;
+  weightB = weight;
+  vertexB = vertex;
 }
 
 /// Sorts the vertices, the one of the most weight first, and takes weight away from all until so
 /// many are 0 as the quality says. `triangle.weights` sum to 1, before and after.
 void lichenTakeFewerTaps(inout LichenTriangle triangle, vec2 gradientX, vec2 gradientY) {
-  lichenSortByWeight(triangle);
+  lichenOrder(triangle.weights.x, triangle.vertex0, triangle.weights.y, triangle.vertex1);
+  lichenOrder(triangle.weights.y, triangle.vertex1, triangle.weights.z, triangle.vertex2);
+  lichenOrder(triangle.weights.x, triangle.vertex0, triangle.weights.y, triangle.vertex1);
   vec3 weights = triangle.weights;
   // Less the least weight, two are left, and on an edge of the triangle, where the least is 0,
   // nothing is taken. Less the second, one is.

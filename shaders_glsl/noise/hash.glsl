@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: MIT
-// The integer hash of the lattice, bit for bit that of bundle/include/lichen/lattice.h.
-// Integers in, integers out; uint arithmetic wraps modulo 2^32.
+// The integer hashes, bit for bit those of bundle/include/lichen/lattice.h. Integers in, integers
+// out; uint arithmetic wraps modulo 2^32.
 // [JO20] Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg, pcg3d.
 #ifndef LICHEN_HASH_GLSL
 #define LICHEN_HASH_GLSL
+
+/// Vertex (i, j) of the lattice -> two random halves of 16 bits.
+uint lichenVertexHash(int i, int j, uint seedWord) {
+  // i is mixed before j is added: of a sum of products i A + j B vertices repeat in rows. The seed
+  // comes in between, so that no two seeds give one field shifted. Then the finalizer of
+  // MurmurHash3 [A16], but for its first shift.
+  uint h = uint(i) * 0x9E3779B1u;
+  h = ((h ^ (h >> 15u)) + uint(j)) ^ seedWord;
+  h *= 0x85EBCA6Bu;
+  h = (h ^ (h >> 15u)) * 0xC2B2AE35u;
+  return h ^ (h >> 16u);
+}
 
 /// PCG output function over one LCG step.
 uint lichenPcg(uint value) {
@@ -37,19 +49,5 @@ uvec3 lichenPcg3d(uvec3 v) {
 
 /// The word that stands for a noise's seed and a projection plane (0 for uv).
 uint lichenLatticeSeed(uint seed, uint plane) { return lichenPcg(lichenPcg(seed) + plane); }
-
-/// Which of `counts` offsets on each axis vertex (i, j)'s tile has, [0, counts).
-uvec2 lichenTileOffsetIndex(int i, int j, uint seedWord, uvec2 counts) {
-  // Conversion of int to uint keeps the bits, negative values included.
-  uvec3 hash = lichenPcg3d(uvec3(uint(i), uint(j), seedWord));
-  return ((hash.xy >> 16u) * counts) >> 16u;
-}
-
-/// Which of `steps` steps of a turn vertex (i, j)'s tile has, [0, steps), steps up to 2^16.
-uint lichenTileRotationStep(int i, int j, uint seedWord, uint steps) {
-  // The word that the offset leaves over.
-  uvec3 hash = lichenPcg3d(uvec3(uint(i), uint(j), seedWord));
-  return ((hash.z >> 16u) * steps) >> 16u;
-}
 
 #endif

@@ -11,14 +11,11 @@
 #include "../interface/lichen_interface.h"
 #include "footprint_level.glsl"
 #include "hash.glsl"
+#include "periodic_lattice.glsl"
 
 // 1 when the images' sampler is anisotropic: the textons are then fetched with gradients.
 #ifndef LICHEN_ANISOTROPIC
 #define LICHEN_ANISOTROPIC 0
-#endif
-// 0 where no material has a periodic lattice. A literal, or the host's specialization constant.
-#ifndef LICHEN_PERIODIC_LATTICE
-#define LICHEN_PERIODIC_LATTICE 1
 #endif
 // 0 where every material's point process is stratified. Likewise.
 #ifndef LICHEN_POISSON_POINTS
@@ -131,7 +128,7 @@ void lichenSetFootprint(inout LichenImpacts impacts, vec2 texelsX, vec2 texelsY,
   impacts.majorAxis = major * direction;
   impacts.minorAxis = minor * vec2(-direction.y, direction.x);
 #else
-  impacts.footprintLevel = max(0.0, lichenFootprintLevel(texelsX, texelsY));
+  impacts.footprintLevel = lichenSharpLevel(lichenFootprintLevel(texelsX, texelsY));
   impacts.level = min(impacts.footprintLevel, lastLevel);
 #endif
 }
@@ -195,7 +192,7 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
   impacts.middle = 0.5 * (low + high);
   impacts.radius = high - impacts.middle;
   // An impact has the middle of its coefficients at its own place.
-  vec2 grid = position * cellsPerTile + vec2(noise.fractionI, noise.fractionJ);
+  vec2 grid = position * cellsPerTile;
   vec2 cell = floor(grid);
   vec2 inside = grid - cell;
   impacts.cellTexels = texelsPerTile / cellsPerTile;

@@ -8,12 +8,12 @@
 #include "method_choice.glsl"
 #include "surface_texton.glsl"
 #include "texton.glsl"
-#include "tiling.glsl"
+#include "tiling_options.glsl"
 #include "triplanar.glsl"
 
 /// What all maps of a noise share at one point; the parts of its method and mapping are set.
 struct LichenPlace {
-  LichenTaps taps;
+  LichenTilingTaps taps;
   LichenImpacts impacts;
   LichenSurfaceImpacts surface;
   LichenTriplanar triplanar;

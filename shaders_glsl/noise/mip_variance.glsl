@@ -14,14 +14,4 @@ float lichenMipKept(int mip, uvec4 bytes) {
   return float(int((word >> (8u * uint(byte & 3))) & 255u)) * (1.0 / 255.0);
 }
 
-/// The share of the variance that a level >= 0 of a Gaussian image keeps: a trilinear blend of a
-/// mip and its own average.
-float lichenLevelKept(float level, LichenMap map) {
-  int mip = int(level);
-  float below = lichenMipKept(mip, map.mipKept0);
-  float above = lichenMipKept(mip + 1, map.mipKept0);
-  float rest = 1.0 - (level - float(mip));
-  return above * above + rest * rest * (below * below - above * above);
-}
-
 #endif

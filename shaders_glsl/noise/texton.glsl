@@ -8,9 +8,9 @@
 #define LICHEN_TEXTON_GLSL
 
 #include "../interface/lichen_interface.h"
+#include "decode.glsl"
 #include "impacts.glsl"
 #include "texton_mix.glsl"
-#include "tiling_decode.glsl"
 
 // 0 where no texton is of order 0. A literal, or the host's specialization constant.
 #ifndef LICHEN_NEAREST_TEXTONS

@@ -26,10 +26,12 @@ bool lichenTurnsKeepTexels(LichenNoise noise) {
   return noise.tileRotation <= 2u || (noise.tileRotation == 4u && noise.tileAspect == 1.0);
 }
 
-/// The (cosine, sine) of vertex (i, j)'s tile.
-vec2 lichenTileTurn(int i, int j, LichenNoise noise) {
+/// The (cosine, sine) of a vertex's tile.
+vec2 lichenTileTurn(ivec2 vertex, LichenNoise noise) {
   int steps = int(noise.tileRotation);
-  int step = int(lichenTileRotationStep(i, j, noise.seedWord, noise.tileRotation));
+  // Hashed again: both halves of the vertex's hash are the offset.
+  uint hash = lichenPcg(lichenVertexHash(vertex.x, vertex.y, noise.seedWord));
+  int step = int(((hash >> 16u) * noise.tileRotation) >> 16u);
   // The nearest quarter turn, which is exact, and the rest of up to an eighth of a turn, by Taylor's
   // series: a device's own sine may be 2^-11 off, a tenth of a texel.
   int quarter = int(floor(4.0 * float(step) / float(steps) + 0.5));

@@ -10,13 +10,13 @@
 #include "method_choice.glsl"
 #include "texton.glsl"
 #include "tile_frame.glsl"
-#include "tiling.glsl"
+#include "tiling_options.glsl"
 
 /// The noise in one plane at one point.
 struct LichenPlanePlace {
   int axis;     // along which the plane looks: 0 x, 1 y, 2 z
   float weight; // squares of the weights sum to 1
-  LichenTaps taps;
+  LichenTilingTaps taps;
   LichenImpacts impacts;
 };
 
@@ -39,8 +39,6 @@ LichenNoise lichenNoiseOfPlane(int axis, LichenNoise noise) {
   LichenPlane plane = lichenPlane(axis, noise);
   noise.cellI = plane.cellI;
   noise.cellJ = plane.cellJ;
-  noise.fractionI = plane.fractionI;
-  noise.fractionJ = plane.fractionJ;
   noise.offsetX = plane.offsetX;
   noise.offsetY = plane.offsetY;
   noise.seedWord = plane.seedWord;
@@ -69,46 +67,49 @@ LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank) {
 }
 
 /// The Gaussian value of one plane. `lost`: the shares of its channels' variance that filtering
-/// loses. `tiles`: what is blended of tiling. `here` is the map at its place in a mix, and `table`
-/// that of the map's binding.
+/// loses. `here` is the map at its place in a mix, and `table` that of the map's binding.
 vec3 lichenPlaneGaussian(sampler2D image, sampler3D table, LichenPlanePlace plane,
                          LichenNoise noise, LichenMap map, LichenMap here, LichenTexton texton,
-                         out LichenTiles tiles, out vec3 lost) {
+                         out vec3 lost) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise)) {
     noise.seedWord = lichenPlane(plane.axis, noise).seedWord;
     LichenKept kept = lichenTextonKept(table, plane.impacts, map, texton);
     lost = 1.0 - kept.seen;
-    tiles = LichenTiles(vec3(0.5), vec3(0.5), vec3(0.5));
     return lichenTextonGaussian(image, plane.impacts, kept, noise, here, texton);
   }
 #endif
-  float level = lichenTilingLevel(plane.taps, noise, map);
-  lost = vec3(lichenTilingLostVariance(plane.taps, level, map));
-  tiles = lichenTilingTiles(image, plane.taps, level);
-  return lichenTilingBlend(tiles, plane.taps);
+  vec4 gaussian = lichenTilingGaussian(image, plane.taps, noise, map);
+  lost = gaussian.aaa;
+  return gaussian.rgb;
 }
 
-/// The value that a Gaussian value stands for, of one plane, whose tiles these are, or of all.
-/// `here` as above.
-vec4 lichenTriplanarDecode(sampler3D table, LichenTiles tiles, LichenPlanePlace plane,
-                           vec3 gaussian, vec3 lost, LichenNoise noise, LichenMap map,
-                           LichenMap here) {
+/// The slopes of one plane; z is the variance of a slope that the footprint hides.
+vec3 lichenPlaneSlopesOf(sampler2D image, sampler3D table, LichenPlanePlace plane,
+                         LichenNoise noise, LichenMap map, LichenMap here, LichenTexton texton) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise)) {
+    vec3 lost;
+    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
+    return lichenDecodeGaussian(gaussian, noise.contrast * noise.contrast * lost, here).xyz;
+  }
+#endif
+  return lichenTiling(image, table, plane.taps, noise, map).xyz;
+}
+
+/// The value that the Gaussian value of all planes stands for.
+vec4 lichenTriplanarDecode(sampler3D table, vec3 gaussian, vec3 lost, LichenNoise noise,
+                           LichenMap map, LichenMap here) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise)) // contrast scales what is missing with what is there
     return lichenDecodeGaussian(gaussian, noise.contrast * noise.contrast * lost, here);
 #endif
-  return lichenTilingDecodeTiles(table, tiles, gaussian, plane.taps, lost.x, noise, map);
+  return lichenDecode(table, gaussian, lost.x, noise.contrast, map);
 }
 
 /// What the decoded slopes of one plane add to the gradient in space, and in w to the variance of a
 /// slope that the footprint hides.
-vec4 lichenPlaneSlopes(vec3 slopes, vec3 lost, LichenPlanePlace plane, vec3 normal,
-                       LichenNoise noise, LichenMap map) {
-  if (!lichenIsTexton(noise)) {
-    float level = lichenTilingLevel(plane.taps, noise, map);
-    slopes.z *= lichenTilingFootprintShare(level, lost.x, map);
-  }
+vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePlace plane, vec3 normal, LichenNoise noise) {
   // Of a variance alike along all axes of the plane, what is seen on the surface: all across the
   // slant, and its cosine's square along it.
   float cosine = lichenAlongAxis(normal, plane.axis);
@@ -119,7 +120,7 @@ vec4 lichenPlaneSlopes(vec3 slopes, vec3 lost, LichenPlanePlace plane, vec3 norm
 
 /// What all planes that count show of one map.
 struct LichenPlanesBlend {
-  vec3 gaussian; // mean 1/2, standard deviation 1/6 where nothing is lost
+  vec3 gaussian; // mean 1/2, standard deviation 1/6 where nothing is lost; not of slopes
   vec3 lost;     // shares of the variance of its channels
   vec4 value;    // decoded
 };
@@ -142,23 +143,20 @@ LichenPlanesBlend lichenTriplanarBlend(sampler2D image, sampler3D table, LichenT
   int rank = 0;
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank);
-    LichenTiles tiles;
     vec3 lost;
-    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, tiles, lost);
+    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
     sum += plane.weight * (gaussian - 0.5);
     blend.lost += plane.weight * plane.weight * lost;
     ++rank;
     bool isLast = rank >= at.count; // of what is not a slope, only the whole is decoded
-    if (isSlope || isLast) {
-      vec4 value =
-          lichenTriplanarDecode(table, tiles, plane, isSlope ? gaussian : 0.5 + sum,
-                                isSlope ? lost : blend.lost, noise, map, here);
-      if (isSlope)
-        value = blend.value + lichenPlaneSlopes(value.xyz, lost, plane, at.normal, noise, map);
-      blend.value = value;
-    }
+    if (isSlope)
+      blend.value += lichenPlaneSlopes(
+          lichenPlaneSlopesOf(image, table, plane, noise, map, here, texton), plane, at.normal,
+          noise);
+    else if (isLast)
+      blend.value = lichenTriplanarDecode(table, 0.5 + sum, blend.lost, noise, map, here);
     if (isLast)
       break;
   }

@@ -10,6 +10,7 @@
 #define LICHEN_SET 0
 #define LICHEN_MAP_COUNT 1
 #include "../lichen.glsl"
+#include "../noise/tiling_comparison.glsl"
 
 const int kOperatorHistogram = 0;
 const int kOperatorLinear = 1;
@@ -33,17 +34,14 @@ void main() {
   Point point = points[index];
   LichenNoise noise = lichenUniforms.noise;
   LichenMap map = lichenUniforms.maps[0];
-  LichenTaps taps =
+  LichenTilingTaps taps =
       LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy).taps;
-  if (kOperator == kOperatorLinear) {
+  if (kOperator == kOperatorLinear)
     values[index] = lichenTilingLinear(lichenImage0, lichenTable0, taps, noise, map);
-  } else if (kOperator == kOperatorVariance) {
+  else if (kOperator == kOperatorVariance)
     values[index] = lichenTilingVariance(lichenImage0, lichenTable0, taps, noise, map);
-  } else if (kOperator == kOperatorGaussian) {
-    float level = lichenTilingLevel(taps, noise, map);
-    values[index] = vec4(lichenTilingGaussian(lichenImage0, taps, level),
-                         lichenTilingLostVariance(taps, level, map));
-  } else {
+  else if (kOperator == kOperatorGaussian)
+    values[index] = lichenTilingGaussian(lichenImage0, taps, noise, map);
+  else
     values[index] = lichenTiling(lichenImage0, lichenTable0, taps, noise, map);
-  }
 }

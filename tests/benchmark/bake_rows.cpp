@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <exemplar/value_encoding.h>
 #include <filesystem>
 #include <materials.h>
 #include <memory>
@@ -70,12 +71,10 @@ double levelSeconds(const SrgbImage& image) {
   const Gaussianized gaussian =
       gaussianize(map, points, space.dimensions(), true, gaussian::Precision::bits8, {});
   const Table table = gaussianTable(gaussian, 8);
-  const std::vector<exemplar::ChannelMatrix> lost = lostVariance(table);
-  std::vector<float> light;
-  for (const float value : map.values)
-    light.push_back(srgbToLinear(value));
-  const InverseTable inverse = fitInverseTable(gaussian, points, light, 3, {});
-  return medianSeconds(kRuns, [&] { return prefilteredSlabs(inverse, lost); });
+  const std::vector<exemplar::ChannelMatrix> lost = lostVariance(table, space.dimensions());
+  const std::vector<float> roots = exemplar::asStored(map).values;
+  const InverseTable inverse = fitInverseTable(gaussian, points, roots, 3, {});
+  return medianSeconds(kRuns, [&] { return prefilteredLevels(inverse, lost, true); });
 }
 
 /// Median and worst case over the exemplars; each is the median of `kRuns` runs.

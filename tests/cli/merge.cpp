@@ -62,7 +62,7 @@ TEST_CASE("merge preserves order, tables, parameters and pictures of the noises"
   const auto& tiling = after.as<TilingMap>();
   CHECK(isSameImage(alone.tables[tilingBefore.gaussian], all.tables[tiling.gaussian]));
   CHECK(isSameImage(alone.tables[*tilingBefore.inverseTable], all.tables[*tiling.inverseTable]));
-  CHECK(tiling.mipLoss == tilingBefore.mipLoss);
+  CHECK(tiling.dimensions == tilingBefore.dimensions);
 
   const SrgbImage picture = synth(workplace, moss, {"--size", "40x30"});
   const SrgbImage same =

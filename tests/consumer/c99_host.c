@@ -27,7 +27,7 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenNoiseProperties, reserved, 56, 52);
   failures += KEEPS(LichenMapProperties, tableKind, 48, 44);
   failures += KEEPS(LichenMaterialProperties, tileRotation, 128, 124);
-  failures += KEEPS(LichenImageProperties, byteCount, 72, 64);
+  failures += KEEPS(LichenImageProperties, byteCount, 88, 80);
   failures += KEEPS(LichenCopy, depth, 48, 44);
   failures += KEEPS(LichenSamplerProperties, reserved, 40, 36);
   failures += KEEPS(LichenBinding, image, 32, 28);

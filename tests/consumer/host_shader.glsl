@@ -17,7 +17,7 @@ vec4 decode(Noise noise, float level) { return noise.mean * level; }
 void main() {
   vec2 uv = uvToTile(vec2(hash(vec2(gaussian))));
   LichenPlace place = LICHEN_PLACE(uv, vec2(0.01, 0.0), vec2(0.0, 0.01));
-  vec4 sum = decode(Noise(vec4(1.0)), tiling(place.taps.weights, Taps(1.0)));
+  vec4 sum = decode(Noise(vec4(1.0)), tiling(place.taps.point.weights, Taps(1.0)));
   sum += LICHEN_NOISE(0, place);
 #if LICHEN_MAP_COUNT == LICHEN_MAX_MAPS
   sum += LICHEN_NOISE(5, place);

@@ -79,11 +79,21 @@ void checkTiling(const NoiseMap& map, const Bundle& bundle) {
   const auto& tiling = map.as<TilingMap>();
   require(tiling.gaussian < bundle.tables.size(), "index of the image");
   const Table& image = bundle.tables[tiling.gaussian];
-  require(tiling.mipLoss.size() == image.mipLevels && areFinite(tiling.mipLoss),
+  require(isWithin(tiling.dimensions, 1, int(map.channels.size())), "number of dimensions");
+  require(image.depth == 0 && channelCount(image.format) == (tiling.dimensions == 1 ? 2 : 4),
+          "shape of a Gaussian image");
+  const std::vector<float> losses = fetchLosses(image);
+  require(std::is_sorted(losses.begin(), losses.end()) && losses.front() >= 0.0f &&
+              losses.back() <= 1.0f,
           "losses of a Gaussian image");
-  require(tiling.inverseTable.has_value() == !tiling.levels.empty(), "levels without a table");
-  require(!tiling.inverseTable || *tiling.inverseTable < bundle.tables.size(),
-          "index of the table");
+  if (!tiling.inverseTable)
+    return;
+  require(*tiling.inverseTable < bundle.tables.size(), "index of the table");
+  const Table& table = bundle.tables[*tiling.inverseTable];
+  require(table.height == (tiling.dimensions > 1 ? table.width : 1) &&
+              table.depth == (tiling.dimensions > 2 ? table.width : 1) &&
+              table.mipLevels <= kMostTableLevels,
+          "shape of an inverse table");
 }
 
 void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {

@@ -51,7 +51,7 @@ std::vector<Bytes> seeds() {
           encodeGlb(example::smallestTexton()).value(),
           encodeGlb(example::textonMix()).value(),
           encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 4, 2, 0, 3)),
-          encodeKtx2(example::patternTable("", TexelFormat::rgba8Srgb, 2, 2, 2, 1))};
+          encodeKtx2(example::patternTable("", TexelFormat::rgba8Unorm, 4, 4, 4, 2))};
 }
 
 Bytes mutated(const std::vector<Bytes>& files, Random& random) {

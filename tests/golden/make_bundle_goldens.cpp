@@ -5,7 +5,7 @@
 //
 // The texton example is "dune", which bundle_example.h describes. The tiling example is "felt": a
 // 16 x 16 image of white Gaussian noise, decoded to shades between two colours. Its base colour has
-// one dimension, so the Gaussian image has one channel and the inverse table is 256 x 4.
+// one dimension, so the Gaussian image has two channels and the inverse table is 256 x 1 x 1.
 #include "bundle_example.h"
 
 #include <lichen/bundle_writer.h>
@@ -24,7 +24,6 @@ namespace {
 
 constexpr std::uint32_t kSide = 16;
 constexpr std::size_t kCells = 256; // of a one-dimensional inverse table
-constexpr std::size_t kLevels = 4;
 constexpr double kSigma = 1.0 / 6.0;
 constexpr std::array<double, 3> kDark = {0.16, 0.20, 0.12}; // light
 constexpr std::array<double, 3> kBright = {0.52, 0.50, 0.34};
@@ -67,18 +66,30 @@ std::vector<float> whiteNoise() {
   return values;
 }
 
+/// For white noise, level l keeps 4^-l of the variance; a bilinear fetch at a random place keeps
+/// (2/3)^2 of what its texels have, but of the last one, which is constant.
 Table gaussianImage(std::vector<float> level) {
+  constexpr float kKeptByFetch = 4.0f / 9.0f;
   Table table{"felt.baseColor.gaussian",
-              TexelFormat::r8Unorm,
+              TexelFormat::rg8Unorm,
               kSide,
               kSide,
               0,
               example::fullMipChain(kSide, kSide),
               {}};
+  std::vector<float> losses;
+  float kept = 1.0f;
   for (std::size_t side = kSide;; side /= 2) {
-    appendTexels(table.texels, table.format, level);
+    std::vector<float> texels;
+    for (const float value : level) {
+      texels.push_back(value - 0.5f + kStoredGaussianMean);
+      texels.push_back(0.0f);
+    }
+    appendTexels(table.texels, table.format, texels);
+    losses.push_back(side == 1 ? 1.0f : 1.0f - kKeptByFetch * kept);
+    kept /= 4.0f;
     if (side == 1)
-      return table;
+      break;
     std::vector<float> half;
     for (std::size_t y = 0; y < side; y += 2)
       for (std::size_t x = 0; x < side; x += 2)
@@ -87,20 +98,30 @@ Table gaussianImage(std::vector<float> level) {
                        4.0f);
     level = std::move(half);
   }
+  example::setLosses(table, losses);
+  return table;
 }
 
-Table inverseTable(const std::vector<double>& levels) {
-  Table table{"felt.baseColor.inverse", TexelFormat::rgba8Srgb, kCells, kLevels, 0, 1, {}};
+double lightOf(double brightness, std::size_t channel) {
+  return kDark[channel] + brightness * (kBright[channel] - kDark[channel]);
+}
+
+/// Roots of the mean light over what each level averages.
+Table inverseTable() {
+  Table table{
+      "felt.baseColor.inverse", TexelFormat::rgba8Unorm, kCells, 1, 1, kMostTableLevels, {}};
   std::vector<float> texels;
-  for (const double lost : levels)
-    for (std::size_t cell = 0; cell < kCells; ++cell) {
-      const double gaussian = gaussianOf((double(cell) + 0.5) / double(kCells));
-      const double t =
-          lost == 1.0 ? filteredBrightness(0.5, 1.0) : filteredBrightness(gaussian, lost);
+  for (std::uint32_t level = 0; level < kMostTableLevels; ++level) {
+    const double kept = 1.0 - double(level) / double(kMostTableLevels);
+    const std::size_t cells = kCells >> level;
+    for (std::size_t cell = 0; cell < cells; ++cell) {
+      const double gaussian = gaussianOf((double(cell) + 0.5) / double(cells));
+      const double t = filteredBrightness(gaussian, 1.0 - kept * kept);
       for (std::size_t c = 0; c < 3; ++c)
-        texels.push_back(float(kDark[c] + t * (kBright[c] - kDark[c])));
+        texels.push_back(float(std::sqrt(lightOf(t, c))));
       texels.push_back(1.0f);
     }
+  }
   appendTexels(table.texels, table.format, texels);
   return table;
 }
@@ -111,22 +132,30 @@ SrgbImage exemplar(const std::vector<float>& gaussian) {
   for (std::size_t i = 0; i < gaussian.size(); ++i) {
     const double t = brightness(uniformOf(double(gaussian[i])));
     for (std::size_t c = 0; c < 3; ++c)
-      image.values[3 * i + c] = linearToSrgb(float(kDark[c] + t * (kBright[c] - kDark[c])));
+      image.values[3 * i + c] = linearToSrgb(float(lightOf(t, c)));
   }
   return image;
 }
 
-void setStatistics(NoiseMap& map, const SrgbImage& image) {
-  const double count = double(image.pixelCount());
+/// Mean and covariance of the roots of light.
+void setStatistics(NoiseMap& map, const std::vector<float>& gaussian) {
+  const double count = double(gaussian.size());
+  std::vector<std::array<double, 3>> roots;
+  for (const float value : gaussian) {
+    const double t = brightness(uniformOf(double(value)));
+    roots.push_back({});
+    for (std::size_t c = 0; c < 3; ++c)
+      roots.back()[c] = std::sqrt(lightOf(t, c));
+  }
   map.mean.assign(3, 0.0);
   map.covariance.assign(9, 0.0);
-  for (std::size_t i = 0; i < image.values.size(); ++i)
-    map.mean[i % 3] += double(image.values[i]) / count;
-  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+  for (const auto& root : roots)
+    for (std::size_t c = 0; c < 3; ++c)
+      map.mean[c] += root[c] / count;
+  for (const auto& root : roots)
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b < 3; ++b)
-        map.covariance[3 * a + b] += (double(image.values[3 * i + a]) - map.mean[a]) *
-                                     (double(image.values[3 * i + b]) - map.mean[b]) / count;
+        map.covariance[3 * a + b] += (root[a] - map.mean[a]) * (root[b] - map.mean[b]) / count;
 }
 
 BundleFile feltExample() {
@@ -135,15 +164,11 @@ BundleFile feltExample() {
   BundleFile file;
   NoiseMap map;
   map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
-  setStatistics(map, image);
+  setStatistics(map, gaussian);
   auto& tiling = map.as<TilingMap>();
   tiling.gaussian = 0;
   tiling.inverseTable = 1;
-  tiling.levels = example::levels(kLevels);
-  // For white noise, a level keeps 4^-level of the variance.
-  for (std::uint32_t level = 0; level < example::fullMipChain(kSide, kSide); ++level)
-    tiling.mipLoss.push_back(1.0 - std::pow(4.0, -double(level)));
-  file.bundle.tables = {gaussianImage(gaussian), inverseTable(tiling.levels)};
+  file.bundle.tables = {gaussianImage(gaussian), inverseTable()};
   Noise noise;
   noise.name = "felt";
   noise.tileSizeMetres = 0.1;

@@ -70,8 +70,6 @@ TileFootprint footprintOf(const Point& point, const shader::LichenNoise& n) {
                       n.uvToTileYX * v[0] + n.uvToTileYY * v[1]};
   };
   TileFootprint at{toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
-  at.position[0] += n.offsetX;
-  at.position[1] += n.offsetY;
   return at;
 }
 

@@ -19,7 +19,8 @@ using namespace lichen::test;
 
 namespace {
 
-constexpr std::array<SyntheticMap, 3> kMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 32, true}}};
+constexpr std::array<SyntheticMap, 3> kMaps{
+    {{3, 32, 32, true}, {2, 16, 16, true}, {1, 32, 32, true}}};
 
 /// A device and a bundle, with a pool and a buffer for one set.
 struct Fixture {
@@ -267,13 +268,13 @@ TEST_CASE("the error for a device that cannot filter a table's format or size na
     functions.getPhysicalDeviceFormatProperties = [](VkPhysicalDevice device, VkFormat format,
                                                      VkFormatProperties* properties) {
       vkGetPhysicalDeviceFormatProperties(device, format, properties);
-      if (format == VK_FORMAT_R16G16_SFLOAT)
+      if (format == VK_FORMAT_R16G16B16A16_SFLOAT)
         properties->optimalTilingFeatures &=
             ~VkFormatFeatureFlags(VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
     };
     const Created created = createWith(fixture, functions);
     CHECK(created.result == LICHEN_ERROR_UNSUPPORTED);
-    CHECK(created.message.find("VkFormat 83 and 16 x 16 x 1") != std::string::npos);
+    CHECK(created.message.find("VkFormat 97 and 64 x 64 x 1") != std::string::npos);
   }
   SECTION("no image of the format") {
     functions.getPhysicalDeviceImageFormatProperties =
@@ -287,12 +288,12 @@ TEST_CASE("the error for a device that cannot filter a table's format or size na
            VkImageUsageFlags usage, VkImageCreateFlags flags, VkImageFormatProperties* properties) {
           const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
               device, format, type, tiling, usage, flags, properties);
-          properties->maxExtent.depth = 64;
+          properties->maxExtent.depth = 16;
           return result;
         };
     const Created created = createWith(fixture, functions);
     CHECK(created.result == LICHEN_ERROR_UNSUPPORTED);
-    CHECK(created.message.find("32 x 32 x 128") != std::string::npos);
+    CHECK(created.message.find("32 x 32 x 32") != std::string::npos);
   }
   CHECK(fixture.messages() == std::vector<std::string>{});
 }

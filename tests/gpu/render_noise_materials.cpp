@@ -97,8 +97,8 @@ TEST_CASE("a noise replaces core textures of the channels it provides") {
 }
 
 TEST_CASE("a map without a table renders next to one with a joint table") {
-  // In the middle of the ball. Stored values with mean 1/2 and deviation 1/10 are 0.223 as light.
-  // An unread table would be black. Tolerance: a quarter, for a few patches of noise.
+  // In the middle of the ball. Roots with mean 1/2 and deviation 1/10 are 0.5^2 + 0.1^2 = 0.26 as
+  // light. An unread table would be black. Tolerance: a quarter, for a few patches of noise.
   const auto middleOf = [](const SyntheticMap& map) {
     const LinearImage image = picture(noiseBall({map, kOrm}), "base-color");
     std::array<double, 3> mean{};
@@ -109,7 +109,7 @@ TEST_CASE("a map without a table renders next to one with a joint table") {
     return mean;
   };
   for (const double channel : middleOf({3, 64, 64, true, 0, SyntheticTable::none}))
-    CHECK(channel == Approx(0.223).margin(0.06));
+    CHECK(channel == Approx(0.26).margin(0.06));
 }
 
 TEST_CASE("a texton noise renders, and the impacts view shows its impacts") {
@@ -126,11 +126,11 @@ TEST_CASE("a texton noise renders, and the impacts view shows its impacts") {
           mean[c] += double(image.pixel(x, y)[c]) / 256.0;
     return mean;
   };
-  // In the middle of the ball: stored values with mean 1/2 and deviation 0.08 are 0.222 as light.
-  // Tolerance: a fifth, for a few patches of noise.
+  // In the middle of the ball: roots with mean 1/2 and deviation 0.08 are 0.5^2 + 0.08^2 = 0.256 as
+  // light. Tolerance: a fifth, for a few patches of noise.
   const LinearImage color = picture(scene, "base-color");
   for (const double channel : meanOf(color))
-    CHECK(channel == Approx(0.222).margin(0.05));
+    CHECK(channel == Approx(0.256).margin(0.05));
   CHECK(color.values != picture(other, "base-color").values);
   // 30 of 60 impacts are green; 24 to 36 are at least half green, and none is white.
   const auto impacts = meanOf(picture(scene, "impacts"));

@@ -14,9 +14,9 @@ namespace {
 using enum TexelFormat;
 
 TexelFormat gaussianFormat(const SyntheticMap& map) {
-  constexpr TexelFormat kEight[] = {r8Unorm, rg8Unorm, rgba8Unorm};
-  constexpr TexelFormat kSixteen[] = {r16Sfloat, rg16Sfloat, rgba16Sfloat};
-  return (map.eightBit ? kEight : kSixteen)[map.dimensions - 1];
+  if (map.dimensions == 1)
+    return map.eightBit ? rg8Unorm : rg16Sfloat;
+  return map.eightBit ? rgba8Unorm : rgba16Sfloat;
 }
 
 /// Averages of 2 x 2 texels; the last one repeats if a side is odd.
@@ -45,11 +45,14 @@ Table gaussianTable(const SyntheticMap& map, std::mt19937& generator) {
   table.height = map.height;
   table.mipLevels = std::uint32_t(std::bit_width(std::max(map.width, map.height)));
   const auto channels = std::size_t(channelCount(table.format));
-  std::normal_distribution<float> gaussian(0.5f, 1.0f / 6.0f);
+  std::normal_distribution<float> gaussian(kStoredGaussianMean, 1.0f / 6.0f);
   std::vector<float> level(std::size_t(map.width) * map.height * channels);
   std::generate(level.begin(), level.end(), [&] { return gaussian(generator); });
   std::uint32_t width = map.width, height = map.height;
   for (std::uint32_t l = 0; l < table.mipLevels; ++l) {
+    // Not what these images lose, but different in every level.
+    for (std::size_t i = channels - 1; i < level.size(); i += channels)
+      level[i] = float(1.0 - 0.9 * std::pow(0.4, double(l)));
     appendTexels(table.texels, table.format, level);
     level = halved(level, width, height, channels);
     width = std::max(1u, width / 2);
@@ -67,38 +70,37 @@ float tableValue(double x, double y, double z, std::size_t c, double kept) {
 
 Table inverseTable(const SyntheticMap& map) {
   constexpr std::uint32_t kCells[] = {256, 64, 32};
-  const int axes = map.dimensions;
-  const std::uint32_t cells = kCells[axes - 1];
-  const auto levels = std::uint32_t(map.levels);
+  const std::uint32_t cells = kCells[map.dimensions - 1];
   Table table;
   const bool slopes = map.dimensions == 2; // the format requires floats for slopes
-  table.format = !map.eightBit || slopes ? rgba16Sfloat
-                 : map.dimensions == 3   ? rgba8Srgb
-                                         : rgba8Unorm;
+  table.format = map.eightBit && !slopes ? rgba8Unorm : rgba16Sfloat;
   table.width = cells;
-  const std::uint32_t rows = axes > 1 ? cells : 1;
-  const std::uint32_t slices = axes > 2 ? cells : 1;
-  table.height = axes > 2 ? rows : rows * levels;
-  table.depth = axes > 2 ? slices * levels : 0;
-  std::vector<float> values;
-  for (std::uint32_t level = 0; level < levels; ++level)
+  table.height = map.dimensions > 1 ? cells : 1;
+  table.depth = map.dimensions > 2 ? cells : 1;
+  table.mipLevels = std::uint32_t(map.levels);
+  for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
+    const auto side = [level](std::uint32_t size) { return std::max(1u, size >> level); };
+    const std::uint32_t columns = side(table.width), rows = side(table.height);
+    const std::uint32_t slices = side(table.depth);
+    std::vector<float> values;
     for (std::uint32_t z = 0; z < slices; ++z)
       for (std::uint32_t y = 0; y < rows; ++y)
-        for (std::uint32_t x = 0; x < cells; ++x)
+        for (std::uint32_t x = 0; x < columns; ++x)
           for (std::size_t c = 0; c < 4; ++c)
-            values.push_back(tableValue((x + 0.5) / cells, (y + 0.5) / rows, (z + 0.5) / slices, c,
-                                        1.0 - double(level) / double(levels - 1)));
-  appendTexels(table.texels, table.format, values);
+            values.push_back(tableValue((x + 0.5) / columns, (y + 0.5) / rows, (z + 0.5) / slices,
+                                        c, 1.0 - double(level) / double(map.levels)));
+    appendTexels(table.texels, table.format, values);
+  }
   return table;
 }
 
-NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
+NoiseMap describeMap(const SyntheticMap& source) {
   using enum MapChannel;
   NoiseMap map;
   if (source.dimensions == 3) {
     map.target = MapTarget::baseColor;
     map.channels = {red, green, blue};
-    map.encoding = ValueEncoding::srgb;
+    map.encoding = ValueEncoding::root;
   } else if (source.dimensions == 2) {
     map.target = MapTarget::normal;
     map.channels = {slopeX, slopeY};
@@ -117,11 +119,7 @@ NoiseMap describeMap(const SyntheticMap& source, std::uint32_t mipLevels) {
   map.covariance.assign(n * n, source.table == SyntheticTable::none ? 0.006 : 0.0);
   for (std::size_t i = 0; i < n; ++i)
     map.covariance[i * n + i] = 0.01;
-  auto& tiling = map.as<TilingMap>();
-  for (std::size_t k = 0; source.table != SyntheticTable::none && k < source.levels; ++k)
-    tiling.levels.push_back(1.0 - std::pow(1.0 - double(k) / double(source.levels - 1), 2.0));
-  for (std::uint32_t level = 0; level < mipLevels; ++level)
-    tiling.mipLoss.push_back(1.0 - std::pow(0.4, double(level)));
+  map.as<TilingMap>().dimensions = source.dimensions;
   return map;
 }
 
@@ -134,7 +132,7 @@ BundleFile syntheticBundle(std::span<const SyntheticMap> maps) {
   noise.name = "synthetic";
   for (const SyntheticMap& source : maps) {
     Table gaussian = gaussianTable(source, generator);
-    NoiseMap map = describeMap(source, gaussian.mipLevels);
+    NoiseMap map = describeMap(source);
     map.as<TilingMap>().gaussian = file.bundle.tables.size();
     file.bundle.tables.push_back(std::move(gaussian));
     if (source.table != SyntheticTable::none) {

@@ -16,7 +16,7 @@ struct SyntheticMap {
   std::uint32_t width = 64;
   std::uint32_t height = 64;
   bool eightBit = false; ///< 8-bit tables instead of 16-bit floats
-  std::size_t levels = 4;
+  std::size_t levels = 5; ///< mip levels of the inverse table, [1, 5]
   SyntheticTable table = SyntheticTable::joint;
 };
 

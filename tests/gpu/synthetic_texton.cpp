@@ -195,7 +195,7 @@ BundleFile syntheticTextonBundle(const SyntheticTexton& texton) {
   const auto n = std::size_t(texton.channels);
   NoiseMap map;
   map.target = n == 3 ? MapTarget::baseColor : n == 2 ? MapTarget::normal : MapTarget::height;
-  map.encoding = n == 3   ? ValueEncoding::srgb
+  map.encoding = n == 3   ? ValueEncoding::root
                  : n == 2 ? ValueEncoding::slope
                           : ValueEncoding::linear;
   map.channels = n == 3   ? std::vector{red, green, blue}

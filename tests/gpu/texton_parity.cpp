@@ -87,8 +87,6 @@ TileFootprint footprintOf(const Point& point, const shader::LichenNoise& n) {
                       n.uvToTileYX * v[0] + n.uvToTileYY * v[1]};
   };
   TileFootprint at{toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
-  at.position[0] += n.offsetX;
-  at.position[1] += n.offsetY;
   return at;
 }
 
@@ -453,8 +451,9 @@ TEST_CASE("a constant or a direction of the weight follows the material, not the
   for (std::size_t k = 0; k < points.size(); ++k) {
     const TileFootprint at = footprintOf(points[k].point, u.noise);
     // Relative to the host's origin, except for the whole tiles of the offset.
-    const double x = double(at.position[0]) + double(info.tileOrigin[0]) + 2.0;
-    const double y = double(at.position[1]) + double(info.tileOrigin[1]);
+    const double x =
+        double(at.position[0]) + double(u.noise.offsetX) + double(info.tileOrigin[0]) + 2.0;
+    const double y = double(at.position[1]) + double(u.noise.offsetY) + double(info.tileOrigin[1]);
     const MixPlace place{float(weightAt(x, y)),
                          {float(weightAt(x + 1.0, y) - weightAt(x, y)),
                           float(weightAt(x, y + 1.0) - weightAt(x, y))}};

@@ -51,6 +51,8 @@ TextonReference::TextonReference(const Bundle& bundle, const shader::LichenNoise
                                  const shader::LichenTexton& texton)
     : bundle_(bundle), noise_(noise), texton_(texton) {
   const double cellX = double(texton.texelsPerTileX) / double(noise.columnsPerTile);
+  const double offsetX = double(noise.offsetX) * double(texton.texelsPerTileX);
+  const double offsetY = double(noise.offsetY) * double(texton.texelsPerTileY);
   const double cellY = double(texton.texelsPerTileY) / double(noise.rowsPerTile);
   for (std::int32_t j = 0; j < noise.periodRows; ++j)
     for (std::int32_t i = 0; i < noise.periodColumns; ++i) {
@@ -59,11 +61,10 @@ TextonReference::TextonReference(const Bundle& bundle, const shader::LichenNoise
       const int count = poisson ? poissonQuantile(double(hash[1]) / std::exp2(32.0)) : 1;
       for (int k = 0; k < count; ++k) {
         const std::uint32_t word = poisson ? pcg(hash[0] + std::uint32_t(k)) : hash[0];
-        const double x =
-            i - noise.cellI - double(noise.fractionI) + ((word >> 16 & 32767) + 0.5) / 32768.0;
-        const double y =
-            j - noise.cellJ - double(noise.fractionJ) + ((word >> 1 & 32767) + 0.5) / 32768.0;
-        impacts_.push_back({x * cellX, y * cellY, (word >> 31) != 0 ? -1.0 : 1.0});
+        const double x = i - noise.cellI + ((word >> 16 & 32767) + 0.5) / 32768.0;
+        const double y = j - noise.cellJ + ((word >> 1 & 32767) + 0.5) / 32768.0;
+        impacts_.push_back(
+            {x * cellX - offsetX, y * cellY - offsetY, (word >> 31) != 0 ? -1.0 : 1.0});
       }
     }
   const Table& image = bundle.tables[bundle.noises[0].maps[0].as<TextonMap>().image];

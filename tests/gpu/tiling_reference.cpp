@@ -34,7 +34,7 @@ Vec4 sampleRepeat(const Volume& v, Vec2 at) {
   for (int k = 0; k < 4; ++k) {
     const double weight = std::abs(1 - k % 2 - (x - x0)) * std::abs(1 - k / 2 - (y - y0));
     const float* source = texel(v, wrapped(x0 + k % 2, v.width), wrapped(y0 + k / 2, v.height), 0);
-    for (std::size_t c = 0; c < std::min<std::size_t>(3, v.channels); ++c)
+    for (std::size_t c = 0; c < v.channels; ++c)
       result[c] += weight * double(source[c]);
   }
   return result;
@@ -71,9 +71,8 @@ struct Vertex {
 
 /// Steps 1 and 2.
 std::array<Vertex, 3> triangleAt(Vec2 p, const shader::LichenNoise& n) {
-  const double a =
-      p[0] * double(n.columnsPerTile) - 0.5 * p[1] * double(n.rowsPerTile) + double(n.fractionI);
-  const double b = p[1] * double(n.rowsPerTile) + double(n.fractionJ);
+  const double a = p[0] * double(n.columnsPerTile) - 0.5 * p[1] * double(n.rowsPerTile);
+  const double b = p[1] * double(n.rowsPerTile);
   const double f = a - std::floor(a), g = b - std::floor(b);
   const int i = int(std::uint32_t(int(std::floor(a))) + std::uint32_t(n.cellI));
   const int j = int(std::uint32_t(int(std::floor(b))) + std::uint32_t(n.cellJ));
@@ -84,8 +83,8 @@ std::array<Vertex, 3> triangleAt(Vec2 p, const shader::LichenNoise& n) {
   else
     vertices = {{{next(i), next(j), f + g - 1.0}, {next(i), j, 1.0 - g}, {i, next(j), 1.0 - f}}};
   for (Vertex& v : vertices) {
-    const double column = std::floor(a) + double(v.i != i) - double(n.fractionI);
-    const double row = std::floor(b) + double(v.j != j) - double(n.fractionJ);
+    const double column = std::floor(a) + double(v.i != i);
+    const double row = std::floor(b) + double(v.j != j);
     v.place = {(column + 0.5 * row) / double(n.columnsPerTile), row / double(n.rowsPerTile)};
   }
   double sum = 0.0;
@@ -121,8 +120,7 @@ Tap tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
     p[0] -= double(q) * double(n.periodTilesX);
     p[1] -= double(k) * double(n.periodTilesY);
   }
-  const auto index = tileOffsetIndex(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord,
-                                     n.offsetCountX, n.offsetCountY);
+  const auto steps = tileOffsetSteps(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord);
   Tap tap{p, 1.0};
   if (turnsTiles(n)) {
     const std::uint32_t step =
@@ -133,13 +131,20 @@ Tap tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
     const std::complex<double> there = tap.turn * std::complex<double>(way[0] * aspect, way[1]);
     tap.place = {there.real() / aspect, there.imag()};
   }
-  tap.place[0] += double(index[0]) * double(n.offsetStepX);
-  tap.place[1] += double(index[1]) * double(n.offsetStepY);
+  tap.place[0] += double(steps[0]) * double(n.offsetStepX);
+  tap.place[1] += double(steps[1]) * double(n.offsetStepY);
   return tap;
 }
 
+/// Step 5, "Decoding": the coefficients are part of the format.
 double uniformOf(double gaussian) {
-  return 0.5 + 0.5 * std::erf(3.0 * std::sqrt(2.0) * (gaussian - 0.5));
+  constexpr std::array<double, 5> kCoefficients{2.3890824, -13.9188528, 65.2096975, -182.1468761,
+                                                220.6686413};
+  const double x = std::clamp(gaussian - 0.5, -0.48083, 0.48083);
+  double sum = 0.5;
+  for (std::size_t k = 0; k < kCoefficients.size(); ++k)
+    sum += kCoefficients[k] * std::pow(x, 2.0 * double(k) + 1.0);
+  return sum;
 }
 
 /// The mean of decode(x + e) for Gaussian e, by the midpoint rule over eight standard deviations in
@@ -158,53 +163,42 @@ double meanOver(const Decode& decode, double x, double deviation) {
   return sum / weights;
 }
 
-/// Step 4: the level of detail of a footprint with these sides in texels.
-double levelOf(Vec2 x, Vec2 y, FetchedBy fetchedBy) {
-  const double major = std::max(std::hypot(x[0], x[1]), std::hypot(y[0], y[1]));
-  if (major <= 1.0 || fetchedBy == FetchedBy::gradients)
-    return std::log2(major);
+/// Step 4: log2 of the side of a footprint with these sides in texels.
+double sideOf(Vec2 x, Vec2 y) {
+  const double major = std::max({1.0, std::hypot(x[0], x[1]), std::hypot(y[0], y[1])});
   const double area = std::abs(x[0] * y[1] - x[1] * y[0]);
   const double slant = std::min(major * major / std::max(area, major), 16.0);
-  const double side = std::log2(major) - std::log2(slant) / 4.0;
-  return side < 1.0 ? side / 2.0 : side - 0.5;
+  return std::log2(major) - std::log2(slant) / 4.0;
 }
 
-/// Step 5: s, and the share of it that the mips lose at the centres of their texels.
-std::array<double, 2> lostVariance(Vec2 p, double lambda, const shader::LichenNoise& n,
-                                   const shader::LichenMap& m) {
-  const shader::uint words[] = {m.mipKept0.x, m.mipKept0.y, m.mipKept0.z, m.mipKept0.w};
-  const auto amplitude = [&](int mip) {
-    mip = std::min(mip, 15);
-    return double(words[mip / 4] >> (8 * (mip % 4)) & 255u) / 255.0;
-  };
-  const double magnified = std::clamp(-lambda, 0.0, 1.0);
-  const auto kept = [&](int mip) {
-    const double a = amplitude(mip);
-    if (a == 0.0)
-      return 0.0;
-    const double c = 4.0 * (1.0 - amplitude(mip + 1) / a);
-    const auto share = [&](double position, float size) {
-      const double x = position * double(size) / std::exp2(mip) - 0.5, f = x - std::floor(x);
-      const bool isShared = mip < int(m.alignedMips) && !turnsAboutVertices(n);
-      const double here = isShared ? f * (1.0 - f) : 1.0 / 6.0;
-      return 1.0 - c * (here * (1.0 - magnified) + magnified / 6.0);
-    };
-    return a * a * share(p[0], m.widthTexels) * share(p[1], m.heightTexels);
-  };
-  lambda = std::clamp(lambda, 0.0, double(m.mipCount - 1));
-  const int mu = int(std::floor(lambda));
-  const double t = lambda - mu, below = kept(mu), above = kept(mu + 1);
-  const double atTexels =
-      std::pow(amplitude(mu + 1), 2) +
-      (1.0 - t) * (1.0 - t) * (std::pow(amplitude(mu), 2) - std::pow(amplitude(mu + 1), 2));
-  return {1.0 - (above + (1.0 - t) * (1.0 - t) * (below - above)), 1.0 - atTexels};
+/// log2 of the side of the square with the area that an anisotropic sampler averages over: as long
+/// as the longer side, and as wide as the shorter one or the longer one over the most probes.
+double sideOfProbes(Vec2 x, Vec2 y, double maxAnisotropy) {
+  const double a = std::max(1.0, std::hypot(x[0], x[1]));
+  const double b = std::max(1.0, std::hypot(y[0], y[1]));
+  const double width = std::max(std::min(a, b), std::max(a, b) / maxAnisotropy);
+  return std::log2(std::sqrt(std::max(a, b) * width));
+}
+
+/// What a fetch at texel coordinates `t` loses, over the average between texels.
+double lossShareOf(Vec2 t, Vec2 x, Vec2 y, double side) {
+  double here = 0.0;
+  for (const double coordinate : t) {
+    const double f =
+        coordinate - 0.5 - std::floor(coordinate - 0.5); // of the way to the next centre
+    here += 3.0 * f * (1.0 - f);
+  }
+  const double major = std::min(1.0, std::max(std::hypot(x[0], x[1]), std::hypot(y[0], y[1])));
+  const double weight = std::pow(major, 4.0) * (1.0 - std::min(side, 1.0));
+  return 1.0 + weight * (here - 1.0);
 }
 
 } // namespace
 
-TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map, FetchedBy fetchedBy)
-    : map_(map), tiling_(map.as<TilingMap>()), slabs_(tiling_.levels.size()),
-      fetchedBy_(fetchedBy) {
+TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map, FetchedBy fetchedBy,
+                                 double tableLevelError)
+    : map_(map), tiling_(map.as<TilingMap>()), fetchedBy_(fetchedBy),
+      tableLevelError_(tableLevelError) {
   const Table& gaussian = bundle.tables[tiling_.gaussian];
   for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
     levels_.push_back({int(std::max(1u, gaussian.width >> level)),
@@ -213,33 +207,30 @@ TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map, Fetc
   if (!tiling_.inverseTable)
     return;
   const Table& table = bundle.tables[*tiling_.inverseTable];
-  table_ = {int(table.width), int(table.height), int(std::max(1u, table.depth)),
-            std::size_t(channelCount(table.format)), decodeLevel(table, 0)};
+  for (std::uint32_t level = 0; level < table.mipLevels; ++level)
+    table_.push_back({int(std::max(1u, table.width >> level)),
+                      int(std::max(1u, table.height >> level)),
+                      int(std::max(1u, table.depth >> level)),
+                      std::size_t(channelCount(table.format)), decodeLevel(table, level)});
 }
 
-TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, double level,
-                                                    unsigned dimensions) const {
-  std::array<double, 3> u{};
-  for (std::size_t c = 0; c < 3; ++c)
-    u[c] = uniformOf(gaussian[c]);
-  const int cellsX = table_.width;
-  const int cellsY = dimensions == 3 ? table_.height : table_.height / int(slabs_);
-  const int cellsZ = table_.depth / (dimensions == 3 ? int(slabs_) : 1);
-  const auto slab = [&](int k) {
-    const auto inside = [](double value, int cells) {
-      return std::clamp(value * cells, 0.5, cells - 0.5);
-    };
-    std::array<double, 3> at{inside(u[0], cellsX), inside(u[1], cellsY), inside(u[2], cellsZ)};
-    if (dimensions == 1)
-      at[1] = 0.5;
-    at[dimensions == 3 ? 2 : 1] += double(k * (dimensions == 3 ? cellsZ : cellsY));
-    return sampleClamp(table_, at);
+TilingReference::Decoded TilingReference::fromTable(const Decoded& gaussian, double lost) const {
+  const double level =
+      std::min(5.0 * (1.0 - std::sqrt(1.0 - lost)) + tableLevelError_, double(table_.size() - 1));
+  const auto at = [&](std::size_t k) {
+    const Volume& cells = table_[k];
+    return sampleClamp(cells,
+                       {uniformOf(gaussian[0]) * cells.width, uniformOf(gaussian[1]) * cells.height,
+                        uniformOf(gaussian[2]) * cells.depth});
   };
-  const int low = int(level), high = std::min(low + 1, int(slabs_) - 1);
-  const Vec4 a = slab(low), b = slab(high);
+  const auto low = std::size_t(level);
+  const Vec4 a = at(low), b = at(std::min(low + 1, table_.size() - 1));
   Decoded value{};
-  for (std::size_t c = 0; c < 4; ++c)
-    value[c] = a[c] + (level - low) * (b[c] - a[c]);
+  for (std::size_t c = 0; c < 4; ++c) {
+    value[c] = a[c] + (level - double(low)) * (b[c] - a[c]);
+    if (map_.encoding == ValueEncoding::root)
+      value[c] *= value[c];
+  }
   return value;
 }
 
@@ -263,12 +254,11 @@ TilingReference::Decoded TilingReference::withoutTable(const Decoded& gaussian, 
     case ValueEncoding::slope:
       return x;
     case ValueEncoding::log2:
-      return std::exp2(std::clamp(x, 0.0, 16.0)) - 1.0;
+      return std::exp2(x) - 1.0;
     case ValueEncoding::linear:
-      return std::clamp(x, 0.0, 1.0);
+      return x;
     default:
-      x = std::clamp(x, 0.0, 1.0);
-      return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+      return x * x;
     }
   };
   Decoded value{0.0, 0.0, 0.0, 1.0};
@@ -278,10 +268,26 @@ TilingReference::Decoded TilingReference::withoutTable(const Decoded& gaussian, 
     for (std::size_t j = 0; j <= i; ++j)
       x += 6.0 * l[i][j] * (gaussian[j] - 0.5);
     value[i] = meanOver(decode, x, std::sqrt(lost * c[i * n + i]));
+    if (map_.encoding == ValueEncoding::linear)
+      value[i] = std::clamp(value[i], 0.0, 1.0);
+    if (map_.encoding == ValueEncoding::log2)
+      value[i] = std::max(value[i], 0.0);
     variances += lost * c[i * n + i];
   }
   if (map_.encoding == ValueEncoding::slope)
     value[2] = variances / 2.0;
+  return value;
+}
+
+TilingReference::Decoded TilingReference::decoded(const Decoded& gaussian, double lost,
+                                                  double contrast) const {
+  Decoded value = tiling_.inverseTable
+                      ? fromTable(gaussian, std::pow(std::min(contrast, 1.0), 2.0) * lost)
+                      : withoutTable(gaussian, contrast * contrast * lost);
+  // Step 8: interpolation between texels hides nothing.
+  const double between = double(levels_.front().values[levels_.front().channels - 1]);
+  if (map_.encoding == ValueEncoding::slope)
+    value[2] *= lost > between ? (lost - between) / (lost * (1.0 - between)) : 0.0;
   return value;
 }
 
@@ -293,11 +299,19 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   };
   Vec2 p = toTile(point.uv);
   p = {p[0] + double(n.offsetX), p[1] + double(n.offsetY)};
-  const auto texels = [&](std::array<float, 2> v) {
-    const Vec2 tiles = toTile(v);
-    return Vec2{tiles[0] * double(m.widthTexels), tiles[1] * double(m.heightTexels)};
+  const auto texels = [&](Vec2 tiles) {
+    return Vec2{tiles[0] * double(n.tileTexelsX), tiles[1] * double(n.tileTexelsY)};
   };
-  const double lambda = levelOf(texels(point.gradientX), texels(point.gradientY), fetchedBy_);
+  const Vec2 texelsX = texels(toTile(point.gradientX)), texelsY = texels(toTile(point.gradientY));
+  const double widest = fetchedBy_ == FetchedBy::gradients
+                            ? sideOfProbes(texelsX, texelsY, double(n.maxAnisotropy))
+                            : sideOf(texelsX, texelsY);
+  const double side = widest + double(m.levelOffset);
+  const double lambda =
+      fetchedBy_ == FetchedBy::gradients ? side : (side < 1.0 ? side / 2.0 : side - 0.5);
+  const bool sharesTexels =
+      m.levelOffset == 0.0f && !turnsAboutVertices(n) && fetchedBy_ == FetchedBy::level;
+  const double lossShare = sharesTexels ? lossShareOf(texels(p), texelsX, texelsY, widest) : 1.0;
 
   // Step 4.
   const double lod = std::clamp(lambda, 0.0, double(levels_.size() - 1));
@@ -312,39 +326,29 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
     const Vec4 low = sampleRepeat(levels_[lower], tap.place);
     const Vec4 high = sampleRepeat(levels_[upper], tap.place);
     const double t = lod - double(lower);
+    const std::size_t last = levels_.front().channels - 1;
     Decoded fetched{};
     for (std::size_t c = 0; c < 3; ++c) {
-      fetched[c] = low[c] + t * (high[c] - low[c]);
+      fetched[c] = c < last ? low[c] + t * (high[c] - low[c]) + 0.5 - 128.0 / 255.0 : 0.5;
       sample.gaussian[c] += vertex.weight * (fetched[c] - 0.5);
     }
+    fetched[3] = lossShare * (low[last] + t * (high[last] - low[last]));
+    sample.gaussian[3] = fetched[3];
     taps.emplace_back(fetched, tap);
     weights.push_back(vertex.weight);
     squares += vertex.weight * vertex.weight;
   }
   for (std::size_t c = 0; c < 3; ++c)
     sample.gaussian[c] = 0.5 + double(n.contrast) * sample.gaussian[c] / std::sqrt(squares);
-  const auto [lost, lostAtTexels] = lostVariance(p, lambda, n, m);
-  sample.gaussian[3] = lost;
+  const double lost = sample.gaussian[3];
 
-  // Step 6.
-  const double missing = double(n.contrast) * double(n.contrast) * lost;
-  const double last = double(slabs_) - 1.0;
-  const double kept = std::max(1.0 - missing, std::min(1.0 - lost, 1.0 / (last * last)));
-  const double level = last * (1.0 - std::sqrt(kept));
-  const auto decode = [&](Decoded gaussian) {
-    if (!tiling_.inverseTable)
-      return withoutTable(gaussian, missing);
-    for (double& value : gaussian)
-      value = 0.5 + (value - 0.5) / std::sqrt(std::max(1.0, missing));
-    return fromTable(gaussian, level, m.dimensions);
-  };
   if (m.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(n))
     // Step 8, with rotated tiles.
     for (std::size_t k = 0; k < taps.size(); ++k) {
       Decoded& gaussian = taps[k].first;
       for (std::size_t c = 0; c < 3; ++c)
         gaussian[c] = 0.5 + double(n.contrast) * (gaussian[c] - 0.5);
-      const Decoded slopes = decode(gaussian);
+      const Decoded slopes = decoded(gaussian, lost, double(n.contrast));
       const double share = weights[k] / std::sqrt(squares);
       const std::complex<double> turned =
           taps[k].second.turn * std::complex<double>(slopes[0], slopes[1]);
@@ -353,9 +357,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
       sample.value[2] += share * share * slopes[2];
     }
   else
-    sample.value = decode(sample.gaussian);
-  if (m.encoding == LICHEN_ENCODING_SLOPE && lost > 0.0)
-    sample.value[2] *= lostAtTexels / lost;
+    sample.value = decoded(sample.gaussian, lost, double(n.contrast));
   return sample;
 }
 

@@ -30,14 +30,16 @@ struct Volume {
 /// How the Gaussian image is fetched.
 enum class FetchedBy {
   level,     ///< at the level of detail of step 4, trilinearly
-  gradients, ///< with the footprint's gradients, by a sampler of anisotropy 1
+  gradients, ///< with the footprint's gradients; exact for a sampler of anisotropy 1, and for
+             ///< others the lost variance is
 };
 
 /// One map of a noise, decoded.
 class TilingReference {
 public:
-  TilingReference(const Bundle& bundle, const NoiseMap& map,
-                  FetchedBy fetchedBy = FetchedBy::level);
+  /// `tableLevelError` is added to the level of the inverse table, to show that a test notices it.
+  TilingReference(const Bundle& bundle, const NoiseMap& map, FetchedBy fetchedBy = FetchedBy::level,
+                  double tableLevelError = 0.0);
 
   /// The map's value, and the blended Gaussian value with the lost variance as its last component.
   struct Sample {
@@ -47,17 +49,20 @@ public:
   [[nodiscard]] Sample evaluate(const Point& point, const shader::LichenNoise& noise,
                                 const shader::LichenMap& map) const;
 
-private:
   using Decoded = std::array<double, 4>;
-  [[nodiscard]] Decoded fromTable(const Decoded& gaussian, double level, unsigned dimensions) const;
+  /// Steps 6 and 8: the value of a Gaussian value, `lost` being the lost variance.
+  [[nodiscard]] Decoded decoded(const Decoded& gaussian, double lost, double contrast) const;
+
+private:
+  [[nodiscard]] Decoded fromTable(const Decoded& gaussian, double lost) const;
   [[nodiscard]] Decoded withoutTable(const Decoded& gaussian, double lost) const;
 
   std::vector<Volume> levels_;
-  Volume table_;
+  std::vector<Volume> table_; ///< by mip level; empty without one
   const NoiseMap map_;
   const TilingMap tiling_;
-  std::size_t slabs_;
   const FetchedBy fetchedBy_;
+  const double tableLevelError_;
 };
 
 } // namespace lichen::test

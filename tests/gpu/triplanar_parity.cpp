@@ -154,8 +154,6 @@ private:
     shader::LichenNoise noise = noise_;
     noise.cellI = own.cellI;
     noise.cellJ = own.cellJ;
-    noise.fractionI = own.fractionI;
-    noise.fractionJ = own.fractionJ;
     noise.offsetX = own.offsetX;
     noise.offsetY = own.offsetY;
     noise.seedWord = own.seedWord;
@@ -221,7 +219,7 @@ struct OnDevice {
 
 const std::vector<SyntheticMap> kMaps = {{3, 64, 64},
                                          {2, 64, 32, false, 3},
-                                         {1, 48, 80, false, 6},
+                                         {1, 48, 80, false, 5},
                                          {3, 64, 64, false, 0, SyntheticTable::none},
                                          {2, 64, 32, false, 0, SyntheticTable::none}};
 

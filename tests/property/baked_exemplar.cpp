@@ -18,9 +18,10 @@ Baked baked(MapExemplar map, bool periodic, gaussian::Precision precision) {
   return {std::move(map), std::move(points), std::move(gaussian)};
 }
 
-std::vector<float> light(const MapExemplar& map) {
+std::vector<float> tableValues(const MapExemplar& map) {
   std::vector<float> values(map.values.size());
-  std::transform(map.values.begin(), map.values.end(), values.begin(), srgbToLinear);
+  std::transform(map.values.begin(), map.values.end(), values.begin(),
+                 [](float code) { return std::sqrt(srgbToLinear(code)); });
   return values;
 }
 

@@ -21,8 +21,8 @@ struct Baked {
 [[nodiscard]] Baked baked(MapExemplar map, bool periodic = true,
                           gaussian::Precision precision = gaussian::Precision::bits16);
 
-/// Decodes an sRGB map to linear light.
-[[nodiscard]] std::vector<float> light(const MapExemplar& map);
+/// The square roots of an sRGB map's light.
+[[nodiscard]] std::vector<float> tableValues(const MapExemplar& map);
 
 /// Independent, slow lookup: interpolates between cell centres with hat functions.
 [[nodiscard]] double slowLookup(const tiling::InverseTable& table,

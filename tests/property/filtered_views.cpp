@@ -67,14 +67,17 @@ struct Moments {
     const double mean = 0.5 * (first + second);
     f += filtered, a += first, b += second;
     ff += filtered * filtered, ab += first * second, fm += filtered * mean;
+    noise += 0.25 * (first - second) * (first - second);
     ++count;
   }
   [[nodiscard]] double filteredVariance() const { return ff / count - (f / count) * (f / count); }
   [[nodiscard]] double sampledVariance() const { return ab / count - (a / count) * (b / count); }
+  /// Of the sampled mean about that of the same pixels.
+  [[nodiscard]] double standardError() const { return std::sqrt(noise) / count; }
   [[nodiscard]] double meanError() const { return (f - 0.5 * (a + b)) / count; }
   [[nodiscard]] double squaredDifference() const { return (ff - 2.0 * fm + ab) / count; }
 
-  double f = 0, a = 0, b = 0, ff = 0, ab = 0, fm = 0, count = 0;
+  double f = 0, a = 0, b = 0, ff = 0, ab = 0, fm = 0, noise = 0, count = 0;
 };
 
 } // namespace
@@ -82,6 +85,10 @@ struct Moments {
 double FilteredView::contrast() const { return std::sqrt(filteredVariance / sampledVariance); }
 double FilteredView::difference() const {
   return std::sqrt(std::max(0.0, squaredDifference) / sampledVariance);
+}
+double FilteredView::meanTolerance(double difference, int pixels) const {
+  const double ofChannel = std::max(0.0, sampledVariance) / 3.0;
+  return 0.004 + 3.0 * std::sqrt(scatter * scatter + difference * difference * ofChannel / pixels);
 }
 
 Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placement,
@@ -128,6 +135,7 @@ FilteredView filteredView(const Plane& plane, double width, double height, int p
     for (const Sampled& one : all)
       moments.add(one.filtered[c], one.first[c], one.second[c]);
     view.meanError = std::max(view.meanError, std::abs(moments.meanError()));
+    view.scatter = std::max(view.scatter, moments.standardError());
     view.filteredVariance += moments.filteredVariance();
     view.sampledVariance += moments.sampledVariance();
     view.squaredDifference += moments.squaredDifference();

@@ -34,12 +34,17 @@ struct FilteredView {
   double filteredVariance = 0.0;
   double sampledVariance = 0.0;
   double squaredDifference = 0.0;
+  double scatter = 0.0; ///< standard error of the sampled mean, of the channel with the largest
 
   /// Relative to the standard deviation that an exact filter would leave.
   [[nodiscard]] double contrast() const;
   /// Root mean square difference, relative to the standard deviation that an exact filter would
   /// leave.
   [[nodiscard]] double difference() const;
+  /// The largest mean error that passes: 0.004 (TARGETS.md) and three standard errors of the means,
+  /// of sampling and of `pixels` pixels that each differ as much as `difference` allows. The
+  /// filter's own error does not enlarge it.
+  [[nodiscard]] double meanTolerance(double difference, int pixels) const;
 };
 
 /// Measures `pixels` pixels with these sides [tiles] at random positions, each with 2 `samples` x

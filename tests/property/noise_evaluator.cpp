@@ -30,14 +30,13 @@ MaterialNoise movedMaterial() {
   return material;
 }
 
-/// Tile coordinates by the definition of MaterialNoise::scale, minus the whole tiles of the offset,
-/// which the constants store as the tile origin.
+/// Tile coordinates by the definition of MaterialNoise::scale, without the offset, which the
+/// constants store.
 TileFootprint onTiles(const MaterialNoise& material, double u, double v) {
   const double cosine = std::cos(material.rotation), sine = std::sin(material.rotation);
-  const auto fraction = [](double x) { return x - std::floor(x); };
   TileFootprint at;
-  at.position = {float(fraction(material.offset[0]) + (cosine * u + sine * v) / material.scale),
-                 float(fraction(material.offset[1]) + (-sine * u + cosine * v) / material.scale)};
+  at.position = {float((cosine * u + sine * v) / material.scale),
+                 float((-sine * u + cosine * v) / material.scale)};
   return at;
 }
 

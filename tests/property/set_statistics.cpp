@@ -239,14 +239,15 @@ TEST_CASE("a map of few values that is independent of the others stays independe
 TEST_CASE("the Gaussian values of a one-dimensional map in a set have the order of its values") {
   const std::vector<MapExemplar> maps = coarseSet(true);
   const Bundle bundle = bakedBundle(maps);
-  const std::vector<float> gaussian =
+  const std::vector<float> texels = // a Gaussian value and the loss
       decodeLevel(bundle.tables[bundle.noises[0].maps[1].as<TilingMap>().gaussian], 0);
   std::map<float, std::pair<float, float>> ranges; // range of Gaussian values for each roughness
-  for (std::size_t i = 0; i < gaussian.size(); ++i) {
-    const auto [place, isNew] = ranges.try_emplace(maps[1].values[i], gaussian[i], gaussian[i]);
+  for (std::size_t i = 0; i < maps[1].values.size(); ++i) {
+    const float gaussian = texels[2 * i];
+    const auto [place, isNew] = ranges.try_emplace(maps[1].values[i], gaussian, gaussian);
     auto& [least, most] = place->second;
-    least = std::min(least, gaussian[i]);
-    most = std::max(most, gaussian[i]);
+    least = std::min(least, gaussian);
+    most = std::max(most, gaussian);
   }
   REQUIRE(ranges.size() > 2);
   float before = -1.0f;

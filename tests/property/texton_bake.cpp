@@ -3,6 +3,7 @@
 // of all maps, and what its mips preserve.
 #include "example_exemplar.h"
 
+#include <lichen/image.h>
 #include <lichen/texton.h>
 
 #include <Eigen/Dense>
@@ -10,6 +11,7 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <exemplar/value_encoding.h>
 #include <texton/color_correction.h>
 
 namespace lichen {
@@ -77,9 +79,10 @@ MatrixXd storedCovariance(const TextonBake& bake) {
   return result;
 }
 
+/// Of the values that a noise stores: roots of light for colours.
 MatrixXd exemplarCovariance(std::span<const MapExemplar> maps) {
   std::vector<std::vector<double>> channels;
-  for (const MapExemplar& map : maps) {
+  for (const MapExemplar& map : exemplar::asStored(maps)) {
     const std::size_t n = map.channels.size();
     for (std::size_t c = 0; c < n; ++c) {
       std::vector<double> values;
@@ -233,7 +236,7 @@ TEST_CASE("textons support grey stored as RGB, a constant channel and a single c
     flatBlue.values[i] = 0.25f;
   const TextonBake blueBake = bakeOf({&flatBlue, 1}, supportOf(16));
   CHECK(blueBake.noise.maps[0].as<TextonMap>().scale[2] == 0.0);
-  CHECK(blueBake.noise.maps[0].mean[2] == Approx(0.25));
+  CHECK(blueBake.noise.maps[0].mean[2] == Approx(std::sqrt(srgbToLinear(0.25f))));
 
   MapExemplar one = flatBlue;
   std::fill(one.values.begin(), one.values.end(), 0.5f);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <exemplar/value_encoding.h>
 #include <gaussian/kernels.h>
 #include <gaussian/model_covariance.h>
 #include <texton/color_correction.h>
@@ -135,7 +136,8 @@ TEST_CASE(
   // that of texels on the torus. They agree for order 0; other orders lack the products across the
   // border.
   const MapExemplar map = faint();
-  const gaussian::GaussianModel model = gaussian::gaussianModel(map.values, kSide, kSide, 3);
+  const gaussian::GaussianModel model =
+      gaussian::gaussianModel(exemplar::asStored(map).values, kSide, kSide, 3);
   for (const int order : {0, 1, 3}) {
     INFO("order " << order);
     Baked baked = bakedOf(map, order, kSide + order); // as many coefficients as texels

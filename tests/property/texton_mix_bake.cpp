@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exemplar/value_encoding.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -42,9 +43,10 @@ MatrixXd matrixOf(const std::vector<double>& values) {
   return Eigen::Map<const MatrixXd>(values.data(), n, n);
 }
 
-/// Mean and covariance of a map's own pixels.
+/// Mean and covariance of a map's own pixels, as a noise stores them: roots of light for colours.
 struct PixelStatistics {
-  explicit PixelStatistics(const MapExemplar& map) {
+  explicit PixelStatistics(const MapExemplar& exemplar) {
+    const MapExemplar map = exemplar::asStored(exemplar);
     const auto n = Eigen::Index(map.channels.size());
     const MatrixXd values =
         Eigen::Map<const Eigen::MatrixXf>(map.values.data(), n, Eigen::Index(map.values.size()) / n)

@@ -55,32 +55,36 @@ Wave stripes(double x, double, double width, double) {
   return {std::sin(a * x), a * std::cos(a * x), 0.0};
 }
 
-/// A noise of the wave's slopes and height, without tables or mips: values are affine in what is
-/// fetched. `meanSlope` is added to the slopes along x.
+/// A noise of the wave's slopes and height, without tables, mips or losses: values are affine in
+/// what is fetched. `meanSlope` is added to the slopes along x.
 Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height, double meanSlope = 0.0) {
   constexpr double kSlopeDeviation = 0.05, kHeightDeviation = 0.04, kHeightScale = 0.02;
   std::vector<float> slopes, heights;
   for (std::uint32_t y = 0; y < height; ++y)
     for (std::uint32_t x = 0; x < width; ++x) {
       const Wave at = wave(x + 0.5, y + 0.5, width, height);
-      slopes.push_back(float(0.5 + at.alongX / (6.0 * kSlopeDeviation)));
-      slopes.push_back(float(0.5 - at.alongDown / (6.0 * kSlopeDeviation))); // y up
-      heights.push_back(float(0.5 + kHeightScale * at.height / (6.0 * kHeightDeviation)));
+      const auto texel = [](double value, double deviation) {
+        return kStoredGaussianMean + float(value / (6.0 * deviation));
+      };
+      slopes.insert(slopes.end(), {texel(at.alongX, kSlopeDeviation),
+                                   texel(-at.alongDown, kSlopeDeviation), 0.0f, 0.0f}); // y up
+      heights.insert(heights.end(),
+                     {texel(kHeightScale * at.height, kHeightDeviation), 0.0f, 0.0f, 0.0f});
     }
   Bundle bundle;
   Noise noise;
   noise.name = "wave";
-  const auto add = [&](MapTarget target, TexelFormat format, const std::vector<float>& texels,
+  const auto add = [&](MapTarget target, const std::vector<float>& texels,
                        const NoiseMap& described) {
     Table table;
-    table.format = format;
+    table.format = TexelFormat::rgba32Sfloat;
     table.width = width;
     table.height = height;
-    appendTexels(table.texels, format, texels);
+    appendTexels(table.texels, table.format, texels);
     NoiseMap map = described;
     map.target = target;
     map.as<TilingMap>().gaussian = bundle.tables.size();
-    map.as<TilingMap>().mipLoss = {0.0};
+    map.as<TilingMap>().dimensions = int(map.channels.size());
     bundle.tables.push_back(std::move(table));
     noise.maps.push_back(std::move(map));
   };
@@ -95,8 +99,8 @@ Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height, double
   relief.encoding = ValueEncoding::linear;
   relief.mean = {0.5};
   relief.covariance = {kHeightDeviation * kHeightDeviation};
-  add(MapTarget::normal, TexelFormat::rg16Sfloat, slopes, slope);
-  add(MapTarget::height, TexelFormat::r32Sfloat, heights, relief);
+  add(MapTarget::normal, slopes, slope);
+  add(MapTarget::height, heights, relief);
   bundle.noises = {std::move(noise)};
   return bundle;
 }
@@ -210,7 +214,7 @@ TEST_CASE("tile rotations are uniform, and independent of neighbours and offsets
           const std::uint32_t step = stepOf(i, j);
           ++one[std::size_t(std::uint64_t(step) * bins / steps)];
           ++pairs[4 * quarter(step) + quarter(stepOf(i + kSide, j + 1))];
-          ++withOffset[4 * quarter(step) + tileOffsetIndex(i, j, word, 4, 4)[0]];
+          ++withOffset[4 * quarter(step) + (tileOffsetSteps(i, j, word)[0] & 3u)];
         }
       INFO("seed " << seed << ", steps " << steps);
       CHECK(chiSquare(one) < chiSquareLimit(bins - 1.0));

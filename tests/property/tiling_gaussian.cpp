@@ -2,6 +2,8 @@
 // The stratified Gaussian set and the Gaussianized image.
 #include "baked_exemplar.h"
 
+#include <lichen/tiling_map.h>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -64,8 +66,12 @@ TEST_CASE("an 8-bit Gaussian set keeps its variance although it is clamped at th
   std::vector<float> values;
   for (const Point& p : gaussian::stratifiedGaussian(65536, 3, gaussian::Precision::bits8)) {
     values.insert(values.end(), {p.x, p.y, p.z});
-    REQUIRE(std::min({p.x, p.y, p.z}) >= 0.0f);
-    REQUIRE(std::max({p.x, p.y, p.z}) <= 1.0f);
+    constexpr float kShift = kStoredGaussianMean - 0.5f;
+    for (const float coordinate : {p.x, p.y, p.z}) {
+      const float code = 255.0f * (coordinate + kShift);
+      REQUIRE(code == Approx(std::round(code)).margin(1e-3));
+      REQUIRE((std::round(code) >= 0.0f && std::round(code) <= 255.0f));
+    }
   }
   const exemplar::Moments moments = exemplar::momentsOf(values, 3);
   // Rounding to 1/255 adds (1/255)^2 / 12 to the variance, a relative 4.6e-5; clamping would lose

@@ -15,7 +15,7 @@ using namespace lichen::tiling;
 
 TEST_CASE("lookups in the table have the exemplar's mean and covariance", "[large]") {
   const Baked b = baked(threeMaterials(160, 160, 3));
-  const std::vector<float> values = light(b.map);
+  const std::vector<float> values = tableValues(b.map);
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, values, 3, transport::TransportOptions{});
   const exemplar::Moments found = interpolatedMoments(table);
@@ -60,7 +60,7 @@ TEST_CASE("the table stays inside the hull of the exemplar's colours", "[large]"
   // cell extends beyond the exemplar in any direction.
   for (const std::uint64_t seed : {5u, 6u}) {
     const Baked b = baked(threeMaterials(128, 128, seed));
-    const std::vector<float> values = light(b.map);
+    const std::vector<float> values = tableValues(b.map);
     const InverseTable table =
         fitInverseTable(b.gaussian, b.points, values, 3, transport::TransportOptions{});
     for (std::uint64_t k = 0; k < 200; ++k) {
@@ -127,7 +127,7 @@ TEST_CASE("neighbouring cells in the tails of slopes differ no more than their m
 
 TEST_CASE("going to the Gaussian and back returns the exemplar's values") {
   const Baked b = baked(threeMaterials(128, 128, 9));
-  const std::vector<float> values = light(b.map);
+  const std::vector<float> values = tableValues(b.map);
   const InverseTable table =
       fitInverseTable(b.gaussian, b.points, values, 3, transport::TransportOptions{});
   double squares = 0.0;

@@ -3,6 +3,7 @@
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
+#include <lichen/shader_parameters.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
 
@@ -130,8 +131,7 @@ TEST_CASE("a Gaussian image has mean 1/2 and covariance I/36 as it is stored") {
   for (const gaussian::Precision precision :
        {gaussian::Precision::bits8, gaussian::Precision::bits16})
     for (const bool periodic : {true, false}) {
-      const Gaussianized image =
-          gaussianImage(map, exemplar::colorSpaceOf(map).moments, periodic, precision);
+      const Gaussianized image = gaussianImage(map, periodic, precision);
       std::vector<float> values;
       for (const Point& p : image.image)
         values.insert(values.end(), {p.x, p.y, p.z});
@@ -141,8 +141,9 @@ TEST_CASE("a Gaussian image has mean 1/2 and covariance I/36 as it is stored") {
       CHECK((found.mean.array() - 0.5).abs().maxCoeff() < tolerance);
       CHECK((36.0 * found.covariance - Eigen::Matrix3d::Identity()).norm() < 36.0 * tolerance);
       const auto [low, high] = std::minmax_element(values.begin(), values.end());
+      constexpr float kShift = kStoredGaussianMean - 0.5f, kRounding = 1e-6f;
       if (precision == gaussian::Precision::bits8)
-        CHECK((*low >= 0.0f && *high <= 1.0f));
+        CHECK((*low + kShift >= -kRounding && *high + kShift <= 1.0f + kRounding));
     }
 }
 
@@ -164,6 +165,30 @@ TEST_CASE("a noise without a table has the exemplar's light, near and far", "[la
     const exemplar::Moments far = synthesizedMoments(bundle, 128, texelsPerTile);
     // TARGETS: 0.004 per channel; the quadrature alone is within 0.005 at its worst.
     CHECK((far.mean - wanted.mean).cwiseAbs().maxCoeff() < 0.004);
+  }
+}
+
+TEST_CASE(
+    "clamping moves the mean of a linear map without a table by what a Gaussian has beyond 0") {
+  // E[max(0, m + d z)] - m = d (phi(m / d) - m / d Phi(-m / d)), the part below 0 of a Gaussian of
+  // mean m and deviation d: 0.08 d for one deviation, 0.0085 d for two, 0.0004 d for three.
+  constexpr double kDeviation = 0.05;
+  shader::LichenMap map{};
+  map.encoding = LICHEN_ENCODING_LINEAR;
+  map.decoding = LICHEN_DECODING_GAUSSIAN;
+  for (const double deviations : {1.0, 2.0, 3.0}) {
+    const double mean = deviations * kDeviation;
+    map.row0 = {float(6.0 * kDeviation), 0.0f, 0.0f, float(mean)};
+    double sum = 0.0, weights = 0.0;
+    for (double z = -8.0; z <= 8.0; z += 1.0 / 256.0) {
+      const double weight = std::exp(-0.5 * z * z);
+      sum += weight * double(decodedGaussian(map, {float(0.5 + z / 6.0), 0.5f, 0.5f}, {})[0]);
+      weights += weight;
+    }
+    const double density =
+        std::exp(-0.5 * deviations * deviations) / std::sqrt(2.0 * 3.14159265358979);
+    const double below = 0.5 * std::erfc(deviations / std::sqrt(2.0));
+    CHECK(sum / weights - mean == Approx(kDeviation * (density - deviations * below)).margin(1e-6));
   }
 }
 

@@ -156,8 +156,7 @@ TEST_CASE("where one plane has all the weight, the noise is that of its texture 
     at.normal = {k % 2 == 0 ? 2.0f : -2.0f, 0.7f, -0.5f};
     // A tile is half a metre wide, times the scale; right is -z, down is -y.
     TileFootprint uv;
-    uv.position = {flat.offsetX - at.position[2] / (0.5f * 1.3f),
-                   flat.offsetY - at.position[1] / (0.5f * 1.3f) * aspect};
+    uv.position = {-at.position[2] / (0.5f * 1.3f), -at.position[1] / (0.5f * 1.3f) * aspect};
     const auto expected = t.twin.evaluate(0, flat, uv);
     const auto value = t.twin.evaluate(0, noise, at);
     for (std::size_t c = 0; c < 4; ++c)

@@ -12,8 +12,8 @@ using example::GlbParts;
 namespace {
 
 // In example::everyMap(), noise 0 is "felt" with a height map on tables 0 and 1. Noise 1 is "moss"
-// with base colour (tables 2, 3), normal (4, 5), occlusion-roughness-metallic (6, 7) and opacity
-// (8).
+// with base colour (tables 2, 3), normal (4, 5), occlusion-roughness-metallic (6, 7) opacity (8)
+// and emissive (9, 10).
 const std::vector<std::byte>& soundFile() {
   static const std::vector<std::byte> file = encodeGlb(example::everyMap()).value();
   return file;
@@ -112,7 +112,8 @@ TEST_CASE("every fault inside a KTX2 table is found") {
   checkFaults({
       {"identifier", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 0, 0); }},
       {"unknown vkFormat", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 12, 131); }},
-      {"vkFormat of other channels", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 12, 16); }},
+      {"vkFormat of other channels", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 12, 9); }},
+      {"codes of sRGB", "table-ktx2", [](GlbParts& p) { p.setTableWord(2, 12, 43); }},
       {"typeSize", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 16, 2); }},
       {"zero width", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 20, 0); }},
       {"huge width", "table-ktx2", [](GlbParts& p) { p.setTableWord(0, 20, 0xffffffffu); }},
@@ -147,9 +148,9 @@ TEST_CASE("every fault inside a KTX2 table is found") {
        }},
       {"infinity in floats", "table-ktx2",
        [](GlbParts& p) {
-         const std::size_t view = p.extension()["tables"][6]["bufferView"];
+         const std::size_t view = p.extension()["tables"][10]["bufferView"];
          const std::size_t length = p.json["bufferViews"][view]["byteLength"];
-         p.setTableWord(6, length - 4, 0x7f800000u);
+         p.setTableWord(10, length - 4, 0x7f800000u);
        }},
       {"bytes after the last level", "table-ktx2",
        [](GlbParts& p) {
@@ -203,7 +204,8 @@ TEST_CASE("every fault of a map's description is found") {
          p.map(1, 2)["channels"] = {"roughness", "roughness", "metallic"};
        }},
       {"unknown encoding", "map-encoding", [](GlbParts& p) { p.map(1, 0)["encoding"] = "hsv"; }},
-      {"slopes in sRGB", "map-encoding", [](GlbParts& p) { p.map(1, 1)["encoding"] = "srgb"; }},
+      {"slopes as roots", "map-encoding", [](GlbParts& p) { p.map(1, 1)["encoding"] = "root"; }},
+      {"codes of files", "map-encoding", [](GlbParts& p) { p.map(1, 0)["encoding"] = "srgb"; }},
       {"short mean", "map-mean",
        [](GlbParts& p) {
          p.map(1, 0)["mean"] = {0.5, 0.5};
@@ -223,19 +225,9 @@ TEST_CASE("every fault of a map's description is found") {
        [](GlbParts& p) {
          p.map(1, 1)["covariance"] = {0.01, 0.02, 0.02, 0.01};
        }},
-      {"a level off its formula", "map-levels",
-       [](GlbParts& p) { p.map(1, 2)["levels"][1] = 0.5; }},
-      {"one level", "map-levels", [](GlbParts& p) { p.map(0, 0)["levels"] = {0.0}; }},
-      {"levels without a table", "map-levels",
-       [](GlbParts& p) {
-         p.map(1, 3)["levels"] = {0.0, 1.0};
-       }},
-      {"a table without levels", "required", [](GlbParts& p) { p.map(0, 0).erase("levels"); }},
-      {"mip losses for other mips", "map-mip-loss",
-       [](GlbParts& p) { p.map(1, 0)["mipLoss"].push_back(1.0); }},
-      {"falling mip losses", "map-mip-loss", [](GlbParts& p) { p.map(1, 0)["mipLoss"][2] = 0.01; }},
-      {"mip loss above 1", "range", [](GlbParts& p) { p.map(1, 0)["mipLoss"][3] = 1.5; }},
-      {"a loss at level 0", "map-mip-loss", [](GlbParts& p) { p.map(1, 0)["mipLoss"][0] = 0.01; }},
+      {"no dimensions", "required", [](GlbParts& p) { p.map(1, 0).erase("dimensions"); }},
+      {"0 dimensions", "range", [](GlbParts& p) { p.map(1, 0)["dimensions"] = 0; }},
+      {"4 dimensions", "range", [](GlbParts& p) { p.map(1, 0)["dimensions"] = 4; }},
       {"huge list", "count",
        [](GlbParts& p) { p.map(1, 0)["mean"] = std::vector<double>(100000, 0.5); }},
   });
@@ -248,38 +240,106 @@ TEST_CASE("every contradiction between a map and its tables is found") {
       {"inverse index out of range", "map-inverse-table-index",
        [](GlbParts& p) { p.map(1, 0)["inverseTable"] = 99; }},
       {"Gaussian image is 3-D", "map-gaussian", [](GlbParts& p) { p.map(1, 0)["gaussian"] = 3; }},
-      {"Gaussian image without its mips", "map-gaussian",
-       [](GlbParts& p) { p.map(0, 0)["gaussian"] = 1; }},
-      {"more dimensions than channels", "map-gaussian",
-       [](GlbParts& p) { p.map(0, 0)["gaussian"] = 2; }},
-      {"fewer dimensions than channels without a table", "map-gaussian",
-       [](GlbParts& p) {
-         p.map(1, 2).erase("inverseTable");
-         p.map(1, 2).erase("levels");
-       }},
-      {"inverse table with mips", "map-inverse-table",
+      {"more dimensions than channels", "map-dimensions",
+       [](GlbParts& p) { p.map(0, 0)["dimensions"] = 2; }},
+      {"fewer dimensions than channels without a table", "map-dimensions",
+       [](GlbParts& p) { p.map(1, 2).erase("inverseTable"); }},
+      {"other dimensions than the image has channels for", "map-gaussian",
+       [](GlbParts& p) { p.map(1, 0)["dimensions"] = 1; }},
+      {"inverse table is 2-D", "map-inverse-table",
        [](GlbParts& p) { p.map(0, 0)["inverseTable"] = 0; }},
       {"inverse table of too few channels", "map-inverse-table",
        [](GlbParts& p) { p.map(1, 0)["inverseTable"] = 1; }},
-      {"inverse table of another shape", "map-inverse-table",
+      {"inverse table of more dimensions", "map-inverse-table",
        [](GlbParts& p) { p.map(1, 2)["inverseTable"] = 3; }},
       {"slopes in 8 bits", "map-inverse-table",
        [](GlbParts& p) { p.map(1, 1)["inverseTable"] = 3; }},
       {"a singular covariance without a table", "map-covariance",
        [](GlbParts& p) { p.map(1, 3)["covariance"] = {0.0}; }},
-      {"other levels than slabs", "map-inverse-table",
-       [](GlbParts& p) { p.map(1, 0)["levels"] = example::levels(3); }},
   });
 }
 
-TEST_CASE("a table of slopes without their variance is an error") {
+TEST_CASE("every Gaussian image or inverse table of the wrong shape or content is an error") {
+  using enum TexelFormat;
+  constexpr std::size_t color = 0, normal = 1, grey = 2; // maps of "moss"
+  const auto gaussian = [](BundleFile& f, std::size_t map) -> Table& {
+    return f.bundle.tables[f.bundle.noises[1].maps[map].as<TilingMap>().gaussian];
+  };
+  const auto inverse = [](BundleFile& f, std::size_t map) -> Table& {
+    return f.bundle.tables[*f.bundle.noises[1].maps[map].as<TilingMap>().inverseTable];
+  };
+  const auto shaped = [](TexelFormat format, std::uint32_t width, std::uint32_t height,
+                         std::uint32_t depth, std::uint32_t mips) {
+    return example::patternTable("", format, width, height, depth, mips);
+  };
+  const auto withLosses = [&](std::vector<float> losses) {
+    return [=](BundleFile& f) { example::setLosses(gaussian(f, grey), losses); };
+  };
+  struct Case {
+    const char* message;
+    std::function<void(BundleFile&)> make;
+  };
+  const std::vector<Case> cases{
+      {"mip level 1 of the image has different values in its last channel",
+       [&](BundleFile& f) {
+         // One bit of one loss, of the last texel of level 1.
+         Table& table = gaussian(f, color);
+         const LevelRange range = levelRange(table, 1);
+         table.texels[range.offset + range.size - 1] ^= std::byte(1);
+       }},
+      {"mip level 2 of the image has the loss 0.125 in its last channel; expected 0.25 to 1",
+       withLosses({0.0f, 0.25f, 0.125f, 0.5f})},
+      {"mip level 0 of the image has the loss -0.125 in its last channel; expected 0.0 to 1",
+       withLosses({-0.125f, 0.25f, 0.5f, 0.75f})},
+      {"mip level 3 of the image has the loss 1.5 in its last channel; expected 0.5 to 1",
+       withLosses({0.0f, 0.25f, 0.5f, 1.5f})},
+      {"3 mip levels; expected the full chain of 4",
+       [&](BundleFile& f) { gaussian(f, color) = shaped(rgba8Unorm, 8, 8, 0, 3); }},
+      {"2 channels; expected 4 for 3 dimensions and the loss",
+       [&](BundleFile& f) { gaussian(f, color) = example::gaussianTable("", rg8Unorm, 8, 8); }},
+      {"1 channel; expected 2 for 1 dimension and the loss",
+       [&](BundleFile& f) { gaussian(f, grey) = example::gaussianTable("", r16Sfloat, 8, 8); }},
+      {"at least 3", // the slopes' variance
+       [&](BundleFile& f) { inverse(f, normal) = shaped(rg16Sfloat, 64, 64, 1, 1); }},
+      {"8-bit texels for the encoding slope",
+       [&](BundleFile& f) { inverse(f, normal) = shaped(rgba8Unorm, 64, 64, 1, 1); }},
+      {"expected a 3-D image with 3 equal sides",
+       [&](BundleFile& f) { inverse(f, color) = shaped(rgba8Unorm, 32, 32, 16, 1); }},
+      {"expected a 3-D image with 3 equal sides",
+       [&](BundleFile& f) { inverse(f, color) = shaped(rgba8Unorm, 24, 24, 24, 1); }},
+      {"expected a 3-D image with 3 equal sides",
+       [&](BundleFile& f) { inverse(f, color) = shaped(rgba8Unorm, 2, 2, 2, 1); }},
+      {"expected a 3-D image with 1 equal side",
+       [&](BundleFile& f) { inverse(f, grey) = shaped(rgba8Unorm, 512, 1, 1, 1); }},
+      {"expected a 3-D image with 1 equal side",
+       [&](BundleFile& f) { inverse(f, grey) = shaped(rgba8Unorm, 256, 1, 2, 1); }},
+      {"expected a 3-D image with 2 equal sides",
+       [&](BundleFile& f) { inverse(f, normal) = shaped(rgba16Sfloat, 64, 64, 0, 1); }},
+      {"6 mip levels; expected at most 5 for a side of 256",
+       [&](BundleFile& f) { inverse(f, grey) = shaped(rgba8Unorm, 256, 1, 1, 6); }},
+      {"3 mip levels; expected at most 2 for a side of 4",
+       [&](BundleFile& f) { inverse(f, color) = shaped(rgba8Unorm, 4, 4, 4, 3); }},
+  };
+  for (const Case& wrong : cases) {
+    INFO(wrong.message);
+    BundleFile file = example::everyMap();
+    REQUIRE(encodeGlb(file));
+    wrong.make(file);
+    const Result<std::vector<std::byte>> refused = encodeGlb(file); // the checker reports it first
+    REQUIRE_FALSE(refused);
+    INFO(refused.error().message);
+    CHECK(refused.error().message.find(wrong.message) != std::string::npos);
+  }
+}
+
+TEST_CASE("an inverse table may have fewer cells and fewer mip levels than the largest") {
   BundleFile file = example::everyMap();
-  REQUIRE(encodeGlb(file));
-  const std::size_t table = *file.bundle.noises[1].maps[1].as<TilingMap>().inverseTable;
-  file.bundle.tables[table] = example::patternTable("", TexelFormat::rg16Sfloat, 64, 192, 0, 1);
-  const Result<std::vector<std::byte>> refused = encodeGlb(file); // the checker reports it first
-  REQUIRE_FALSE(refused);
-  CHECK(refused.error().message.find("at least 3") != std::string::npos);
+  const std::size_t table = *file.bundle.noises[1].maps[0].as<TilingMap>().inverseTable;
+  for (const auto& [side, mips] : {std::pair{4u, 1u}, {4u, 2u}, {16u, 4u}, {64u, 5u}, {32u, 1u}}) {
+    file.bundle.tables[table] =
+        example::patternTable("", TexelFormat::rgba8Unorm, side, side, side, mips);
+    CHECK(encodeGlb(file).ok());
+  }
 }
 
 TEST_CASE("every fault of a material's use is found") {
@@ -353,10 +413,10 @@ TEST_CASE("a harmless oddity is a warning and does not stop reading") {
 
 TEST_CASE("a message has the singular for one value") {
   GlbParts parts(soundFile());
-  parts.map(0, 0)["levels"] = nlohmann::json::array({0.0});
+  parts.map(1, 0)["mean"] = nlohmann::json::array({0.5});
   const std::vector<Finding> findings = checkBundle(parts.join());
   REQUIRE_FALSE(findings.empty());
-  CHECK(findings.front().message.starts_with("1 value; expected 2 to "));
+  CHECK(findings.front().message.starts_with("1 value; expected 3"));
 }
 
 TEST_CASE("the number of reported faults is limited") {

@@ -15,8 +15,16 @@ std::size_t addTable(Bundle& bundle, Table table) {
   return bundle.tables.size() - 1;
 }
 
-NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncoding encoding,
-                 std::uint32_t mipLevels) {
+void addTiling(Bundle& bundle, NoiseMap& map, int dimensions, Table gaussian,
+               std::optional<Table> inverse) {
+  auto& tiling = map.as<TilingMap>();
+  tiling.dimensions = dimensions;
+  tiling.gaussian = addTable(bundle, std::move(gaussian));
+  if (inverse)
+    tiling.inverseTable = addTable(bundle, *std::move(inverse));
+}
+
+NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncoding encoding) {
   NoiseMap map;
   map.target = target;
   map.channels = std::move(channels);
@@ -26,8 +34,6 @@ NoiseMap makeMap(MapTarget target, std::vector<MapChannel> channels, ValueEncodi
   map.covariance.assign(n * n, 0.005);
   for (std::size_t i = 0; i < n; ++i)
     map.covariance[i * n + i] = 0.01;
-  for (std::uint32_t level = 0; level < mipLevels; ++level)
-    map.as<TilingMap>().mipLoss.push_back(double(level) / double(mipLevels));
   return map;
 }
 
@@ -196,11 +202,26 @@ std::uint32_t fullMipChain(std::uint32_t width, std::uint32_t height) {
   return std::uint32_t(std::bit_width(std::max(width, height)));
 }
 
-std::vector<double> levels(std::size_t count) {
-  std::vector<double> values;
-  for (std::size_t k = 0; k < count; ++k)
-    values.push_back(1.0 - std::pow(1.0 - double(k) / double(count - 1), 2.0));
-  return values;
+Table gaussianTable(const std::string& name, TexelFormat format, std::uint32_t width,
+                    std::uint32_t height) {
+  Table table = patternTable(name, format, width, height, 0, fullMipChain(width, height));
+  std::vector<float> losses;
+  for (std::uint32_t level = 0; level < table.mipLevels; ++level)
+    losses.push_back(float(level) / float(table.mipLevels));
+  setLosses(table, losses);
+  return table;
+}
+
+void setLosses(Table& gaussian, const std::vector<float>& losses) {
+  const auto channels = std::size_t(channelCount(gaussian.format));
+  std::vector<std::byte> texels;
+  for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level) {
+    std::vector<float> values = decodeLevel(gaussian, level);
+    for (std::size_t i = channels - 1; i < values.size(); i += channels)
+      values[i] = losses[level];
+    appendTexels(texels, gaussian.format, values);
+  }
+  gaussian.texels = std::move(texels);
 }
 
 Table tableWithMips() {
@@ -211,12 +232,11 @@ BundleFile smallest() {
   BundleFile file;
   Noise noise;
   noise.name = "felt";
-  NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 3);
+  NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
   map.as<TilingMap>().gaussian =
-      addTable(file.bundle, patternTable("felt.height.gaussian", TexelFormat::r8Unorm, 4, 2, 0, 3));
+      addTable(file.bundle, gaussianTable("felt.height.gaussian", TexelFormat::rg8Unorm, 4, 2));
   map.as<TilingMap>().inverseTable = addTable(
-      file.bundle, patternTable("felt.height.inverse", TexelFormat::r8Unorm, 256, 2, 0, 1));
-  map.as<TilingMap>().levels = levels(2);
+      file.bundle, patternTable("felt.height.inverse", TexelFormat::r8Unorm, 256, 1, 1, 1));
   addNoise(file, std::move(noise), std::move(map));
   return file;
 }
@@ -238,7 +258,7 @@ BundleFile smallestTexton() {
       };
       texels[y * side + x] = arch(x) * arch(y);
     }
-  NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 1);
+  NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
   auto& texton = map.data.emplace<TextonMap>();
   texton.mipLoss = {0.0};
   const double energy = bilinearEnergy(texels, side);
@@ -266,11 +286,11 @@ BundleFile textonMix() {
     map.as<TextonMap>().image = addTable(bundle, std::move(table));
     noise.maps.push_back(std::move(map));
   };
-  addMap(makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 1),
+  addMap(makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::root),
          TexelFormat::rgba16Sfloat);
-  addMap(makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope, 1),
+  addMap(makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope),
          TexelFormat::rgba32Sfloat);
-  addMap(makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 1),
+  addMap(makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear),
          TexelFormat::r32Sfloat);
   bundle.noises.push_back(std::move(noise));
   MaterialNoise use = useOf(1);
@@ -294,42 +314,29 @@ BundleFile everyMap() {
   noise.name = "moss";
   noise.tileSizeMetres = 0.5;
 
-  NoiseMap color = makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::srgb, 4);
-  color.as<TilingMap>().gaussian =
-      addTable(bundle, patternTable("", TexelFormat::rgba8Unorm, 8, 8, 0, 4));
-  color.as<TilingMap>().inverseTable =
-      addTable(bundle, patternTable("", TexelFormat::rgba8Srgb, 32, 32, 64, 1));
-  color.as<TilingMap>().levels = levels(2);
+  NoiseMap color = makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::root);
+  addTiling(bundle, color, 3, gaussianTable("", TexelFormat::rgba8Unorm, 8, 8),
+            patternTable("", TexelFormat::rgba8Unorm, 32, 32, 32, 5));
   noise.maps.push_back(std::move(color));
 
-  NoiseMap normal = makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope, 4);
-  normal.as<TilingMap>().gaussian =
-      addTable(bundle, patternTable("", TexelFormat::rg16Sfloat, 8, 4, 0, 4));
-  normal.as<TilingMap>().inverseTable =
-      addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 64, 192, 0, 1));
-  normal.as<TilingMap>().levels = levels(3);
+  NoiseMap normal = makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope);
+  addTiling(bundle, normal, 2, gaussianTable("", TexelFormat::rgba16Sfloat, 8, 4),
+            patternTable("", TexelFormat::rgba16Sfloat, 64, 64, 1, 5));
   noise.maps.push_back(std::move(normal));
 
   NoiseMap grey = makeMap(MapTarget::occlusionRoughnessMetallic, {occlusion, roughness, metallic},
-                          ValueEncoding::linear, 4);
-  grey.as<TilingMap>().gaussian =
-      addTable(bundle, patternTable("", TexelFormat::r32Sfloat, 8, 8, 0, 4));
-  grey.as<TilingMap>().inverseTable =
-      addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 4, 0, 1));
-  grey.as<TilingMap>().levels = levels(4);
+                          ValueEncoding::linear);
+  addTiling(bundle, grey, 1, gaussianTable("", TexelFormat::rg16Sfloat, 8, 8),
+            patternTable("", TexelFormat::rgba16Sfloat, 256, 1, 1, 5));
   noise.maps.push_back(std::move(grey));
 
-  NoiseMap opacityMap = makeMap(MapTarget::opacity, {opacity}, ValueEncoding::linear, 1);
-  opacityMap.as<TilingMap>().gaussian =
-      addTable(bundle, patternTable("", TexelFormat::r16Sfloat, 1, 1, 0, 1));
+  NoiseMap opacityMap = makeMap(MapTarget::opacity, {opacity}, ValueEncoding::linear);
+  addTiling(bundle, opacityMap, 1, gaussianTable("", TexelFormat::rg16Sfloat, 1, 1), {});
   noise.maps.push_back(std::move(opacityMap));
 
-  NoiseMap glow = makeMap(MapTarget::emissive, {red, green, blue}, ValueEncoding::srgb, 3);
-  glow.as<TilingMap>().gaussian =
-      addTable(bundle, patternTable("", TexelFormat::r8Unorm, 4, 4, 0, 3));
-  glow.as<TilingMap>().inverseTable =
-      addTable(bundle, patternTable("", TexelFormat::rgba16Sfloat, 256, 2, 0, 1));
-  glow.as<TilingMap>().levels = levels(2);
+  NoiseMap glow = makeMap(MapTarget::emissive, {red, green, blue}, ValueEncoding::root);
+  addTiling(bundle, glow, 1, gaussianTable("", TexelFormat::rg8Unorm, 4, 4),
+            patternTable("", TexelFormat::rgba32Sfloat, 16, 1, 1, 4));
   noise.maps.push_back(std::move(glow));
 
   bundle.noises.push_back(std::move(noise));

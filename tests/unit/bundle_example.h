@@ -12,13 +12,17 @@ namespace lichen::example {
                                  std::uint32_t mipLevels);
 [[nodiscard]] std::uint32_t fullMipChain(std::uint32_t width, std::uint32_t height);
 
-/// levels[k] = 1 - (1 - k / (count - 1))^2.
-[[nodiscard]] std::vector<double> levels(std::size_t count);
+/// A Gaussian image of pattern texels with a full mip chain; the loss of level l is l over the
+/// number of levels.
+[[nodiscard]] Table gaussianTable(const std::string& name, TexelFormat format, std::uint32_t width,
+                                  std::uint32_t height);
+/// Sets the last channel of each mip level.
+void setLosses(Table& gaussian, const std::vector<float>& losses);
 
 /// A 2-D table of half floats, 8 x 4 with a full mip chain.
 [[nodiscard]] Table tableWithMips();
 
-/// One height map of one channel: 4 x 2 texels and a table of 256 x 2. About 3 KB as a GLB.
+/// One height map of one channel: 4 x 2 texels and a table of 256 cells. About 3 KB as a GLB.
 [[nodiscard]] BundleFile smallest();
 
 /// Two noises and a preview scene. The first noise is the smallest; the second has base colour (D =

@@ -78,18 +78,20 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
 TEST_CASE("a table of every format survives the round trip through KTX2") {
   for (const TexelFormat format :
        {TexelFormat::r8Unorm, TexelFormat::rg8Unorm, TexelFormat::rgba8Unorm,
-        TexelFormat::rgba8Srgb, TexelFormat::r16Sfloat, TexelFormat::rg16Sfloat,
-        TexelFormat::rgba16Sfloat, TexelFormat::r32Sfloat, TexelFormat::rgba32Sfloat}) {
+        TexelFormat::r16Sfloat, TexelFormat::rg16Sfloat, TexelFormat::rgba16Sfloat,
+        TexelFormat::r32Sfloat, TexelFormat::rgba32Sfloat}) {
     for (const std::uint32_t mipLevels : {1u, 3u}) {
       const Table flat = example::patternTable("flat", format, 5, 7, 0, mipLevels);
       const auto decoded = decodeKtx2(encodeKtx2(flat), "flat");
       REQUIRE(decoded.ok());
       checkSameTable(decoded.value(), flat);
     }
-    const Table deep = example::patternTable("deep", format, 3, 2, 5, 1);
-    const auto decoded = decodeKtx2(encodeKtx2(deep), "deep");
-    REQUIRE(decoded.ok());
-    checkSameTable(decoded.value(), deep);
+    for (const std::uint32_t mipLevels : {1u, 3u}) {
+      const Table deep = example::patternTable("deep", format, 3, 2, 5, mipLevels);
+      const auto decoded = decodeKtx2(encodeKtx2(deep), "deep");
+      REQUIRE(decoded.ok());
+      checkSameTable(decoded.value(), deep);
+    }
   }
 }
 

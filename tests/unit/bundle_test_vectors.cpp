@@ -40,6 +40,7 @@ TEST_CASE("the specification shows the values that the code computes") {
   shows("`pcg(0)`, `pcg(1)`, `pcg(0xffffffff)`", {pcg(0), pcg(1), pcg(~0u)});
   shows("`pcg3d(0, 1, 2)`", {triple[0], triple[1], triple[2]});
   shows("`latticeSeed(1, 0)`", {latticeSeed(1, 0)});
+  shows("`vertexHash(-1, -1, latticeSeed(1, 0))`", {vertexHash(~0u, ~0u, latticeSeed(1, 0))});
   shows("`tileOffset(-1, -1, latticeSeed(1, 0), 256, 256)`", {offset[0], offset[1]});
 }
 
@@ -68,6 +69,15 @@ TEST_CASE("the hashes and seeds are those of the published test vectors") {
     CHECK(latticeSeed(v["seed"], v["plane"]) == v["word"].get<std::uint32_t>());
 }
 
+TEST_CASE("hashes of vertices are those of the published test vectors") {
+  CHECK(vectors()["vertexHash"].size() > 20);
+  for (const nlohmann::json& v : vectors()["vertexHash"]) {
+    const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();
+    CHECK(vertexHash(std::uint32_t(vertex[0]), std::uint32_t(vertex[1]),
+                     latticeSeed(v["seed"], v["plane"])) == v["hash"].get<std::uint32_t>());
+  }
+}
+
 TEST_CASE("tile offsets are those of the published test vectors") {
   for (const nlohmann::json& v : vectors()["tileOffset"]) {
     const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();
@@ -89,14 +99,10 @@ TEST_CASE("tile rotations are those of the published test vectors") {
 }
 
 TEST_CASE("tile origins and periodic lattices are those of the published test vectors") {
-  for (const nlohmann::json& v : vectors()["latticeOrigin"]) {
+  for (const nlohmann::json& v : vectors()["latticeCell"]) {
     const auto tile = v["tile"].get<std::array<std::int64_t, 2>>();
-    const LatticeOrigin origin = latticeOrigin(tile[0], tile[1]);
     INFO("tile " << tile[0] << ", " << tile[1]);
-    CHECK(origin.cell == v["cell"].get<std::array<std::int32_t, 2>>());
-    // Half a unit in the last place of a float below 1.
-    CHECK(std::abs(double(origin.fraction[0]) - v["fraction"][0].get<double>()) <= 0x1p-25);
-    CHECK(origin.fraction[1] == 0.0f);
+    CHECK(latticeCell(tile[0], tile[1]) == v["cell"].get<std::array<std::int32_t, 2>>());
   }
   for (const nlohmann::json& v : vectors()["periodicLattice"]) {
     const auto tiles = v["tiles"].get<std::array<double, 2>>();

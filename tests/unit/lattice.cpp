@@ -4,7 +4,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <set>
 #include <vector>
@@ -30,6 +33,25 @@ double chiSquare(const std::vector<int>& counts) {
   return sum;
 }
 
+/// The same of counts with these probabilities; those of probability 0 must be 0.
+double chiSquare(const std::vector<int>& counts, const std::vector<double>& probabilities) {
+  const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const double expected = total * probabilities[k];
+    if (expected == 0.0)
+      REQUIRE(counts[k] == 0);
+    else
+      sum += (counts[k] - expected) * (counts[k] - expected) / expected;
+  }
+  return sum;
+}
+
+std::size_t possible(const std::vector<double>& probabilities) {
+  return std::size_t(std::count_if(probabilities.begin(), probabilities.end(),
+                                   [](double probability) { return probability > 0.0; }));
+}
+
 /// Calls visit(i, j) for 65,536 vertices on both sides of the origin, where coordinates wrap.
 template <class Visit>
 void forEachVertex(Visit visit) {
@@ -37,6 +59,57 @@ void forEachVertex(Visit visit) {
   for (std::int32_t j = -kSide / 2; j < kSide / 2; ++j)
     for (std::int32_t i = -kSide / 2; i < kSide / 2; ++i)
       visit(std::uint32_t(i), std::uint32_t(j));
+}
+
+using Hash = std::function<std::uint32_t(std::uint32_t, std::uint32_t, std::uint32_t)>;
+
+/// The words of four vertices. Some two of N unrelated windows are equal with a probability of
+/// N^2 / 2^129, below 1e-26 for the windows here.
+using Window = std::array<std::uint32_t, 4>;
+Window windowAt(const Hash& hash, std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
+  return {hash(i, j, seed), hash(i + 1, j, seed), hash(i, j + 1, seed), hash(i + 1, j + 1, seed)};
+}
+
+/// Whether the window at a point of a square occurs again, up to 2^16 vertices away along each
+/// axis. Every hash of a sum i A + j B modulo 2^32 has such a period, by Minkowski's theorem.
+bool hasPeriod(const Hash& hash) {
+  // Every distance is a multiple of 256, less a point of a square of 256 x 256.
+  constexpr std::uint32_t kStride = 256;
+  std::vector<Window> near;
+  for (std::uint32_t j = 0; j < kStride; ++j)
+    for (std::uint32_t i = 0; i < kStride; ++i)
+      near.push_back(windowAt(hash, i, j, 1));
+  std::sort(near.begin(), near.end());
+  constexpr int kMost = 257;
+  for (int column = 0; column <= kMost; ++column)
+    for (int row = -kMost; row <= kMost; ++row) {
+      const Window far =
+          windowAt(hash, std::uint32_t(column) * kStride, std::uint32_t(row) * kStride, 1);
+      if ((column != 0 || row != 0) && std::binary_search(near.begin(), near.end(), far))
+        return true;
+    }
+  return false;
+}
+
+/// Whether the field of `seed` is that of seed 1, shifted along a row or along a column by any
+/// distance but 0.
+bool isShifted(const Hash& hash, std::uint32_t seed) {
+  // Every distance is a multiple of 2^16 less a number below 2^16.
+  constexpr std::uint32_t kStride = 1u << 16u;
+  for (const bool alongRow : {true, false}) {
+    const auto at = [&](std::uint32_t distance, std::uint32_t of) {
+      return alongRow ? windowAt(hash, distance, 0, of) : windowAt(hash, 0, distance, of);
+    };
+    std::vector<Window> near;
+    for (std::uint32_t k = 0; k < kStride; ++k)
+      near.push_back(at(k, 1));
+    std::sort(near.begin(), near.end());
+    for (std::uint32_t k = 1; k <= kStride; ++k) // the last wraps to 0
+      if (seed != 1 || k < kStride)
+        if (std::binary_search(near.begin(), near.end(), at(k * kStride, seed)))
+          return true;
+  }
+  return false;
 }
 
 constexpr std::uint32_t kSizes[] = {1, 17, 64, 100, 255, 256, 512, 16384};
@@ -49,7 +122,7 @@ TEST_CASE("the lattice hash has its published test vectors") {
   CHECK(pcg(1u) == 2831084092u);
 }
 
-TEST_CASE("tile offsets are whole steps inside the tile, 64 to 127 per side") {
+TEST_CASE("tile offsets are whole steps inside the tile, at least 64 per side") {
   for (const std::uint32_t size : kSizes) {
     const std::uint32_t step = 1u << tileOffsetShift(size);
     std::set<std::uint32_t> found;
@@ -58,33 +131,36 @@ TEST_CASE("tile offsets are whole steps inside the tile, 64 to 127 per side") {
     });
     INFO(size << " texels");
     // With over 500 vertices per offset, the probability that one is missing is 1e-200.
-    CHECK(found.size() == std::min(size, size / step));
-    CHECK(found.size() <= 127);
+    if (size % step == 0)
+      CHECK(found.size() == size / step);
     CHECK((size < 64 || found.size() >= 64));
     for (const std::uint32_t offset : found) {
       REQUIRE(offset < size);
-      REQUIRE(offset % step == 0);
+      REQUIRE((size % step != 0 || offset % step == 0));
     }
   }
 }
 
-TEST_CASE("every tile offset is equally likely along each axis") {
-  // The hash has 65,536 values, and only powers of two divide that. For other sizes its
-  // probabilities are up to 0.2 % apart, which adds at most 0.1 to a statistic of about 100.
+TEST_CASE("tile offsets are equally likely along each axis, but for the steps that do not fill the "
+          "tile") {
   for (const std::uint32_t size : kSizes)
     for (const std::uint32_t seed : {1u, 2u, 0xffffffffu}) {
       if (size == 1)
         continue; // one offset: nothing to compare
       const std::uint32_t shift = tileOffsetShift(size);
-      std::vector<int> across(size >> shift, 0), down(size >> shift, 0);
+      std::vector<int> across(size, 0), down(size, 0);
       forEachVertex([&](std::uint32_t i, std::uint32_t j) {
         const auto offset = tileOffsetTexels(i, j, latticeSeed(seed, 0), size, size);
-        ++across[offset[0] >> shift];
-        ++down[offset[1] >> shift];
+        ++across[offset[0]];
+        ++down[offset[1]];
       });
       INFO(size << " texels, seed " << seed);
-      CHECK(chiSquare(across) < chiSquareLimit(across.size() - 1));
-      CHECK(chiSquare(down) < chiSquareLimit(down.size() - 1));
+      // 2048 steps, modulo the size: some offsets come once more often.
+      std::vector<double> expected(size, 0.0);
+      for (std::uint32_t step = 0; step < 2048; ++step)
+        expected[(step << shift) % size] += 1.0 / 2048.0;
+      CHECK(chiSquare(across, expected) < chiSquareLimit(possible(expected) - 1));
+      CHECK(chiSquare(down, expected) < chiSquareLimit(possible(expected) - 1));
     }
 }
 
@@ -119,13 +195,53 @@ TEST_CASE("the two axes of a tile offset, neighbours, planes and seeds are indep
   }
 }
 
+TEST_CASE("hashes of vertices are those of the specification") {
+  CHECK(vertexHash(0, 0, 0) == 0u);
+  CHECK(vertexHash(~0u, ~0u, latticeSeed(1, 0)) == 120967172u); // as in the extension's README
+}
+
+TEST_CASE("no translation repeats the field, and no other seed shifts it") {
+  const auto hash = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
+    return vertexHash(i, j, latticeSeed(seed, 0));
+  };
+  CHECK_FALSE(hasPeriod(hash));
+  for (const std::uint32_t seed : {1u, 2u, 3u, 0x80000001u, 0xffffffffu}) {
+    INFO("seed " << seed);
+    CHECK_FALSE(isShifted(hash, seed));
+  }
+}
+
+TEST_CASE("the search for repetitions finds those of linear hashes") {
+  // A hash of a sum of products: equal where the sums are.
+  const auto linear = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
+    return pcg((i * 0x9E3779B1u + j * 0x85EBCA6Bu) ^ latticeSeed(seed, 0));
+  };
+  CHECK(hasPeriod(linear));
+  // The seed is added to the column's number: another seed is the same field, shifted.
+  const auto addedSeed = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
+    return pcg(pcg(i) + j + latticeSeed(seed, 0));
+  };
+  CHECK_FALSE(hasPeriod(addedSeed));
+  CHECK_FALSE(isShifted(addedSeed, 1));
+  CHECK(isShifted(addedSeed, 2));
+  // Each row is the row above, seven vertices further on.
+  const auto shiftedRows = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
+    return pcg((i + 7u * j) ^ latticeSeed(seed, 0));
+  };
+  CHECK(hasPeriod(shiftedRows));
+  // A row that repeats after 3 * 2^20 vertices, which is too far for the first search.
+  const auto periodicRows = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
+    return pcg(pcg(i % (3u << 20u)) + pcg(j) + latticeSeed(seed, 0));
+  };
+  CHECK_FALSE(hasPeriod(periodicRows));
+  CHECK(isShifted(periodicRows, 1));
+}
+
 TEST_CASE("an integer tile origin matches the skewed coordinates exactly") {
-  const LatticeOrigin origin = latticeOrigin(10000000, -3);
-  const long double column = 10000000.0L * 3.46410161513775458705489268301174488L;
-  CHECK(origin.cell[0] == std::int32_t(std::floor(column)) + 6);
-  CHECK(origin.cell[1] == -12);
-  CHECK(std::abs(origin.fraction[0] - float(column - std::floor(column))) < 1e-7f);
-  CHECK(origin.fraction[1] == 0.0f);
+  CHECK(latticeCell(10000000, -3) == std::array{35000006, -12});
+  // Modulo 2^32, also of negative tiles: 7 2^39 + 2 (2^40 - 1) is -2 modulo 2^32.
+  CHECK(latticeCell(std::int64_t(1) << 40, (std::int64_t(1) << 40) - 1) == std::array{2, -4});
+  CHECK(latticeCell(-2, 0) == std::array{-7, 0});
 }
 
 TEST_CASE("a periodic lattice has an even number of rows and covers its rectangle") {

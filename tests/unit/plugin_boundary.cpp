@@ -87,8 +87,7 @@ TEST_CASE("failure of any allocation while parsing, or of any large one, is a re
   // The message of a table begins with its name, and is large then.
   constexpr std::size_t kLarge = 2048;
   file.bundle.tables[0] =
-      example::patternTable(std::string(kLarge, 'a'), TexelFormat::r8Unorm, 64, 64, 0, 7);
-  file.bundle.noises[0].maps[0].as<TilingMap>().mipLoss.assign(7, 0.0);
+      example::gaussianTable(std::string(kLarge, 'a'), TexelFormat::rg8Unorm, 64, 64);
   const std::vector<std::byte> glb = encodeGlb(file).value();
   const LichenParseInfo info = parseInfo(glb);
   for (const std::size_t leastBytes : {std::size_t(0), kLarge}) {

@@ -16,7 +16,7 @@
 using namespace lichen;
 using namespace lichen::test;
 
-TEST_CASE("the inverse table of one channel is a 3-D image with one slice per level") {
+TEST_CASE("the inverse table of one dimension is a 3-D image one texel high and deep") {
   const OwnedBundle bundle(example::smallest());
   LichenMapProperties map;
   LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
@@ -30,7 +30,7 @@ TEST_CASE("the inverse table of one channel is a 3-D image with one slice per le
   CHECK(image.dimensionality == 3);
   CHECK(image.width == 256);
   CHECK(image.height == 1);
-  CHECK(image.depth == 2);
+  CHECK(image.depth == 1);
   CHECK(image.vkFormat == 9); // VK_FORMAT_R8_UNORM
   REQUIRE(lichenGetImageProperties(bundle.handle, map.image, &image) == LICHEN_SUCCESS);
   CHECK(image.dimensionality == 2);
@@ -83,6 +83,7 @@ TEST_CASE("uniforms hold the bundle's constants and the material's parameters") 
   file.bundle.materials[0]->rotation = 0.25;
   file.bundle.materials[0]->offset = {3.0, -1.75};
   file.bundle.materials[0]->seed = 9;
+  example::setLosses(file.bundle.tables[0], {0.2f, 0.4f, 0.6f});
   const OwnedBundle bundle(file);
   const Filled filled = fill(bundle.handle, uniformInfo());
   REQUIRE(filled.result == LICHEN_SUCCESS);
@@ -90,27 +91,20 @@ TEST_CASE("uniforms hold the bundle's constants and the material's parameters") 
   CHECK(noise.uvToTileXX == Approx(2.0 * std::cos(0.25)));
   CHECK(noise.uvToTileXY == Approx(2.0 * std::sin(0.25)));
   CHECK(noise.uvToTileYX == Approx(-2.0 * std::sin(0.25)));
-  CHECK(noise.offsetX == 0.0f); // the lattice's origin contains the whole tiles
+  CHECK(noise.offsetX == 1.0f); // the cell holds an even number of tiles
   CHECK(noise.offsetY == 0.25f);
-  const LatticeOrigin origin = latticeOrigin(3, -2);
-  CHECK(std::array{noise.cellI, noise.cellJ} == origin.cell);
-  CHECK(std::array{noise.fractionI, noise.fractionJ} == origin.fraction);
+  CHECK(std::array{noise.cellI, noise.cellJ} == latticeCell(2, -2));
   CHECK(noise.seedWord == latticeSeed(9, 0));
   CHECK(noise.maxAnisotropy == 1.0f);
-  CHECK(noise.offsetCountX == 4); // every texel of 4 x 2
-  CHECK(noise.offsetCountY == 2);
-  CHECK(noise.offsetStepX == 0.25f);
+  CHECK(noise.offsetStepX == 0.25f); // every texel of 4 x 2
   CHECK(noise.offsetStepY == 0.5f);
   const shader::LichenMap& map = filled.uniforms.maps[0];
   CHECK(map.widthTexels == 4.0f);
   CHECK(map.dimensions == 1);
-  CHECK(map.tableLevels == 2);
-  CHECK(map.alignedMips == 1);
-  // sqrt(1 - loss) in 255ths for losses 0, 1/3, 2/3: 255, 208, 147; the last one repeats.
-  CHECK(map.mipKept0.x == 0x9393d0ffu);
-  CHECK(map.mipKept0.w == 0x93939393u);
-  const Table& table = file.bundle.tables[1];
-  CHECK(map.mean.x == Approx(std::to_integer<int>(table.texels.back()) / 255.0));
+  CHECK(map.mipCount == 3);
+  CHECK(map.levelOffset == 0.0f);
+  CHECK(map.interpolationLoss == Approx(51.0 / 255.0)); // the loss of level 0
+  CHECK(map.mean.x == 0.5f);
   CHECK(map.mean.w == 1.0f);
 }
 
@@ -125,13 +119,11 @@ TEST_CASE("an override replaces the material's value, and a tile origin moves th
   info.tileOrigin[1] = -3;
   const Filled filled = fill(bundle.handle, info);
   REQUIRE(filled.result == LICHEN_SUCCESS);
-  const LatticeOrigin origin = latticeOrigin(10000000, -3);
   CHECK(filled.uniforms.noise.seed == 77);
   CHECK(filled.uniforms.noise.uvToTileXX == 0.25f);
   CHECK(filled.uniforms.noise.contrast == 1.0f);
-  CHECK(filled.uniforms.noise.cellI == origin.cell[0]);
-  CHECK(filled.uniforms.noise.cellJ == origin.cell[1]);
-  CHECK(filled.uniforms.noise.fractionI == origin.fraction[0]);
+  CHECK(std::array{filled.uniforms.noise.cellI, filled.uniforms.noise.cellJ} ==
+        latticeCell(10000000, -3));
 }
 
 TEST_CASE("the error for a parameter outside its range names it") {
@@ -269,7 +261,7 @@ TEST_CASE("a material whose noise has a later revision has no noise, and states 
   CHECK(material.unknownRevision == 0);
 }
 
-TEST_CASE("a map without an inverse table has a placeholder of two texels at its table's binding") {
+TEST_CASE("a map without an inverse table has a placeholder of one texel at its table's binding") {
   const BundleFile file = example::everyMap();
   const OwnedBundle bundle(file);
   constexpr std::uint32_t opacity = 3;
@@ -287,7 +279,7 @@ TEST_CASE("a map without an inverse table has a placeholder of two texels at its
   LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
   REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
   CHECK(image.dimensionality == 3);
-  CHECK(image.byteCount == 2);
+  CHECK(image.byteCount == 1);
   REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
   CHECK(map.tableKind == LICHEN_TABLE_JOINT);
 }

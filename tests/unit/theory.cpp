@@ -22,7 +22,7 @@ std::string textOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-const fs::path kRoot = lichen::sourcePath("");
+const fs::path kRepository = lichen::sourcePath("");
 
 /// The project's C++ and GLSL sources, by path relative to the root.
 const std::map<std::string, std::string>& sources() {
@@ -31,16 +31,17 @@ const std::map<std::string, std::string>& sources() {
     std::map<std::string, std::string> found;
     for (const char* folder : {"analysis", "bundle", "engine_plugin", "files", "image", "result",
                                "samples", "shaders_glsl", "tests"})
-      for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
+      for (const auto& entry : fs::recursive_directory_iterator(kRepository / folder))
         if (extensions.count(entry.path().extension().string()) == 1)
-          found[entry.path().lexically_relative(kRoot).generic_string()] = textOf(entry.path());
+          found[entry.path().lexically_relative(kRepository).generic_string()] =
+              textOf(entry.path());
     return found;
   }();
   return all;
 }
 
 const std::string& theory() {
-  static const std::string page = textOf(kRoot / "docs/theory.md");
+  static const std::string page = textOf(kRepository / "docs/theory.md");
   return page;
 }
 
@@ -89,7 +90,7 @@ TEST_CASE("every file that docs/theory.md names exists") {
   const std::regex path("\\b(?:analysis|bundle|docs|shaders_glsl|tests)/[\\w/.]*\\w");
   for (const std::string& name : matches(theory(), path)) {
     INFO(name);
-    CHECK(fs::exists(kRoot / name));
+    CHECK(fs::exists(kRepository / name));
   }
 }
 

@@ -125,32 +125,24 @@ std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
 
 // ---- inspect ----
 
-bool isVolume(const Table& table) { return table.depth > 0; }
-
-/// Maximum texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane:
-/// three taps, plus the inverse table. A 3-D table needs two fetches, for the two slabs around the
-/// lost variance; a 2-D table needs one, which filters between them.
-int fetchesOfTiling(const TilingMap& map, const std::vector<Table>& tables) {
+/// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane: three
+/// taps, and one of the inverse table.
+int fetchesOfTiling(const TilingMap& map) {
   constexpr int kTaps = 3;
-  if (tableKindOf(map) == TableKind::none)
-    return kTaps;
-  return kTaps + (isVolume(tables[*map.inverseTable]) ? 2 : 1);
+  return tableKindOf(map) == TableKind::none ? kTaps : kTaps + 1;
 }
 
-/// Returns "inverse table 1: joint, 32 x 32 x 32 cells, 8 levels".
+/// Returns "inverse table 1: joint, 32 x 32 x 32 cells, 5 levels".
 std::string inverseTableOf(const TilingMap& map, const std::vector<Table>& tables) {
   const TableKind kind = tableKindOf(map);
   if (kind == TableKind::none)
     return "no inverse table";
   const Table& table = tables[*map.inverseTable];
-  const std::size_t levels = map.levels.size();
   std::string cells = std::to_string(table.width);
-  if (isVolume(table))
-    cells += fmt::format(" x {} x {}", table.height, table.depth / levels);
-  else if (table.height > levels)
-    cells += fmt::format(" x {}", table.height / levels);
+  for (int axis = 1; axis < map.dimensions; ++axis)
+    cells += fmt::format(" x {}", table.width);
   return fmt::format("inverse table {}: {}, {} cells, {}", *map.inverseTable, nameOf(kind), cells,
-                     counted(levels, "level"));
+                     counted(table.mipLevels, "level"));
 }
 
 } // namespace
@@ -197,7 +189,7 @@ void TilingCommand::describe(const Bundle&, const NoiseMap& map, Json& json) con
   json["gaussian"] = tiling.gaussian;
   json["inverseTable"] = tiling.inverseTable ? Json(*tiling.inverseTable) : Json();
   json["table"] = nameOf(tableKindOf(tiling));
-  json["levels"] = tiling.levels.size();
+  json["dimensions"] = tiling.dimensions;
 }
 
 std::vector<std::string> TilingCommand::linesOf(const Bundle& bundle, const NoiseMap& map) const {
@@ -206,9 +198,9 @@ std::vector<std::string> TilingCommand::linesOf(const Bundle& bundle, const Nois
           inverseTableOf(tiling, bundle.tables)};
 }
 
-int TilingCommand::fetches(const Bundle& bundle, const Noise&, const NoiseMap& map,
+int TilingCommand::fetches(const Bundle&, const Noise&, const NoiseMap& map,
                            const MaterialNoise&) const {
-  return fetchesOfTiling(map.as<TilingMap>(), bundle.tables);
+  return fetchesOfTiling(map.as<TilingMap>());
 }
 
 const Table& TilingCommand::imageOf(const Bundle& bundle, const NoiseMap& map) const {

@@ -32,7 +32,7 @@ public:
   [[nodiscard]] std::size_t mapCount() const;
 
   /// Evaluates map `map`, below mapCount(), with the parameters that shaderNoise() makes from the
-  /// same bundle's noise. Returns light for sRGB, otherwise the stored quantity with log2 undone;
+  /// same bundle's noise. Returns light for roots, otherwise the stored quantity with log2 undone;
   /// channels that the map does not have are 0, the fourth is 1. For slopes the third is the
   /// variance of a slope lost to filtering. Constant time, no allocation.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
@@ -58,17 +58,19 @@ public:
 private:
   struct Map;
 
-  [[nodiscard]] Value blended(const Map& map, const shader::LichenNoise& noise,
-                              const TileFootprint& at, BlendOperator blend, float lod,
-                              float lost) const;
-  [[nodiscard]] Value turnedSlopes(const Map& map, const shader::LichenNoise& noise,
-                                   const TileFootprint& at, float lod, float lost) const;
-  [[nodiscard]] static Value decoded(const Map& map, const shader::LichenNoise& noise,
-                                     const TileFootprint& at, const Value& gaussian);
-  [[nodiscard]] static Value slabLookup(const Map& map, const Value& uniform, std::size_t slab);
-  [[nodiscard]] static Value decodeJoint(const Map& map, const Value& gaussian, float level);
-  [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float lost,
-                                    float contrast);
+  struct Tiles;
+
+  [[nodiscard]] Tiles tilesAt(const Map& map, const shader::LichenNoise& noise,
+                              TileFootprint at) const;
+  [[nodiscard]] static Value blended(const Tiles& tiles, const shader::LichenNoise& noise);
+  [[nodiscard]] static Value blendedDecoded(const Map& map, const Tiles& tiles,
+                                            const shader::LichenNoise& noise, BlendOperator blend);
+  [[nodiscard]] static Value turnedSlopes(const Map& map, const Tiles& tiles,
+                                          const shader::LichenNoise& noise);
+  [[nodiscard]] static float footprintShare(const Map& map, float lost);
+  [[nodiscard]] static Value lookup(const Map& map, const Value& uniform, std::size_t level);
+  [[nodiscard]] static Value decodeTable(const Map& map, const Value& gaussian, float lost);
+  [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float contrast);
 
   TilingEvaluator(std::shared_ptr<const std::vector<Map>> maps, const TilingQuality& quality)
       : maps_(std::move(maps)), quality_(quality) {}

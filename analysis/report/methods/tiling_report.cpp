@@ -50,7 +50,7 @@ Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wid
 }
 
 /// The finest mip level of the Gaussian image with at most side^2 pixels.
-Result<Json> gaussianPicture(const Table& table, int side) {
+Result<Json> gaussianPicture(const Table& table, int dimensions, int side) {
   const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
     return std::max(1u, extent >> level);
   };
@@ -60,25 +60,32 @@ Result<Json> gaussianPicture(const Table& table, int side) {
     ++level;
   const std::vector<float> texels = decodeLevel(table, level);
   const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t colours = std::min<std::size_t>(stored, 3); // a fourth channel is unused
+  const auto colours = std::size_t(dimensions);
   LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
     std::copy_n(&texels[i * stored], colours, &image.values[i * colours]);
   return pictureJson(twoAsRedGreen(std::move(image)));
 }
 
-/// All slabs of an inverse table, one below the other. The slices of a slab are side by side.
-LinearImage slicesPicture(const Table& table, std::size_t channels, std::size_t slices) {
-  const std::vector<float> texels = decodeLevel(table, 0);
+/// One level of an inverse table, its slices side by side, decoded.
+LinearImage slicesPicture(const Table& table, std::uint32_t level, std::size_t channels,
+                          ValueEncoding encoding) {
+  const auto side = [level](std::uint32_t size) {
+    return std::size_t(std::max(1u, size >> level));
+  };
+  const std::size_t width = side(table.width), height = side(table.height);
+  const std::size_t slices = side(table.depth);
+  std::vector<float> texels = decodeLevel(table, level);
+  if (encoding == ValueEncoding::root)
+    for (float& value : texels)
+      value *= value;
   const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t layers = std::max(table.depth, 1u), width = table.width;
-  const std::size_t rows = table.height;
-  LinearImage image(int(width * slices), int(rows * (layers / slices)), int(channels));
-  for (std::size_t z = 0; z < layers; ++z)
-    for (std::size_t y = 0; y < rows; ++y)
+  LinearImage image(int(width * slices), int(height), int(channels));
+  for (std::size_t z = 0; z < slices; ++z)
+    for (std::size_t y = 0; y < height; ++y)
       for (std::size_t x = 0; x < width; ++x)
-        std::copy_n(&texels[((z * rows + y) * width + x) * stored], std::min(channels, stored),
-                    image.pixel(int(z % slices * width + x), int(z / slices * rows + y)));
+        std::copy_n(&texels[((z * height + y) * width + x) * stored], std::min(channels, stored),
+                    image.pixel(int(z * width + x), int(y)));
   return image;
 }
 
@@ -112,7 +119,8 @@ double TilingReport::picturePixels() const { return 7.0; }
 
 Result<Json> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map, double,
                                  int side) const {
-  Result<Json> shown = gaussianPicture(bundle.tables[map.as<TilingMap>().gaussian], side);
+  Result<Json> shown = gaussianPicture(bundle.tables[map.as<TilingMap>().gaussian],
+                                       map.as<TilingMap>().dimensions, side);
   if (!shown)
     return shown;
   shown.value()["title"] = "Gaussianized exemplar";
@@ -128,11 +136,18 @@ Result<Json> TilingReport::table(const Bundle& bundle, const NoiseMap& map,
   if (!tiling.inverseTable)
     return Json();
   const Table& table = bundle.tables[*tiling.inverseTable];
-  const std::size_t slices = table.depth > 0 ? table.depth / tiling.levels.size() : 1;
-  Result<Json> shown = pictureJson(look.picture(slicesPicture(table, map.channels.size(), slices)));
-  if (!shown)
-    return shown;
-  return Json{{"picture", std::move(shown).value()}, {"slices", slices}, {"levels", tiling.levels}};
+  Json levels = Json::array();
+  for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
+    Result<Json> shown =
+        pictureJson(look.picture(slicesPicture(table, level, map.channels.size(), map.encoding)));
+    if (!shown)
+      return shown;
+    const double amplitude = 1.0 - double(level) / kMostTableLevels;
+    levels.push_back({{"picture", std::move(shown).value()},
+                      {"slices", std::max(1u, table.depth >> level)},
+                      {"lost", 1.0 - amplitude * amplitude}});
+  }
+  return Json{{"levels", std::move(levels)}};
 }
 
 } // namespace lichen

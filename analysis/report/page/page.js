@@ -263,25 +263,30 @@ function fill(place, draw) {
 
 // ---- the inverse table -------------------------------------------------------------------------
 
-/// The slices of one slab, in rows of eight.
+/// The slices of one level, in rows of eight, each level as large as the first.
 async function showTable(figure, table) {
-  const image = await loaded(table.picture);
+  const images = await Promise.all(table.levels.map((level) => loaded(level.picture)));
   const [canvas, slider, output] = ['canvas', 'input', 'output'].map((n) => figure.querySelector(n));
-  const width = image.width / table.slices, height = image.height / table.levels.length;
-  const columns = Math.min(8, table.slices), rows = Math.ceil(table.slices / columns);
-  const tallest = Math.max(1, Math.round(24 / height)); // a table of one row is shown as a band
-  canvas.width = width * columns;
-  canvas.height = height * rows * tallest;
-  figure.classList.toggle('flat', table.slices === 1);
+  const first = table.levels[0];
+  const side = images[0].width / first.slices;
+  const columns = Math.min(8, first.slices), rows = Math.ceil(first.slices / columns);
+  const height = Math.max(24, images[0].height); // a table of one row is shown as a band
+  canvas.width = side * columns;
+  canvas.height = height * rows;
+  figure.classList.toggle('flat', first.slices === 1);
   slider.max = table.levels.length - 1;
   const draw = () => {
-    const level = Number(slider.value);
+    const level = Number(slider.value), {slices, lost} = table.levels[level];
+    const image = images[level], width = image.width / slices;
+    const across = Math.min(columns, slices), down = Math.ceil(slices / across);
     const context = canvas.getContext('2d');
     context.imageSmoothingEnabled = false;
-    for (let s = 0; s < table.slices; ++s)
-      context.drawImage(image, s * width, level * height, width, height, s % columns * width,
-                        Math.floor(s / columns) * height, width, height * tallest);
-    output.textContent = Math.round(100 * table.levels[level]) + ' % of the variance lost';
+    for (let s = 0; s < slices; ++s)
+      context.drawImage(image, s * width, 0, width, image.height,
+                        s % across * canvas.width / across,
+                        Math.floor(s / across) * canvas.height / down, canvas.width / across,
+                        canvas.height / down);
+    output.textContent = Math.round(100 * lost) + ' % of the variance lost';
   };
   slider.addEventListener('input', draw);
   draw();

@@ -38,9 +38,11 @@ enum class MapChannel {
   height,
   opacity
 };
-/// The encoding of the exemplar's stored values; the mean and covariance are in these units. The
-/// inverse table holds linear light for srgb, and decoded values for the other encodings.
-enum class ValueEncoding { srgb, linear, slope, log2 };
+/// The encoding of stored values; the mean and covariance are in these units. root: the square root
+/// of light in [0, 1]; inverse tables hold it too. linear: the quantity itself, in [0, 1]. slope:
+/// slopes of normals. log2: log2(1 + quantity), of which inverse tables hold the quantity. srgb: sRGB
+/// codes, which only exemplars have; their noises store roots.
+enum class ValueEncoding { root, linear, slope, log2, srgb };
 enum class Mapping { uv, triplanar, surface, solid };
 /// The coordinate space of a mapping that evaluates the noise at 3-D positions: world space, or
 /// object space, where the noise moves, rotates and scales with the object.
@@ -87,7 +89,7 @@ using MethodMap = std::variant<TilingMap, TextonMap>;
 struct NoiseMap {
   MapTarget target = MapTarget::baseColor;
   std::vector<MapChannel> channels; ///< 1 to 3
-  ValueEncoding encoding = ValueEncoding::srgb;
+  ValueEncoding encoding = ValueEncoding::root;
   std::vector<double> mean;       ///< of the exemplar's stored values; n = channels.size() of them
   std::vector<double> covariance; ///< n x n, row-major, symmetric
   MethodMap data;

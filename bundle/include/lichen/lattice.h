@@ -3,9 +3,9 @@
 //
 // One unit of tile space is one exemplar. Rows of vertices are 1 / kLatticeRowsPerTile apart, and
 // odd rows are shifted by half a cell: vertex (i, j) is at x = (i + j / 2) / columnsPerTile, y = j
-// / rowsPerTile. With kLatticeRowsPerTile = 4 and columns = 2 sqrt(3), the triangles are
-// equilateral with side 1 / (2 sqrt(3)), as in the shader of [HN18]. All functions are pure and
-// thread-safe.
+// / rowsPerTile. 4 rows and 3.5 columns a tile put the vertices of every second tile at its
+// corners; the triangles are equilateral to 1 %, with the side of those in the shader of [HN18].
+// All functions are pure and thread-safe.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 namespace lichen {
 
 inline constexpr double kLatticeRowsPerTile = 4.0;
-inline constexpr double kLatticeColumnsPerTile = 3.4641016151377545870548926830117; // 2 sqrt(3)
+inline constexpr double kLatticeColumnsPerTile = 3.5; // equilateral: 2 sqrt(3), or 3.46
 
 /// [JO20] "pcg": the PCG output function applied to one LCG step.
 [[nodiscard]] constexpr std::uint32_t pcg(std::uint32_t value) {
@@ -55,32 +55,41 @@ inline constexpr double kLatticeColumnsPerTile = 3.46410161513775458705489268301
   return log2 > kLeastOffsetsLog2 ? log2 - kLeastOffsetsLog2 : 0u;
 }
 
-/// The tile offset of a vertex, as an index into `countX` x `countY` offsets. Scaling the high 16
-/// bits of the hash has a bias of at most 128 / 65536 for the at most 127 offsets along each side.
+/// A vertex of the lattice -> two random halves of 16 bits.
+[[nodiscard]] constexpr std::uint32_t vertexHash(std::uint32_t i, std::uint32_t j,
+                                                 std::uint32_t seedWord) {
+  // i is mixed before j is added: of a sum of products vertices would repeat in rows. The seed
+  // comes in between, so that no two seeds give one field shifted. Then the finalizer of
+  // MurmurHash3 [A16], but for its first shift.
+  std::uint32_t h = i * 0x9E3779B1u;
+  h = ((h ^ (h >> 15u)) + j) ^ seedWord;
+  h *= 0x85EBCA6Bu;
+  h = (h ^ (h >> 15u)) * 0xC2B2AE35u;
+  return h ^ (h >> 16u);
+}
+
+/// The tile offset of a vertex in steps, which repeat with the tile: 11 bits along each side, so
+/// that of the 64 to 127 different offsets none is more than an eighth likelier than another.
 [[nodiscard]] constexpr std::array<std::uint32_t, 2>
-tileOffsetIndex(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::uint32_t countX,
-                std::uint32_t countY) {
-  const std::array<std::uint32_t, 3> h = pcg3d({i, j, seedWord});
-  return {((h[0] >> 16u) * countX) >> 16u, ((h[1] >> 16u) * countY) >> 16u};
+tileOffsetSteps(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord) {
+  const std::uint32_t h = vertexHash(i, j, seedWord);
+  return {h & 0x7FFu, h >> 21u};
 }
 
 /// The rotation of a vertex's tile: a number of steps, in [0, steps), of 2 pi / steps each; `steps`
-/// <= 2^16. Uses the hash word that the offset does not use.
-[[nodiscard]] constexpr std::uint32_t tileRotationStep(std::uint32_t i, std::uint32_t j,
-                                                       std::uint32_t seedWord,
-                                                       std::uint32_t steps) {
-  return ((pcg3d({i, j, seedWord})[2] >> 16u) * steps) >> 16u;
+/// <= 2^16. Hashes again what gives the offset.
+[[nodiscard]] constexpr std::uint32_t
+tileRotationStep(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::uint32_t steps) {
+  return ((pcg(vertexHash(i, j, seedWord)) >> 16u) * steps) >> 16u;
 }
 
-/// The tile offset of a vertex in whole texels: components in [0, width) x [0, height), multiples
-/// of the step.
+/// The tile offset of a vertex in whole texels, components in [0, width) x [0, height).
 [[nodiscard]] constexpr std::array<std::uint32_t, 2>
 tileOffsetTexels(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::uint32_t width,
                  std::uint32_t height) {
-  const std::uint32_t shiftX = tileOffsetShift(width);
-  const std::uint32_t shiftY = tileOffsetShift(height);
-  const auto index = tileOffsetIndex(i, j, seedWord, width >> shiftX, height >> shiftY);
-  return {index[0] << shiftX, index[1] << shiftY};
+  const auto steps = tileOffsetSteps(i, j, seedWord);
+  return {(steps[0] << tileOffsetShift(width)) % width,
+          (steps[1] << tileOffsetShift(height)) % height};
 }
 
 /// The lattice that a material uses: infinite, or periodic with an integer number of cells.
@@ -96,13 +105,8 @@ struct Lattice {
 /// Both sides must be > 0 and at least about half a tile.
 [[nodiscard]] Lattice periodicLattice(double widthTiles, double heightTiles);
 
-/// The position of an integer tile origin in the lattice's skewed coordinates: the cell, modulo
-/// 2^32 as in the hash, and the fraction within it in [0, 1), to the nearest float for |tile| up to
-/// 2^40.
-struct LatticeOrigin {
-  std::array<std::int32_t, 2> cell{0, 0};
-  std::array<float, 2> fraction{0.0f, 0.0f};
-};
-[[nodiscard]] LatticeOrigin latticeOrigin(std::int64_t tileX, std::int64_t tileY);
+/// The cell of an integer tile origin in the lattice's skewed coordinates, modulo 2^32 as in the
+/// hash. `tileX` is even: between, the origin is not at the corner of a cell.
+[[nodiscard]] std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY);
 
 } // namespace lichen

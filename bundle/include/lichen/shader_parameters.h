@@ -21,10 +21,10 @@ namespace lichen {
 /// table. Throws std::bad_alloc.
 [[nodiscard]] Table mixTable(const NoiseMap& map);
 
-/// The twin of lichenDecodeGaussian (shaders_glsl/noise/tiling_decode.glsl): decodes a Gaussian
-/// value of a map with LICHEN_DECODING_GAUSSIAN. `lostVariance` is the share of each stored
-/// channel's variance that filtering removed, >= 0; it exceeds 1 where contrast does. Returns the
-/// mean of the decoded value over the lost variance, for sRGB within 0.0005.
+/// The twin of lichenDecodeGaussian (shaders_glsl/noise/decode.glsl): decodes a Gaussian value of a
+/// map with LICHEN_DECODING_GAUSSIAN. `lostVariance` is the share of each stored channel's variance
+/// that filtering removed, >= 0; it exceeds 1 where contrast does. Returns the mean of the decoded
+/// value over the lost variance; exact for roots and slopes.
 [[nodiscard]] std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
                                                    const std::array<float, 3>& gaussian,
                                                    const std::array<float, 3>& lostVariance);

@@ -16,7 +16,6 @@ enum class TexelFormat {
   r8Unorm,
   rg8Unorm,
   rgba8Unorm,
-  rgba8Srgb,
   r16Sfloat,
   rg16Sfloat,
   rgba16Sfloat,
@@ -34,16 +33,16 @@ inline constexpr std::uint32_t kMaxTableSide = 16384;
 [[nodiscard]] std::size_t texelBytes(TexelFormat format);
 [[nodiscard]] int channelCount(TexelFormat format);
 
-/// An uncompressed 2-D texture with mip levels, or a 3-D texture without: the content of one KTX2
-/// file. Mip level l has max(1, width >> l) x max(1, height >> l) texels, tightly packed; the top
-/// row comes first, and z varies slowest. `texels` holds all mip levels, starting with level 0.
+/// An uncompressed 2-D or 3-D texture with mip levels: the content of one KTX2 file. Mip level l
+/// has sides of max(1, side >> l) texels, tightly packed; the top row comes first, and z varies
+/// slowest. `texels` holds all mip levels, starting with level 0.
 struct Table {
   std::string name;
   TexelFormat format = TexelFormat::rgba8Unorm;
   std::uint32_t width = 1;
   std::uint32_t height = 1;
-  std::uint32_t depth = 0;     ///< 0 for a 2-D texture
-  std::uint32_t mipLevels = 1; ///< 1 if 3-D
+  std::uint32_t depth = 0; ///< 0 for a 2-D texture
+  std::uint32_t mipLevels = 1;
   std::vector<std::byte> texels;
 };
 
@@ -55,11 +54,10 @@ struct LevelRange {
 };
 [[nodiscard]] LevelRange levelRange(const Table& table, std::uint32_t level);
 
-/// Decodes one mip level to floats, channelCount(format) interleaved, sRGB as linear light. Throws
-/// std::bad_alloc.
+/// Decodes one mip level to floats, channelCount(format) interleaved. Throws std::bad_alloc.
 [[nodiscard]] std::vector<float> decodeLevel(const Table& table, std::uint32_t level);
 /// Appends texels, given as floats with channelCount(format) interleaved, rounded to the nearest
-/// value of `format`. Values for sRGB formats are linear light. Throws std::bad_alloc.
+/// value of `format`. Throws std::bad_alloc.
 void appendTexels(std::vector<std::byte>& texels, TexelFormat format,
                   std::span<const float> values);
 

@@ -2,7 +2,10 @@
 // The data of a tiling noise [HN18]: tiling and blending.
 #pragma once
 
+#include <lichen/table.h>
+
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -16,20 +19,16 @@ struct TilingNoise {
 
 /// A map's Gaussian image and inverse table.
 ///
-/// The Gaussian image has D = 1, 2 or 3 colour channels (R8/R16F/R32F, RG.., RGBA.. with alpha
-/// unused), where D is the dimension of the affine space that the exemplar's values span: a grey
-/// photograph stored as RGB has D = 1 and three channels. The inverse table maps [0, 1]^D to the
-/// channels, as L slabs: D = 1: 2-D, 256 x L; D = 2: 2-D, 64 x 64 L; D = 3: 3-D, 32 x 32 x 32 L.
-/// Slab k is prefiltered for the lost variance levels[k] = 1 - (1 - k / (L - 1))^2, as a share of
-/// the full variance. The kept amplitude therefore falls linearly from slab 0 (no loss) to slab L -
-/// 1 (constant).
+/// The exemplar's values span an affine space of D = 1, 2 or 3 dimensions: a grey photograph stored
+/// as RGB has D = 1 and three channels. The Gaussian image has D channels, and in its last one the
+/// loss of each mip level, see fetchLosses(): RG for D = 1, otherwise RGBA, 8-bit or half floats.
+/// The inverse table maps [0, 1]^D to the channels: a 3-D image whose first D sides have as many
+/// cells and whose other sides have one. Mip level k is prefiltered for Gaussian values of 1 - k / 5
+/// of the full amplitude.
 struct TilingMap {
   std::size_t gaussian = 0;                ///< index into Bundle::tables
   std::optional<std::size_t> inverseTable; ///< absent if the exemplar is already Gaussian
-  std::vector<double> levels;              ///< L >= 2 values from 0 to 1; empty without a table
-  /// The lost variance of each mip level of the Gaussian image, as a share of the full variance,
-  /// averaged over the channels. Values are in [0, 1], start at 0 and never decrease.
-  std::vector<double> mipLoss;
+  int dimensions = 1;                      ///< D, [1, 3]
 
   /// Calls visit(index) for each table index.
   template <class Self, class Visit>
@@ -41,6 +40,19 @@ struct TilingMap {
 
   [[nodiscard]] bool operator==(const TilingMap&) const = default;
 };
+
+/// Sides of an inverse table: powers of two in this range. It has at most kMostTableLevels mip
+/// levels, and none of one cell.
+inline constexpr std::uint32_t kLeastTableSide = 4, kMostTableSide = 256;
+inline constexpr std::uint32_t kMostTableLevels = 5;
+
+/// What a Gaussian image holds in place of the mean 1/2: a value of 8-bit texels, so that coarse mip
+/// levels, which hold little else, are not rounded away from it.
+inline constexpr float kStoredGaussianMean = 128.0f / 255.0f;
+
+/// The last channel of each mip level of a Gaussian image: the share of the variance that a fetch of
+/// the level loses, interpolation between texels included. In [0, 1], never decreasing.
+[[nodiscard]] std::vector<float> fetchLosses(const Table& gaussian);
 
 /// How Gaussian values are decoded: by one table over all dimensions, or by the affine map from the
 /// mean and covariance.

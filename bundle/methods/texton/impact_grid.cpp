@@ -51,11 +51,12 @@ Lattice surfaceGrid(const TextonShape& shape, double impacts) {
   return grid;
 }
 
-LatticeOrigin impactGridOrigin(const Lattice& grid, std::int64_t tileX, std::int64_t tileY) {
+std::array<std::int32_t, 2> impactGridCell(const Lattice& grid, std::int64_t tileX,
+                                           std::int64_t tileY) {
   const auto cell = [](std::int64_t tile, double perTile) {
     return std::int32_t(std::uint32_t(std::uint64_t(tile) * std::uint64_t(perTile)));
   };
-  return {{cell(tileX, grid.columnsPerTile), cell(tileY, grid.rowsPerTile)}, {0.0f, 0.0f}};
+  return {cell(tileX, grid.columnsPerTile), cell(tileY, grid.rowsPerTile)};
 }
 
 } // namespace lichen

@@ -16,8 +16,8 @@ namespace lichen {
                                  const Placement& placement);
 
 /// The cell of an integer tile origin, modulo 2^32. A tile must be a whole number of cells.
-[[nodiscard]] LatticeOrigin impactGridOrigin(const Lattice& grid, std::int64_t tileX,
-                                             std::int64_t tileY);
+[[nodiscard]] std::array<std::int32_t, 2> impactGridCell(const Lattice& grid, std::int64_t tileX,
+                                                         std::int64_t tileY);
 
 /// [GLM17] section 6: r, in texels, the thickness of the layer of impacts that cover a point. For a
 /// texton that is not square, the side of a square of the same area.

@@ -24,9 +24,8 @@ public:
                                                       const Noise& noise) const override;
   [[nodiscard]] Lattice cells(const Noise& noise, const MaterialNoise& material,
                               const Placement& placement) const override;
-  [[nodiscard]] LatticeOrigin cellOf(const Lattice& cells, std::int64_t tileX,
-                                     std::int64_t tileY) const override;
-  [[nodiscard]] bool hasSkewedRows() const override { return false; }
+  [[nodiscard]] std::array<std::int32_t, 2> cellOf(const Lattice& cells, std::int64_t tileX,
+                                                   std::int64_t tileY) const override;
   void setSurface(const Noise& noise, const MaterialNoise& material, const Placement& placement,
                   shader::LichenNoise& constants) const override;
   void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,

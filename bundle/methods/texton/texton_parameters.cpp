@@ -105,9 +105,9 @@ Lattice TextonFormat::cells(const Noise& noise, const MaterialNoise& material,
   return impactGrid(noise.as<TextonShape>(), material.impacts, placement);
 }
 
-LatticeOrigin TextonFormat::cellOf(const Lattice& cells, std::int64_t tileX,
-                                   std::int64_t tileY) const {
-  return impactGridOrigin(cells, tileX, tileY);
+std::array<std::int32_t, 2> TextonFormat::cellOf(const Lattice& cells, std::int64_t tileX,
+                                                 std::int64_t tileY) const {
+  return impactGridCell(cells, tileX, tileY);
 }
 
 void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& map,
@@ -130,11 +130,10 @@ void TextonFormat::setSurface(const Noise& noise, const MaterialNoise& material,
                               const Placement& placement, shader::LichenNoise& constants) const {
   const Lattice grid = surfaceGrid(noise.as<TextonShape>(), material.impacts);
   constants.columnsPerTile = constants.rowsPerTile = float(grid.columnsPerTile);
-  const LatticeOrigin across = impactGridOrigin(grid, placement.tileOriginX, placement.tileOriginY);
-  const LatticeOrigin along = impactGridOrigin(grid, placement.tileOriginZ, 0);
-  constants.cellI = across.cell[0];
-  constants.cellJ = across.cell[1];
-  constants.cellK = along.cell[0];
+  const auto across = impactGridCell(grid, placement.tileOriginX, placement.tileOriginY);
+  constants.cellI = across[0];
+  constants.cellJ = across[1];
+  constants.cellK = impactGridCell(grid, placement.tileOriginZ, 0)[0];
   constants.seedWord = latticeSeed(material.seed, kSurfacePlane);
 }
 

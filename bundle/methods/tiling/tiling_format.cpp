@@ -23,12 +23,10 @@ void TilingFormat::writeNoise(const Noise&, Json&) const {}
 
 void TilingFormat::writeMap(const NoiseMap& map, Json& json) const {
   const auto& tiling = map.as<TilingMap>();
+  json["dimensions"] = tiling.dimensions;
   json["gaussian"] = tiling.gaussian;
-  if (tiling.inverseTable) {
+  if (tiling.inverseTable)
     json["inverseTable"] = *tiling.inverseTable;
-    json["levels"] = tiling.levels;
-  }
-  json["mipLoss"] = tiling.mipLoss;
 }
 
 std::array<std::uint32_t, 2> TilingFormat::exemplarSize(const Bundle& bundle, const Noise&,
@@ -45,6 +43,17 @@ std::array<std::uint32_t, 2> TilingFormat::tileSize(const Bundle& bundle,
     size = {std::max(size[0], width), std::max(size[1], height)};
   }
   return size;
+}
+
+std::vector<float> fetchLosses(const Table& gaussian) {
+  std::vector<float> losses;
+  Table texel{{}, gaussian.format, 1, 1, 0, 1, {}};
+  for (std::uint32_t mip = 0; mip < gaussian.mipLevels; ++mip) {
+    const auto first = gaussian.texels.begin() + std::ptrdiff_t(levelRange(gaussian, mip).offset);
+    texel.texels.assign(first, first + std::ptrdiff_t(texelBytes(gaussian.format)));
+    losses.push_back(decodeLevel(texel, 0).back());
+  }
+  return losses;
 }
 
 TableKind tableKindOf(const TilingMap& map) {

@@ -27,36 +27,38 @@ std::vector<double> gaussianToStored(const std::vector<double>& covariance, std:
   return factor;
 }
 
-/// Sets the mean of the decoded values, from the last slab of the inverse table, which is constant.
-void setTableMean(const TilingMap& map, const Bundle& bundle, shader::LichenMap& constants) {
-  const Table& table = bundle.tables[*map.inverseTable];
-  const std::vector<float> texels = decodeLevel(table, 0);
-  const auto channels = std::size_t(channelCount(table.format));
+/// Sets the mean of the decoded values of a map with a table.
+void setTableMean(const NoiseMap& map, const Bundle& bundle, shader::LichenMap& constants) {
+  const std::size_t n = map.mean.size();
   std::array<float, 4> mean{0.0f, 0.0f, 0.0f, 1.0f};
-  std::copy_n(texels.end() - std::ptrdiff_t(channels), std::min<std::size_t>(channels, 3),
-              mean.begin());
+  double variance = 0.0;
+  for (std::size_t c = 0; c < n; ++c) {
+    const double own = map.covariance[c * n + c];
+    variance += own / double(n);
+    // The mean of a square is the square of the mean, and the variance.
+    mean[c] =
+        float(map.encoding == ValueEncoding::root ? map.mean[c] * map.mean[c] + own : map.mean[c]);
+  }
+  if (map.encoding == ValueEncoding::slope)
+    mean[2] = float(variance);
+  if (map.encoding == ValueEncoding::log2) {
+    // Of light, which only the table knows: all cells are equally likely.
+    const Table& table = bundle.tables[*map.as<TilingMap>().inverseTable];
+    const std::vector<float> cells = decodeLevel(table, 0);
+    const auto channels = std::size_t(channelCount(table.format));
+    for (std::size_t c = 0; c < n; ++c) {
+      double sum = 0.0;
+      for (std::size_t i = c; i < cells.size(); i += channels)
+        sum += double(cells[i]);
+      mean[c] = float(sum * double(channels) / double(cells.size()));
+    }
+  }
   constants.mean = {mean[0], mean[1], mean[2], mean[3]};
 }
 
-/// The number of mip levels, from level 0, whose texel size divides the step between tile offsets.
-/// 0 if the map's size differs from the tile's.
-shader::uint alignedMips(const std::array<std::uint32_t, 2>& tile, const Table& gaussian) {
-  if (tile != std::array<std::uint32_t, 2>{gaussian.width, gaussian.height})
-    return 0;
-  const std::uint32_t step = std::min(tileOffsetShift(tile[0]), tileOffsetShift(tile[1]));
-  const int halvings = std::min(std::countr_zero(tile[0]), std::countr_zero(tile[1]));
-  return 1 + std::min(step, std::uint32_t(halvings));
-}
-
-/// Sets the number of tile offsets and the step between them.
-void setTileOffsets(shader::LichenNoise& result, const std::array<std::uint32_t, 2>& tile) {
-  const auto step = [](std::uint32_t size) {
-    return float(double(1u << tileOffsetShift(size)) / double(size));
-  };
-  result.offsetCountX = tile[0] >> tileOffsetShift(tile[0]);
-  result.offsetCountY = tile[1] >> tileOffsetShift(tile[1]);
-  result.offsetStepX = step(tile[0]);
-  result.offsetStepY = step(tile[1]);
+/// The step between neighbouring tile offsets. [tiles]
+float offsetStep(std::uint32_t sizeTexels) {
+  return float(double(1u << tileOffsetShift(sizeTexels)) / double(sizeTexels));
 }
 
 } // namespace
@@ -66,8 +68,9 @@ Lattice TilingFormat::cells(const Noise&, const MaterialNoise&, const Placement&
                             : Lattice{};
 }
 
-LatticeOrigin TilingFormat::cellOf(const Lattice&, std::int64_t tileX, std::int64_t tileY) const {
-  return latticeOrigin(tileX, tileY);
+std::array<std::int32_t, 2> TilingFormat::cellOf(const Lattice&, std::int64_t tileX,
+                                                 std::int64_t tileY) const {
+  return latticeCell(tileX, tileY);
 }
 
 void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
@@ -75,22 +78,26 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
   const auto& tiling = map.as<TilingMap>();
   const Table& image = bundle.tables[tiling.gaussian];
   setImage(constants, image);
-  constants.mipKept0 = keptAmplitudes(tiling.mipLoss);
-  constants.alignedMips = alignedMips(tileSize(bundle, noise), image);
-  constants.tableLevels = shader::uint(tiling.levels.size());
+  constants.dimensions = shader::uint(tiling.dimensions);
+  const double width = tileSize(bundle, noise)[0];
+  constants.levelOffset = float(std::log2(double(image.width) / width));
+  constants.interpolationLoss = fetchLosses(image).front();
   if (tableKindOf(tiling) == TableKind::none) {
     const std::size_t n = map.mean.size();
     constants.decoding = LICHEN_DECODING_GAUSSIAN;
     setRows(constants, gaussianToStored(map.covariance, n), n, map.mean);
     return setGaussianMean(constants);
   }
-  setTableMean(tiling, bundle, constants);
+  setTableMean(map, bundle, constants);
 }
 
 void TilingFormat::setNoise(const Bundle& bundle, const MaterialNoise& material, const Placement&,
                             shader::LichenNoise& constants) const {
   const std::array<std::uint32_t, 2> tile = tileSize(bundle, bundle.noises[material.noise]);
-  setTileOffsets(constants, tile);
+  constants.offsetStepX = offsetStep(tile[0]);
+  constants.offsetStepY = offsetStep(tile[1]);
+  constants.tileTexelsX = float(tile[0]);
+  constants.tileTexelsY = float(tile[1]);
   constants.tileAspect = float(double(tile[0]) / double(tile[1]));
   constants.tileRotation = material.tileRotation;
 }

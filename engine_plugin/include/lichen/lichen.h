@@ -194,7 +194,7 @@ typedef enum LichenChannel {
 } LichenChannel;
 
 /* How a map's Gaussian values become its own, none for all of texton noise. Of tiling:
- * LICHEN_JOINT_TABLES and LICHEN_GAUSSIAN_ONLY of the shader library may be 0 where no map has that
+ * LICHEN_TABLES and LICHEN_GAUSSIAN_ONLY of the shader library may be 0 where no map has that
  * kind. */
 typedef enum LichenTableKind {
   LICHEN_TABLE_JOINT = 0,
@@ -302,13 +302,14 @@ typedef struct LichenImageProperties {
   uint32_t width, height, depth; /* texels of level 0; depth is 1 where dimensionality is 2 */
   uint32_t mipLevels;
   uint32_t texelBytes;
+  uint32_t vkSwizzle[4]; /* the VkComponentSwizzle of the view's r, g, b and a; 0: identity */
   const void* bytes; /* all levels, tightly packed, level 0 first, x fastest, rows top first, z
                       * slowest; as long as the bundle lives */
   size_t byteCount;
 } LichenImageProperties;
 
-/* image < imageCount. Inverse tables of one and two channels are 3-D images too, with a slab for
- * each level: the shader filters between levels with the third coordinate. */
+/* image < imageCount. All inverse tables are 3-D images: those of one and two dimensions have a
+ * depth of 1. */
 LICHEN_API LichenResult lichenGetImageProperties(LichenBundle bundle, uint32_t image,
                                                  LichenImageProperties* properties);
 
@@ -330,7 +331,7 @@ LICHEN_API LichenResult lichenGetCopy(LichenBundle bundle, uint32_t image, uint3
 typedef enum LichenSamplerUse {
   LICHEN_SAMPLER_IMAGE = 0, /* of Gaussian images and textons: trilinear, repeat, all mips;
                                anisotropy: LichenUniformInfo */
-  LICHEN_SAMPLER_TABLE = 1, /* linear, clamp to edge, one mip */
+  LICHEN_SAMPLER_TABLE = 1, /* trilinear, clamp to edge, all mips */
   LICHEN_SAMPLER_MAX_ENUM = 0x7FFFFFFF
 } LichenSamplerUse;
 

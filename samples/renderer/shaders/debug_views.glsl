@@ -33,25 +33,25 @@ vec3 shownGaussian(vec3 gaussian) {
 }
 
 /// Views of a tiling noise that need only its lattice.
-vec3 tilingPlaceDebug(LichenTaps taps) {
+vec3 tilingPlaceDebug(LichenTilingTaps taps) {
   if (kDebugView == DEBUG_WEIGHTS)
-    return taps.weights;
+    return taps.point.weights;
   if (kDebugView == DEBUG_LATTICE) {
-    float least = min(taps.weights.x, min(taps.weights.y, taps.weights.z));
+    float least = min(taps.point.weights.x, min(taps.point.weights.y, taps.point.weights.z));
     float inside = smoothstep(0.0, kLineWeight, least);
-    return mix(kLineColor, kCellDarkest + kCellContrast * taps.weights, inside);
+    return mix(kLineColor, kCellDarkest + kCellContrast * taps.point.weights, inside);
   }
   if (kDebugView != DEBUG_MIP_LEVEL || !noiseHas(NOISE_BASE_COLOR))
     return kNothingToShow;
   LichenMap map = shownMap();
-  return ramp(lichenTilingLevel(taps, noiseData.noise, map) / max(float(map.mipCount) - 1.0, 1.0));
+  return ramp(lichenTilingLevel(taps.point, map) / max(float(map.mipCount) - 1.0, 1.0));
 }
 
-vec3 tilingDebug(LichenTaps taps) {
+vec3 tilingDebug(LichenTilingTaps taps) {
   if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
     return tilingPlaceDebug(taps);
-  float level = lichenTilingLevel(taps, noiseData.noise, shownMap());
-  return shownGaussian(lichenTilingGaussian(baseColorImage, taps, level));
+  return shownGaussian(
+      lichenTilingGaussian(baseColorImage, taps, noiseData.noise, shownMap()).rgb);
 }
 
 #ifndef LICHEN_OMIT_TEXTONS

@@ -4,7 +4,7 @@
 // The parts of tiling and textons, each over an array: questions[k] -> answers[3 k ... 3 k + 2].
 #include "lichen.glsl"
 
-const int kHash = 0;        // (i, j, seedWord, seed) -> pcg3d, offset and steps, seed and pcg
+const int kHash = 0;        // (i, j, seedWord, seed) -> pcg3d; offset, vertex hash; seed, pcg, turn
 const int kTriangle = 1;    // (position as float bits, cell) -> i, j, weights as float bits
 const int kCdf = 2;         // float bits -> float bits
 const int kFloorDivide = 3; // (value, period) -> quotient
@@ -23,27 +23,31 @@ void main() {
   uvec4 first = uvec4(0u), second = uvec4(0u), third = uvec4(0u);
   if (kFunction == kHash) {
     first.xyz = lichenPcg3d(question.xyz);
-    second.xy =
-        lichenTileOffsetIndex(int(question.x), int(question.y), question.z, uvec2(64u, 75u));
-    second.z = lichenTileRotationStep(int(question.x), int(question.y), question.z, 7u);
-    second.w = lichenTileRotationStep(int(question.x), int(question.y), question.z, 65536u);
+    LichenNoise noise;
+    noise.seedWord = question.z;
+    noise.offsetStepX = 1.0;
+    noise.offsetStepY = 1.0;
+    noise.tileRotation = 7u;
+    ivec2 vertex = ivec2(question.xy);
+    second.xy = uvec2(ivec2(lichenTileOffset(vertex, noise)));
+    second.z = lichenVertexHash(vertex.x, vertex.y, question.z);
+    third.zw = floatBitsToUint(lichenTileTurn(vertex, noise));
     third.xy = uvec2(lichenLatticeSeed(question.w, question.z & 3u), lichenPcg(question.x));
   } else if (kFunction == kTriangle) {
     LichenNoise noise;
-    noise.columnsPerTile = 3.4641016;
-    noise.rowsPerTile = 4.0;
-    noise.fractionI = 0.375;
-    noise.fractionJ = 0.0;
     noise.cellI = int(question.z);
     noise.cellJ = int(question.w);
-    LichenTriangle triangle = lichenTriangleAt(uintBitsToFloat(question.xy), noise);
-    first.xyz = uvec3(triangle.i);
-    second.xyz = uvec3(triangle.j);
+    LichenTriangle triangle = lichenTriangle(lichenSkewed(uintBitsToFloat(question.xy)), noise);
+    first.xyz = uvec3(ivec3(triangle.vertex0.x, triangle.vertex1.x, triangle.vertex2.x));
+    second.xyz = uvec3(ivec3(triangle.vertex0.y, triangle.vertex1.y, triangle.vertex2.y));
     third.xyz = floatBitsToUint(triangle.weights);
   } else if (kFunction == kCdf) {
     first.xyz = floatBitsToUint(lichenGaussianCdf(uintBitsToFloat(question.xyz)));
   } else if (kFunction == kFloorDivide) {
-    first.xyz = uvec3(lichenFloorDivide(ivec3(question.xyz), int(question.w)));
+    int period = int(question.w);
+    first.xyz = uvec3(ivec3(lichenFloorDivide(int(question.x), period),
+                            lichenFloorDivide(int(question.y), period),
+                            lichenFloorDivide(int(question.z), period)));
   } else {
     int period = int(question.w);
     vec3 cells = uintBitsToFloat(question.xyz);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Makes a table's levels keep the mean at every distance, although mip levels of the Gaussian image
+// are not quite Gaussian.
+#pragma once
+
+#include "inverse_table.h"
+#include "sampling/repeating_image.h"
+
+#include <lichen/table.h>
+
+#include <array>
+#include <vector>
+
+namespace lichen::tiling {
+
+/// Means of the looked-up values of a level and of their squares.
+struct FetchMoments {
+  std::array<double, 4> mean{};
+  std::array<double, 4> square{};
+};
+/// Those over blended trilinear fetches of the stored `gaussian` image at the level of detail where
+/// fetches lose what table level `level` is prefiltered for; `losses` are its fetchLosses(). Where
+/// fetches at all levels of detail lose more, the fetched values are scaled about their mean.
+[[nodiscard]] FetchMoments fetchMoments(const InverseTable& table, int level,
+                                        const RepeatingImage& gaussian,
+                                        const std::vector<float>& losses);
+
+/// Shifts each level but the first so that its lookups at blended fetches of the stored `gaussian`
+/// image, squared where `holdsRoots` is set, average to those of the first. Shifted values are
+/// clamped to the range of the first level, which limits the correction. The mip levels of an
+/// exemplar with few large features are far from Gaussian, which shifts the mean of their decoded
+/// values by up to 0.004 of full light. Views more distant than the last level decode to one colour
+/// at its middle: of roots, its own mean is half their variance too bright, and those views half of
+/// it too dark.
+void restoreLevelMeans(std::vector<InverseTable>& levels, bool holdsRoots, const Table& gaussian,
+                       const std::vector<float>& losses);
+
+} // namespace lichen::tiling

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What a Gaussian value stands for: (Gaussian value, share of its variance that filtering lost) ->
+// the mean, over what is lost, of the decoded quantity. Shared by all methods. For slopes, z is
+// the variance of a slope that the footprint hides. [HN18] section 4.3; docs/gltf_extension/README.md, "Decoding".
+#ifndef LICHEN_DECODE_GLSL
+#define LICHEN_DECODE_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "gaussian_cdf.glsl"
+
+// 0 where no map has an inverse table, or none lacks one. Literals, or the host's specialization
+// constants. Not both are 0.
+#ifndef LICHEN_TABLES
+#define LICHEN_TABLES 1
+#endif
+#ifndef LICHEN_GAUSSIAN_ONLY
+#define LICHEN_GAUSSIAN_ONLY 1
+#endif
+
+/// By an inverse table, each of whose mip levels averages over what it lacks.
+vec4 lichenDecodeTable(sampler3D table, vec3 gaussian, float lost, LichenMap map) {
+  // Levels are equidistant in the amplitude that is left: 1, 0.8, ... 0.2. Where all is lost,
+  // blended losses are rounded to a little more than 1.
+  const float kLevels = 5.0;
+  float level = kLevels - kLevels * sqrt(max(1.0 - lost, 0.0));
+  vec4 value = textureLod(table, lichenGaussianCdf(gaussian), level);
+  // Roots of light are squared, other values are as stored.
+  bool isRoot = map.encoding == uint(LICHEN_ENCODING_ROOT);
+  return isRoot ? value * value : value;
+}
+
+/// Without a table: the stored values are Gaussian, and each lacks its own share.
+vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
+  vec4 centred = vec4(gaussian - 0.5, 1.0);
+  vec3 stored =
+      vec3(dot(map.row0, centred), dot(map.row1, centred), dot(map.row2, centred));
+  // A row is six times the root of the covariance, for Gaussian values of deviation 1/6.
+  vec3 variance = lost / 36.0 *
+                  vec3(dot(map.row0.xyz, map.row0.xyz), dot(map.row1.xyz, map.row1.xyz),
+                       dot(map.row2.xyz, map.row2.xyz));
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    return vec4(stored.xy, 0.5 * (variance.x + variance.y), 1.0);
+  if (map.encoding == uint(LICHEN_ENCODING_LINEAR))
+    return vec4(clamp(stored, 0.0, 1.0), 1.0);
+  if (map.encoding == uint(LICHEN_ENCODING_LOG2)) {
+    // The mean of 2^x for Gaussian x is 2^(mean + ln 2 / 2 variance).
+    const float kHalfLn2 = 0.34657359;
+    const float kMostLog = 16.0; // a half float holds no more light than 2^16
+    return vec4(max(exp2(min(stored + kHalfLn2 * variance, kMostLog)) - 1.0, 0.0), 1.0);
+  }
+  // The mean of x^2 for Gaussian x. Not clamped: that would move the mean.
+  return vec4(stored * stored + variance, 1.0);
+}
+
+/// The share of what fetches lose that the footprint hides, and roughness shows: interpolation
+/// between texels hides nothing.
+float lichenFootprintShare(float lost, LichenMap map) {
+  float interpolation = map.interpolationLoss;
+  return lost > interpolation ? (lost - interpolation) / (lost - lost * interpolation) : 0.0;
+}
+
+/// By whichever the map has. `contrast` is the factor on the Gaussian value about its mean, which
+/// scales what is lost with what is there. A table averages over no more than all of it.
+vec4 lichenDecode(sampler3D table, vec3 gaussian, float lost, float contrast, LichenMap map) {
+  // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
+  bool hasTables = bool(LICHEN_TABLES);
+  bool hasGaussian = bool(LICHEN_GAUSSIAN_ONLY);
+  float within = min(contrast, 1.0);
+  bool isGaussian = !hasTables || map.decoding == uint(LICHEN_DECODING_GAUSSIAN);
+  vec4 value;
+  if (hasGaussian && isGaussian)
+    value = lichenDecodeGaussian(gaussian, vec3(contrast * contrast * lost), map);
+  else
+    value = lichenDecodeTable(table, gaussian, within * within * lost, map);
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    value.z *= lichenFootprintShare(lost, map);
+  return value;
+}
+
+#endif

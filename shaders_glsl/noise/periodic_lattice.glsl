@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A lattice that repeats: vertices -> the vertices of one period, and the whole periods between.
+#ifndef LICHEN_PERIODIC_LATTICE_GLSL
+#define LICHEN_PERIODIC_LATTICE_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "tiling.glsl"
+
+// 0 where no material has a periodic lattice. A literal, or the host's specialization constant.
+#ifndef LICHEN_PERIODIC_LATTICE
+#define LICHEN_PERIODIC_LATTICE 1
+#endif
+
+/// floor(value / period), for |value| < 2^22 and period > 0. Integer division is slow on many
+/// devices. (value + 1/2) / period is at least 1 / (2 period) away from any integer, more than the
+/// rounding of its product with the reciprocal.
+int lichenFloorDivide(int value, int period) {
+  return int(floor((float(value) + 0.5) * (1.0 / float(period))));
+}
+
+/// As lichenSkewed, of a lattice whose columns and rows fit into its period.
+vec2 lichenSkewedWithin(vec2 position, LichenNoise noise) {
+  if (!bool(LICHEN_PERIODIC_LATTICE))
+    return lichenSkewed(position);
+  float row = position.y * noise.rowsPerTile;
+  return vec2(position.x * noise.columnsPerTile - 0.5 * row, row);
+}
+
+/// Reduces a vertex to one period and returns the whole periods taken away [tiles]; an infinite
+/// lattice is left alone. The cells of a periodic one are near the origin, which the host reduces to
+/// one period: |i|, |j| < 2^22.
+vec2 lichenReduceToPeriod(inout ivec2 vertex, LichenNoise noise) {
+  if (!bool(LICHEN_PERIODIC_LATTICE) || noise.periodRows == 0)
+    return vec2(0.0);
+  int rows = lichenFloorDivide(vertex.y, noise.periodRows);
+  vertex += rows * ivec2(noise.periodRows / 2, -noise.periodRows);
+  int columns = lichenFloorDivide(vertex.x, noise.periodColumns);
+  vertex.x -= columns * noise.periodColumns;
+  return vec2(float(columns) * noise.periodTilesX, float(rows) * noise.periodTilesY);
+}
+
+#endif
