@@ -57,7 +57,7 @@ std::vector<std::byte> mixGlb() {
 }
 
 std::vector<std::byte> slopeGlb() {
-  const test::SyntheticMap slopes{2, kShaderExemplarSide, kShaderExemplarSide, false, 8};
+  const test::SyntheticMap slopes{2, kShaderExemplarSide, kShaderExemplarSide, false, 5};
   return test::syntheticGlb(std::span(&slopes, 1));
 }
 
