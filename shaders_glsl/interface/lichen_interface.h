@@ -105,7 +105,7 @@ struct LichenMap {
   // of sixteen. A channel that is absent or does not vary keeps nothing.
   uvec4 mipKept0, mipKept1, mipKept2;
   // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
-  // value less its mean.
+  // value less its mean. Lower triangular: row0.yz and row1.z are 0.
   vec4 row0, row1, row2;
   vec4 sumFactor; // of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix; w unused
 };

@@ -31,12 +31,13 @@ vec4 lichenDecodeTable(sampler3D table, vec3 gaussian, float lost, LichenMap map
 
 /// Without a table: the stored values are Gaussian, and each lacks its own share.
 vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
-  vec4 centred = vec4(gaussian - 0.5, 1.0);
-  vec3 stored =
-      vec3(dot(map.row0, centred), dot(map.row1, centred), dot(map.row2, centred));
+  vec3 centred = gaussian - 0.5;
+  vec3 stored = vec3(map.row0.w, map.row1.w, map.row2.w) +
+                vec3(map.row0.x * centred.x, dot(map.row1.xy, centred.xy),
+                     dot(map.row2.xyz, centred));
   // A row is six times the root of the covariance, for Gaussian values of deviation 1/6.
   vec3 variance = lost / 36.0 *
-                  vec3(dot(map.row0.xyz, map.row0.xyz), dot(map.row1.xyz, map.row1.xyz),
+                  vec3(map.row0.x * map.row0.x, dot(map.row1.xy, map.row1.xy),
                        dot(map.row2.xyz, map.row2.xyz));
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     return vec4(stored.xy, 0.5 * (variance.x + variance.y), 1.0);

@@ -158,35 +158,37 @@ vec4 lichenTilingGaussian(sampler2D gaussian, LichenTilingTaps taps, LichenNoise
   return lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, taps.point.weights, noise);
 }
 
-/// The slopes of turned tiles, which are decoded one by one, since a joint table knows slopes as
-/// they lie in the exemplar, turned back and blended about 0, where turning leaves their mean.
-vec4 lichenTurnedSlopes(sampler3D table, LichenTiles tiles, LichenTilingTaps taps,
-                        LichenNoise noise, LichenMap map) {
-  vec3 weights = taps.point.weights;
-  vec3 shares = weights * inversesqrt(dot(weights, weights));
-  vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
-  int count = LICHEN_TILING_TAPS > 2 ? 3 : 2;
-  for (int tile = 0; tile < count; ++tile) {
-    vec4 each = tile == 0 ? tiles.tile0 : (tile == 1 ? tiles.tile1 : tiles.tile2);
-    vec2 turn = tile == 0 ? taps.turn0 : (tile == 1 ? taps.turn1 : taps.turn2);
-    float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
-    vec3 gaussian = 0.5 + noise.contrast * (each.rgb - 128.0 / 255.0);
-    vec4 value = lichenDecode(table, gaussian, each.a, noise.contrast, map);
-    sum.xy += share * lichenSlopesTurnedBack(value.xy, turn);
-    sum.z += share * share * value.z;
-  }
-  return sum;
-}
-
 /// The value of one map.
 vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTilingTaps taps, LichenNoise noise,
                   LichenMap map) {
   LichenTiles tiles = lichenTilingTiles(gaussian, taps, noise, map);
-  if (map.encoding == uint(LICHEN_ENCODING_SLOPE) && lichenTurnsTiles(noise))
-    return lichenTurnedSlopes(table, tiles, taps, noise, map);
-  vec4 blend =
-      lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, taps.point.weights, noise);
-  return lichenDecode(table, blend.rgb, blend.a, noise.contrast, map);
+  vec3 weights = taps.point.weights;
+  vec4 blend = lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, weights, noise);
+  // The slopes of turned tiles are decoded one by one, turned back and blended about 0, where
+  // turning leaves their mean: a joint table knows slopes as they lie in the exemplar. One loop for
+  // both, tested at both ends, as lichenTriplanarBlend has it: devices that run both sides of a
+  // branch leave a loop when no pixel has more.
+  bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && lichenTurnsTiles(noise);
+  vec3 shares = weights * inversesqrt(dot(weights, weights));
+  int count = isEach ? (LICHEN_TILING_TAPS > 2 ? 3 : 2) : 1;
+  vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
+  int tile = 0;
+  while (tile < count) {
+    vec4 each = tile == 0 ? tiles.tile0 : (tile == 1 ? tiles.tile1 : tiles.tile2);
+    vec3 gaussianValue = isEach ? 0.5 + noise.contrast * (each.rgb - 128.0 / 255.0) : blend.rgb;
+    vec4 value =
+        lichenDecode(table, gaussianValue, isEach ? each.a : blend.a, noise.contrast, map);
+    vec2 turn = tile == 0 ? taps.turn0 : (tile == 1 ? taps.turn1 : taps.turn2);
+    float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
+    if (isEach)
+      sum += vec4(share * lichenSlopesTurnedBack(value.xy, turn), share * share * value.z, 0.0);
+    else
+      sum = value;
+    ++tile;
+    if (tile >= count)
+      break;
+  }
+  return sum;
 }
 
 #endif
