@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 namespace lichen {
 namespace {
@@ -52,9 +53,9 @@ float withinPeriod(double offset, std::int64_t origin, double periodTiles) {
 }
 
 /// Sets the method's cells, and the position of the tile origin in them.
-void setCells(shader::LichenNoise& result, const Noise& noise, const MaterialNoise& material,
-              const Placement& placement) {
-  const MethodFormat& format = formatOf(noise);
+void setCells(shader::LichenMaterial& result, const shader::LichenNoise& noise,
+              const MaterialNoise& material, const Placement& placement) {
+  const MethodFormat& format = formatOf(Method(noise.method));
   const Lattice lattice = format.cells(noise, material, placement);
   result.columnsPerTile = float(lattice.columnsPerTile);
   result.rowsPerTile = float(lattice.rowsPerTile);
@@ -93,19 +94,17 @@ std::array<double, 2> ontoPlane(const Placement& placement, std::size_t axis) {
 
 /// Sets the three planes of triplanar noise at the placement's origin. Exact for square, unrotated
 /// tiles; otherwise off by 2^-12 tiles at 2^40.
-void setPlanes(shader::LichenNoise& result, const Bundle& bundle, const Noise& noise,
+void setPlanes(shader::LichenTriplanarMaterial& planes, const shader::LichenNoise& noise,
                const MaterialNoise& material, const Placement& placement) {
-  const MethodFormat& format = formatOf(noise);
+  shader::LichenMaterial& result = planes.material;
+  const MethodFormat& format = formatOf(Method(noise.method));
   const Lattice lattice = format.cells(noise, material, {});
-  const auto [tileWidth, tileHeight] = format.tileSize(bundle, noise);
-  const double aspect = double(tileWidth) / double(tileHeight); // texels are square in space
+  const double aspect = double(noise.tileTexelsX) / double(noise.tileTexelsY); // square texels
   const double cosine = std::cos(material.rotation);
   const double sine = std::sin(material.rotation);
   result.columnsPerTile = float(lattice.columnsPerTile);
   result.rowsPerTile = float(lattice.rowsPerTile);
   result.planeSharpness = float(material.planeSharpness);
-  result.tileAspect = float(aspect);
-  const std::array<shader::LichenPlane*, 3> planes{&result.planeX, &result.planeY, &result.planeZ};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto [right, down] = ontoPlane(placement, axis);
     const std::array<double, 2> origin{cosine * right + sine * down,
@@ -117,9 +116,17 @@ void setPlanes(shader::LichenNoise& result, const Bundle& bundle, const Noise& n
     const SplitOrigin x = split(0, tilesOfColumns(lattice));
     const SplitOrigin y = split(1, 1);
     const std::array<std::int32_t, 2> cell = format.cellOf(lattice, x.tile, y.tile);
-    *planes[axis] = {
-        cell[0], cell[1], x.offset, y.offset, latticeSeed(material.seed, std::uint32_t(axis)),
-        0,       0,       0};
+    const std::uint32_t seedWord = latticeSeed(material.seed, std::uint32_t(axis));
+    if (axis > 0) {
+      (axis == 1 ? planes.planeY : planes.planeZ) = {cell[0],  cell[1], x.offset, y.offset,
+                                                     seedWord, 0,       0,        0};
+      continue;
+    }
+    result.cellI = cell[0];
+    result.cellJ = cell[1];
+    result.offsetX = x.offset;
+    result.offsetY = y.offset;
+    result.seedWord = seedWord;
   }
 }
 
@@ -133,30 +140,77 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   return result;
 }
 
-shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& material,
-                                const Placement& placement) {
-  const Noise& noise = bundle.noises[material.noise];
+std::uint32_t roleOf(MapTarget target) {
+  switch (target) {
+  case MapTarget::baseColor:
+    return LICHEN_BASE_COLOR;
+  case MapTarget::normal:
+    return LICHEN_NORMAL;
+  case MapTarget::occlusionRoughnessMetallic:
+    return LICHEN_OCCLUSION_ROUGHNESS_METALLIC;
+  case MapTarget::emissive:
+    return LICHEN_EMISSIVE;
+  case MapTarget::height:
+    return LICHEN_HEIGHT;
+  case MapTarget::opacity:
+    return LICHEN_OPACITY;
+  }
+  return LICHEN_BASE_COLOR;
+}
+
+shader::LichenNoise shaderNoise(const Bundle& bundle, std::size_t noiseIndex) {
+  const Noise& noise = bundle.noises[noiseIndex];
+  const MethodFormat& format = formatOf(noise);
+  const auto [width, height] = format.tileSize(bundle, noise);
   shader::LichenNoise result{};
+  result.tileTexelsX = float(width);
+  result.tileTexelsY = float(height);
+  result.tileAspect = float(double(width) / double(height));
+  result.tileSizeMetres = float(noise.tileSizeMetres);
+  result.method = shader::uint(noise.method());
+  for (const NoiseMap& map : noise.maps)
+    result.roles |= 1u << roleOf(map.target);
+  format.setNoise(noise, result);
+  return result;
+}
+
+shader::LichenNoiseConstants shaderConstants(const Bundle& bundle, std::size_t noiseIndex) {
+  const Noise& noise = bundle.noises[noiseIndex];
+  shader::LichenNoiseConstants result{};
+  result.noise = shaderNoise(bundle, noiseIndex);
+  for (std::size_t map = 0; map < noise.maps.size(); ++map)
+    result.maps[roleOf(noise.maps[map].target)] = shaderMap(bundle, noise, map);
+  return result;
+}
+
+shader::LichenTriplanarMaterial shaderMaterial(const shader::LichenNoise& noise,
+                                               const MaterialNoise& material,
+                                               const Placement& placement) {
+  const MethodFormat& format = formatOf(Method(noise.method));
+  shader::LichenTriplanarMaterial planes{};
+  shader::LichenMaterial& result = planes.material;
   const double cosine = std::cos(material.rotation) / material.scale;
   const double sine = std::sin(material.rotation) / material.scale;
   result.uvToTileXX = float(cosine);
   result.uvToTileXY = float(sine);
   result.uvToTileYX = float(-sine);
   result.uvToTileYY = float(cosine);
-  result.blendSharpness = float(material.blendSharpness);
   result.contrast = float(material.contrast);
   result.maxAnisotropy = float(std::max(1.0, placement.maxAnisotropy));
-  result.tileSizeMetres = float(noise.tileSizeMetres);
   result.seedWord = latticeSeed(material.seed, 0);
   result.seed = material.seed;
-  if (material.mapping == Mapping::surface)
-    formatOf(noise).setSurface(noise, material, placement, result);
-  else if (material.mapping == Mapping::triplanar)
-    setPlanes(result, bundle, noise, material, placement);
-  else
+  result.noise = shader::uint(material.noise);
+  if (material.mapping == Mapping::triplanar)
+    setPlanes(planes, noise, material, placement);
+  else if (material.mapping != Mapping::surface)
     setCells(result, noise, material, placement);
-  formatOf(noise).setNoise(bundle, material, placement, result);
-  return result;
+  format.setMaterial(noise, material, placement, result);
+  return planes;
+}
+
+shader::LichenTriplanarMaterial shaderMaterial(const Bundle& bundle, const MaterialNoise& material,
+                                               const Placement& placement) {
+  return shaderMaterial(shaderNoise(bundle, material.noise), material, placement);
 }
 
 } // namespace lichen

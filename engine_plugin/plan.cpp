@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <memory>
-#include <optional>
 #include <string>
 
 using namespace lichen;
@@ -85,20 +85,6 @@ LichenChannel channelOf(MapChannel channel) {
   return LICHEN_CHANNEL_RED;
 }
 
-LichenMapping mappingOf(Mapping mapping) {
-  switch (mapping) {
-  case Mapping::uv:
-    return LICHEN_MAPPING_UV;
-  case Mapping::triplanar:
-    return LICHEN_MAPPING_TRIPLANAR;
-  case Mapping::surface:
-    return LICHEN_MAPPING_SURFACE;
-  case Mapping::solid:
-    return LICHEN_MAPPING_SOLID;
-  }
-  return LICHEN_MAPPING_UV;
-}
-
 LichenTableKind tableKindNumber(TableKind kind) {
   switch (kind) {
   case TableKind::joint:
@@ -109,10 +95,10 @@ LichenTableKind tableKindNumber(TableKind kind) {
   return LICHEN_TABLE_JOINT;
 }
 
-/// A placeholder for the table binding of maps without a table: the shader declares the binding but
-/// never reads it.
-Table placeholderTable() {
-  return {"unused", TexelFormat::r8Unorm, 1, 1, 1, 1, std::vector<std::byte>(1)};
+/// What is bound where a noise lacks a map, or a map a table: shaders declare it and never read it.
+Table placeholder(bool isTable) {
+  return {isTable ? "no table" : "no image", TexelFormat::rgba8Unorm, 1, 1, isTable ? 1u : 0u, 1,
+          std::vector<std::byte>(4)};
 }
 
 /// The table that the shader fetches from for a map: Gaussian image or texton.
@@ -122,67 +108,48 @@ std::size_t imageOf(const NoiseMap& map) {
   return map.as<TextonMap>().image;
 }
 
-/// Finds the table for each map's binding: its inverse table, the table of its mix, or a
-/// placeholder.
-void addBoundTables(Bundle& bundle, std::vector<std::vector<std::uint32_t>>& tables) {
-  std::optional<std::uint32_t> placeholder;
-  const auto append = [&](Table table) {
-    bundle.tables.push_back(std::move(table));
-    return std::uint32_t(bundle.tables.size() - 1);
-  };
-  for (const Noise& noise : bundle.noises) {
-    tables.emplace_back();
-    for (const NoiseMap& map : noise.maps) {
-      const auto* tiling = std::get_if<TilingMap>(&map.data);
-      const auto* texton = std::get_if<TextonMap>(&map.data);
-      if (tiling != nullptr && tiling->inverseTable) {
-        tables.back().push_back(std::uint32_t(*tiling->inverseTable));
-      } else if (texton != nullptr && !texton->laterSteps.empty()) {
-        tables.back().push_back(append(mixTable(map)));
-      } else {
-        placeholder = placeholder ? placeholder : append(placeholderTable());
-        tables.back().push_back(*placeholder);
-      }
+/// Plans a noise's block and the images of its roles. Appends the tables of mixes to the bundle's.
+LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std::uint32_t noImage,
+                                    std::uint32_t noTable) {
+  const Noise& noise = plan.bundle.noises[index];
+  LichenBundle_T::NoisePlan result;
+  result.constants = shaderConstants(plan.bundle, index);
+  result.images.fill(noImage);
+  result.tables.fill(noTable);
+  for (const NoiseMap& map : noise.maps) {
+    const std::uint32_t role = roleOf(map.target);
+    result.images[role] = std::uint32_t(imageOf(map));
+    assert(plan.bundle.tables[imageOf(map)].mipLevels <= LICHEN_MAX_MIPS);
+    if (const auto* tiling = std::get_if<TilingMap>(&map.data)) {
+      // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
+      if (tiling->dimensions == 1)
+        plan.showsGreenAsAlpha[tiling->gaussian] = true;
+      if (tiling->inverseTable)
+        result.tables[role] = std::uint32_t(*tiling->inverseTable);
+    } else if (!map.as<TextonMap>().laterSteps.empty()) {
+      plan.bundle.tables.push_back(mixTable(map));
+      plan.showsGreenAsAlpha.push_back(false);
+      result.tables[role] = std::uint32_t(plan.bundle.tables.size() - 1);
     }
   }
-}
-
-LichenMixSource mixSourceOf(MixSource source) {
-  switch (source) {
-  case MixSource::constant:
-    return LICHEN_MIX_CONSTANT;
-  case MixSource::direction:
-    return LICHEN_MIX_DIRECTION;
-  case MixSource::texture:
-    return LICHEN_MIX_TEXTURE;
-  case MixSource::vertexColor:
-    return LICHEN_MIX_VERTEX_COLOR;
-  }
-  return LICHEN_MIX_CONSTANT;
-}
-
-void planNoise(LichenBundle_T& plan, const Noise& noise) {
-  assert(noise.maps.size() <= LICHEN_MAX_MAPS); // one per target; parseBundle() rejects more
-  std::vector<shader::LichenMap> maps;
-  for (std::size_t i = 0; i < noise.maps.size(); ++i) {
-    maps.push_back(shaderMap(plan.bundle, noise, i));
-    assert(plan.bundle.tables[imageOf(noise.maps[i])].mipLevels <= LICHEN_MAX_MIPS);
-    // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
-    if (const auto* tiling = std::get_if<TilingMap>(&noise.maps[i].data);
-        tiling != nullptr && tiling->dimensions == 1)
-      plan.showsGreenAsAlpha[tiling->gaussian] = true;
-  }
-  plan.maps.push_back(std::move(maps));
+  return result;
 }
 
 void planBundle(LichenBundle_T& plan) {
-  addBoundTables(plan.bundle, plan.tables);
+  const auto append = [&](Table table) {
+    plan.bundle.tables.push_back(std::move(table));
+    return std::uint32_t(plan.bundle.tables.size() - 1);
+  };
+  if (!plan.bundle.noises.empty()) {
+    const std::uint32_t noImage = append(placeholder(false));
+    const std::uint32_t noTable = append(placeholder(true));
+    plan.showsGreenAsAlpha.resize(plan.bundle.tables.size());
+    for (std::size_t noise = 0; noise < plan.bundle.noises.size(); ++noise)
+      plan.noises.push_back(planNoise(plan, noise, noImage, noTable));
+  }
   for (const Table& table : plan.bundle.tables)
     plan.extents.push_back(
         {table.width, table.height, std::max(1u, table.depth), table.depth == 0 ? 2u : 3u});
-  plan.showsGreenAsAlpha.resize(plan.bundle.tables.size());
-  for (const Noise& noise : plan.bundle.noises)
-    planNoise(plan, noise);
   plan.unknownRevisions.resize(plan.bundle.materials.size());
   for (const IgnoredNoise& noise : plan.bundle.ignoredNoises)
     for (const std::size_t material : noise.materials)
@@ -205,6 +172,38 @@ LichenResult checkInterfaceVersion(std::uint32_t version, LichenDiagnostic* diag
 }
 
 } // namespace
+
+namespace lichen::plugin {
+
+LichenMapping mappingNumber(Mapping mapping) {
+  switch (mapping) {
+  case Mapping::uv:
+    return LICHEN_MAPPING_UV;
+  case Mapping::triplanar:
+    return LICHEN_MAPPING_TRIPLANAR;
+  case Mapping::surface:
+    return LICHEN_MAPPING_SURFACE;
+  case Mapping::solid:
+    return LICHEN_MAPPING_SOLID;
+  }
+  return LICHEN_MAPPING_UV;
+}
+
+LichenMixSource mixSourceNumber(MixSource source) {
+  switch (source) {
+  case MixSource::constant:
+    return LICHEN_MIX_CONSTANT;
+  case MixSource::direction:
+    return LICHEN_MIX_DIRECTION;
+  case MixSource::texture:
+    return LICHEN_MIX_TEXTURE;
+  case MixSource::vertexColor:
+    return LICHEN_MIX_VERTEX_COLOR;
+  }
+  return LICHEN_MIX_CONSTANT;
+}
+
+} // namespace lichen::plugin
 
 std::uint32_t lichenGetVersion() { return LICHEN_HEADER_VERSION; }
 
@@ -258,9 +257,7 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.name = source.name.c_str();
   values.mapCount = std::uint32_t(source.maps.size());
   values.tileSizeMetres = source.tileSizeMetres;
-  values.uniformBufferCount = 1;
   values.method = source.method() == Method::texton ? LICHEN_NOISE_TEXTON : LICHEN_NOISE_TILING;
-  values.combinedImageSamplerCount = 2 * values.mapCount;
   const auto* shape = std::get_if<TextonShape>(&source.data);
   values.mixSteps = shape != nullptr ? std::uint32_t(shape->steps) : 1;
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
@@ -277,7 +274,7 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   values.channelCount = std::uint32_t(source.channels.size());
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
   values.image = std::uint32_t(imageOf(source));
-  values.tableImage = bundle->tables[noise][map];
+  values.tableImage = bundle->noises[noise].tables[roleOf(source.target)];
   const auto* tiling = std::get_if<TilingMap>(&source.data);
   values.tableKind = tableKindNumber(tiling != nullptr ? tableKindOf(*tiling) : TableKind::none);
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
@@ -292,26 +289,14 @@ LichenResult lichenGetMaterialProperties(LichenBundle bundle, std::uint32_t mate
   values.unknownRevision = bundle->unknownRevisions[material];
   if (const auto& source = bundle->bundle.materials[material]) {
     values.noise = std::uint32_t(source->noise);
-    values.mapping = mappingOf(source->mapping);
+    values.mapping = mappingNumber(source->mapping);
     values.texCoord = std::uint32_t(source->texCoord);
     values.space = source->space == NoiseSpace::object ? LICHEN_SPACE_OBJECT : LICHEN_SPACE_WORLD;
-    values.mixSource = mixSourceOf(source->mix.source);
+    values.mixSource = mixSourceNumber(source->mix.source);
     values.mixTexture = std::uint32_t(source->mix.texture);
     values.mixSet = std::uint32_t(source->mix.source == MixSource::texture ? source->mix.texCoord
                                                                            : source->mix.colorSet);
     values.mixChannel = std::uint32_t(source->mix.channel);
-    values.seed = source->seed;
-    values.scale = source->scale;
-    std::copy(source->offset.begin(), source->offset.end(), values.offset);
-    values.rotation = source->rotation;
-    values.blendSharpness = source->blendSharpness;
-    values.contrast = source->contrast;
-    values.planeSharpness = source->planeSharpness;
-    values.impacts = source->impacts;
-    values.pointProcess = source->pointProcess == PointProcess::poisson
-                              ? LICHEN_POINT_PROCESS_POISSON
-                              : LICHEN_POINT_PROCESS_STRATIFIED;
-    values.tileRotation = source->tileRotation;
   }
   return writeStruct(values, LICHEN_STRUCTURE_MATERIAL_PROPERTIES, properties);
 }
@@ -381,22 +366,34 @@ LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerPrope
 
 LichenResult lichenGetBinding(LichenBundle bundle, std::uint32_t noise, std::uint32_t index,
                               LichenBinding* binding) {
-  if (bundle == nullptr || noise >= bundle->bundle.noises.size())
+  static_assert(LICHEN_SET_BINDINGS == LICHEN_BINDING_COUNT);
+  if (bundle == nullptr || noise >= bundle->noises.size() || index >= LICHEN_SET_BINDINGS)
     return LICHEN_ERROR_USAGE;
-  const std::vector<NoiseMap>& maps = bundle->bundle.noises[noise].maps;
-  if (index > 2 * maps.size())
-    return LICHEN_ERROR_USAGE;
+  const LichenBundle_T::NoisePlan& plan = bundle->noises[noise];
   LichenBinding values{};
-  if (index == 0) {
-    values.binding = LICHEN_BINDING_NOISE;
-    values.kind = LICHEN_BINDING_UNIFORM_BUFFER;
+  values.binding = index;
+  values.sampler = index == LICHEN_BINDING_TABLE_SAMPLER || index >= LICHEN_BINDING_TABLE(0)
+                       ? LICHEN_SAMPLER_TABLE
+                       : LICHEN_SAMPLER_IMAGE;
+  if (index >= LICHEN_BINDING_TABLE(0)) {
+    values.kind = LICHEN_BINDING_SAMPLED_IMAGE;
+    values.image = plan.tables[index - LICHEN_BINDING_TABLE(0)];
+  } else if (index >= LICHEN_BINDING_IMAGE(0)) {
+    values.kind = LICHEN_BINDING_SAMPLED_IMAGE;
+    values.image = plan.images[index - LICHEN_BINDING_IMAGE(0)];
+  } else if (index >= LICHEN_BINDING_IMAGE_SAMPLER) {
+    values.kind = LICHEN_BINDING_SAMPLER;
   } else {
-    const std::uint32_t map = (index - 1) / 2;
-    const bool isTable = (index - 1) % 2 == 1;
-    values.binding = isTable ? LICHEN_BINDING_TABLE(map) : LICHEN_BINDING_IMAGE(map);
-    values.kind = LICHEN_BINDING_COMBINED_IMAGE_SAMPLER;
-    values.sampler = isTable ? LICHEN_SAMPLER_TABLE : LICHEN_SAMPLER_IMAGE;
-    values.image = isTable ? bundle->tables[noise][map] : std::uint32_t(imageOf(maps[map]));
+    values.kind = index == LICHEN_BINDING_NOISE ? LICHEN_BINDING_NOISE_BUFFER
+                                                : LICHEN_BINDING_MATERIAL_BUFFER;
   }
   return writeStruct(values, LICHEN_STRUCTURE_BINDING, binding);
+}
+
+LichenResult lichenGetNoiseConstants(LichenBundle bundle, std::uint32_t noise, void* destination) {
+  static_assert(sizeof(shader::LichenNoiseConstants) == LICHEN_NOISE_BYTES);
+  if (bundle == nullptr || noise >= bundle->noises.size() || destination == nullptr)
+    return LICHEN_ERROR_USAGE;
+  std::memcpy(destination, &bundle->noises[noise].constants, LICHEN_NOISE_BYTES);
+  return LICHEN_SUCCESS;
 }

@@ -5,6 +5,7 @@
 #include <lichen/bundle.h>
 #include <lichen/lichen.h>
 
+#include <array>
 #include <cstdint>
 #include <lichen_interface.h>
 #include <vector>
@@ -19,12 +20,21 @@ struct LichenBundle_T {
   std::vector<Extent> extents;
   /// Per table: whether its image view shows green as alpha.
   std::vector<bool> showsGreenAsAlpha;
-  /// maps[n][k]: the shader constants of map k of noise n.
-  std::vector<std::vector<lichen::shader::LichenMap>> maps;
-  /// tables[n][k]: the image index of that map's inverse table, or of a placeholder that is never
-  /// read.
-  std::vector<std::vector<std::uint32_t>> tables;
+  /// Per noise: its block, and the index of the image and the table of each role, of placeholders
+  /// where the noise lacks them.
+  struct NoisePlan {
+    lichen::shader::LichenNoiseConstants constants{};
+    std::array<std::uint32_t, LICHEN_MAX_MAPS> images{}, tables{};
+  };
+  std::vector<NoisePlan> noises;
   /// Per material: the revision of its noise, at least 1, if its method or revision is unknown,
   /// else 0.
   std::vector<std::uint32_t> unknownRevisions;
 };
+
+namespace lichen::plugin {
+
+LichenMapping mappingNumber(Mapping mapping);
+LichenMixSource mixSourceNumber(MixSource source);
+
+} // namespace lichen::plugin

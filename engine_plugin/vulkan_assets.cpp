@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Creates a bundle's images, views and set layouts on the host's device, and uploads the images.
+// Creates a bundle's images and constants on the host's device, and uploads them.
 #include "abi.h"
 #include "vulkan_objects.h"
 
+#include <array>
+#include <lichen_interface.h>
 #include <memory>
 
 using namespace lichen::plugin;
@@ -172,6 +174,12 @@ void planCopies(LichenVulkanAssets_T& assets, LichenBundle bundle) {
       size = region.bufferOffset + copy.byteCount;
     }
   }
+  if (!assets.noises.empty()) {
+    VkDeviceSize& size = assets.batches.back().stagingBytes;
+    assets.constantsCopy.srcOffset = alignedUp(size, kCopyAlignment);
+    assets.constantsCopy.size = assets.noises.size() * LICHEN_NOISE_BYTES;
+    size = assets.constantsCopy.srcOffset + assets.constantsCopy.size;
+  }
 }
 
 LichenResult createStaging(const LichenVulkanContext_T& context, LichenVulkanAssets_T::Batch& batch,
@@ -206,6 +214,11 @@ void fillStaging(const LichenVulkanAssets_T& assets, LichenBundle bundle) {
       std::memcpy(target + region.bufferOffset, source + copy.offset, copy.byteCount);
     }
   }
+  for (std::uint32_t noise = 0; noise < assets.noises.size(); ++noise) {
+    auto* target = static_cast<unsigned char*>(assets.batches.back().stagingMemory->mapped);
+    (void)lichenGetNoiseConstants(
+        bundle, noise, target + assets.constantsCopy.srcOffset + noise * LICHEN_NOISE_BYTES);
+  }
 }
 
 LichenResult createUpload(LichenVulkanAssets_T& assets, LichenBundle bundle,
@@ -221,36 +234,42 @@ LichenResult createUpload(LichenVulkanAssets_T& assets, LichenBundle bundle,
   return LICHEN_SUCCESS;
 }
 
-LichenResult createNoise(LichenVulkanAssets_T& assets, LichenBundle bundle, std::uint32_t index,
-                         LichenDiagnostic* diagnostic) {
+/// The constants of all noises: a buffer of the host's device, filled by a copy.
+LichenResult createConstants(LichenVulkanAssets_T& assets, LichenDiagnostic* diagnostic) {
   const LichenVulkanContext_T& context = *assets.context;
-  LichenVulkanAssets_T::Noise& noise = assets.noises[index];
-  std::vector<VkDescriptorSetLayoutBinding> bindings;
+  VkBufferCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+  info.size = assets.noises.size() * LICHEN_NOISE_BYTES;
+  info.usage = VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
+               VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+  if (const VkResult result =
+          create(context, context.functions.createBuffer, info, assets.constants);
+      result != VK_SUCCESS)
+    return vulkanFailure("creating a uniform buffer", result, diagnostic);
+  VkMemoryRequirements requirements{};
+  context.functions.getBufferMemoryRequirements(context.device, assets.constants, &requirements);
+  if (const LichenResult result = allocateMemory(context, requirements, MemoryUse::constants,
+                                                 assets.constantsMemory, diagnostic);
+      result != LICHEN_SUCCESS)
+    return result;
+  if (const VkResult result = context.functions.bindBufferMemory(context.device, assets.constants,
+                                                                 assets.constantsMemory->memory,
+                                                                 assets.constantsMemory->offset);
+      result != VK_SUCCESS)
+    return vulkanFailure("binding a uniform buffer to its memory", result, diagnostic);
+  return LICHEN_SUCCESS;
+}
+
+void planNoise(LichenVulkanAssets_T& assets, LichenBundle bundle, std::uint32_t index) {
   LichenBinding binding;
   LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
-  for (std::uint32_t i = 0; lichenGetBinding(bundle, index, i, &binding) == LICHEN_SUCCESS; ++i) {
-    VkDescriptorSetLayoutBinding target{};
-    target.binding = context.firstBinding + binding.binding;
-    target.descriptorCount = 1;
-    target.stageFlags = context.stages;
-    target.descriptorType = context.uniformType;
-    if (binding.kind == LICHEN_BINDING_COMBINED_IMAGE_SAMPLER) {
-      target.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-      noise.imageInfos.push_back({context.samplers[binding.sampler],
-                                  assets.images[binding.image].view,
-                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
-    }
-    bindings.push_back(target);
+  std::size_t image = 0;
+  for (std::uint32_t i = 0; i < LICHEN_SET_BINDINGS; ++i) {
+    (void)lichenGetBinding(bundle, index, i, &binding); // noise and index are in range
+    if (binding.kind == LICHEN_BINDING_SAMPLED_IMAGE)
+      assets.noises[index].imageInfos[image++] = {VK_NULL_HANDLE, assets.images[binding.image].view,
+                                                  VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
   }
-  VkDescriptorSetLayoutCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-  info.bindingCount = std::uint32_t(bindings.size());
-  info.pBindings = bindings.data();
-  if (const VkResult result =
-          create(context, context.functions.createDescriptorSetLayout, info, noise.layout);
-      result != VK_SUCCESS)
-    return vulkanFailure("creating a descriptor set layout", result, diagnostic);
-  return LICHEN_SUCCESS;
 }
 
 } // namespace
@@ -258,8 +277,8 @@ LichenResult createNoise(LichenVulkanAssets_T& assets, LichenBundle bundle, std:
 LichenVulkanAssets_T::~LichenVulkanAssets_T() {
   const LichenVulkanFunctions& f = context->functions;
   lichenVulkanReleaseStaging(this);
-  for (const Noise& noise : noises)
-    f.destroyDescriptorSetLayout(context->device, noise.layout, context->callbacks);
+  f.destroyBuffer(context->device, constants, context->callbacks);
+  releaseMemory(*context, constantsMemory);
   for (const Image& image : images) {
     f.destroyImageView(context->device, image.view, context->callbacks);
     f.destroyImage(context->device, image.handle, context->callbacks);
@@ -284,13 +303,16 @@ LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle 
     LichenResult result = createImages(*created, bundle, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = createViews(*created, bundle, diagnostic);
+    if (result == LICHEN_SUCCESS && properties.noiseCount > 0)
+      result = createConstants(*created, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = createUpload(*created, bundle, diagnostic);
-    for (std::uint32_t i = 0; i < properties.noiseCount && result == LICHEN_SUCCESS; ++i)
-      result = createNoise(*created, bundle, i, diagnostic);
-    if (result == LICHEN_SUCCESS)
-      *assets = created.release();
-    return result;
+    if (result != LICHEN_SUCCESS)
+      return result;
+    for (std::uint32_t i = 0; i < properties.noiseCount; ++i)
+      planNoise(*created, bundle, i);
+    *assets = created.release();
+    return LICHEN_SUCCESS;
   });
 }
 
@@ -346,60 +368,70 @@ LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer
     f.cmdCopyBufferToImage(commandBuffer, assets->batches[image.batch].staging, image.handle,
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(image.copies.size()),
                            image.copies.data());
+  f.cmdCopyBuffer(commandBuffer, assets->batches.back().staging, assets->constants, 1,
+                  &assets->constantsCopy);
+  VkBufferMemoryBarrier toRead{};
+  toRead.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER;
+  toRead.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+  toRead.dstAccessMask = VK_ACCESS_UNIFORM_READ_BIT | VK_ACCESS_SHADER_READ_BIT;
+  toRead.srcQueueFamilyIndex = toRead.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+  toRead.buffer = assets->constants;
+  toRead.size = VK_WHOLE_SIZE;
   // ALL_COMMANDS, because the host's shaders may run in any stage.
   f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, count,
+                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 1, &toRead, count,
                        assets->barriers.toSample.data());
   return LICHEN_SUCCESS;
 }
 
-LichenResult lichenVulkanGetSetLayout(LichenVulkanAssets assets, std::uint32_t noise,
-                                      VkDescriptorSetLayout* layout) {
-  if (assets == nullptr || noise >= assets->noises.size() || layout == nullptr)
-    return LICHEN_ERROR_USAGE;
-  *layout = assets->noises[noise].layout;
-  return LICHEN_SUCCESS;
-}
-
 LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t noise,
-                                     VkDescriptorPool pool, const VkDescriptorBufferInfo* uniforms,
+                                     VkDescriptorPool pool, const VkDescriptorBufferInfo* material,
                                      VkDescriptorSet* set, LichenDiagnostic* diagnostic) {
   return guarded(diagnostic, [&] {
     if (assets == nullptr || noise >= assets->noises.size() || pool == VK_NULL_HANDLE ||
-        uniforms == nullptr || set == nullptr) {
+        material == nullptr || set == nullptr) {
       writeDiagnostic(
           diagnostic,
-          "assets, pool, uniforms and set must not be NULL, and noise must be in range");
+          "assets, pool, material and set must not be NULL, and noise must be in range");
       return LICHEN_ERROR_USAGE;
     }
-    if (uniforms->buffer == VK_NULL_HANDLE || uniforms->range < LICHEN_UNIFORM_BYTES) {
+    if (material->buffer == VK_NULL_HANDLE || material->range < LICHEN_MATERIAL_BYTES) {
       writeDiagnostic(diagnostic,
-                      "uniforms needs a buffer and a range of at least %d bytes; its range is %llu",
-                      LICHEN_UNIFORM_BYTES, static_cast<unsigned long long>(uniforms->range));
+                      "material needs a buffer and a range of at least %d bytes; its range is %llu",
+                      LICHEN_MATERIAL_BYTES, static_cast<unsigned long long>(material->range));
       return LICHEN_ERROR_USAGE;
     }
     const LichenVulkanContext_T& context = *assets->context;
     const LichenVulkanAssets_T::Noise& source = assets->noises[noise];
-    std::vector<VkWriteDescriptorSet> writes(1 + source.imageInfos.size());
     VkDescriptorSetAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
     info.descriptorPool = pool;
     info.descriptorSetCount = 1;
-    info.pSetLayouts = &source.layout;
+    info.pSetLayouts = &context.setLayout;
     VkDescriptorSet created = VK_NULL_HANDLE;
     if (const VkResult result =
             context.functions.allocateDescriptorSets(context.device, &info, &created);
         result != VK_SUCCESS)
       return vulkanFailure("allocating a descriptor set", result, diagnostic);
-    for (std::uint32_t i = 0; i < writes.size(); ++i) {
-      writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      writes[i].dstSet = created;
-      writes[i].dstBinding = context.firstBinding + i; // consecutive: LICHEN_BINDING_*
-      writes[i].descriptorCount = 1;
-      writes[i].descriptorType =
-          i == 0 ? context.uniformType : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-      writes[i].pBufferInfo = i == 0 ? uniforms : nullptr;
-      writes[i].pImageInfo = i == 0 ? nullptr : &source.imageInfos[i - 1];
+    const VkDescriptorBufferInfo constants{
+        assets->constants, noise * VkDeviceSize(LICHEN_NOISE_BYTES), LICHEN_NOISE_BYTES};
+    // Samplers are immutable. The images' bindings follow each other: LICHEN_BINDING_*.
+    std::array<VkWriteDescriptorSet, 2 + LICHEN_SET_IMAGES> writes{};
+    for (VkWriteDescriptorSet& write : writes) {
+      write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+      write.dstSet = created;
+      write.descriptorCount = 1;
+      write.descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
+    }
+    writes[0].dstBinding = context.firstBinding + LICHEN_BINDING_NOISE;
+    writes[0].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    writes[0].pBufferInfo = &constants;
+    writes[1].dstBinding = context.firstBinding + LICHEN_BINDING_MATERIAL;
+    writes[1].descriptorType = context.materialType;
+    writes[1].pBufferInfo = material;
+    for (std::uint32_t i = 0; i < LICHEN_SET_IMAGES; ++i) {
+      writes[2 + i].dstBinding = context.firstBinding + LICHEN_BINDING_IMAGE(0) + i;
+      writes[2 + i].pImageInfo = &source.imageInfos[i];
     }
     context.functions.updateDescriptorSets(context.device, std::uint32_t(writes.size()),
                                            writes.data(), 0, nullptr);
@@ -408,11 +440,14 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
   });
 }
 
-LichenResult lichenVulkanGetImageInfos(LichenVulkanAssets assets, std::uint32_t noise,
-                                       VkDescriptorImageInfo* imageInfos) {
-  if (assets == nullptr || noise >= assets->noises.size() || imageInfos == nullptr)
+LichenResult lichenVulkanGetDescriptors(LichenVulkanAssets assets, std::uint32_t noise,
+                                        VkDescriptorBufferInfo* constants,
+                                        VkDescriptorImageInfo* images) {
+  if (assets == nullptr || noise >= assets->noises.size() || constants == nullptr ||
+      images == nullptr)
     return LICHEN_ERROR_USAGE;
+  *constants = {assets->constants, noise * VkDeviceSize(LICHEN_NOISE_BYTES), LICHEN_NOISE_BYTES};
   const auto& source = assets->noises[noise].imageInfos;
-  std::copy(source.begin(), source.end(), imageInfos);
+  std::copy(source.begin(), source.end(), images);
   return LICHEN_SUCCESS;
 }

@@ -3,8 +3,10 @@
 #include "abi.h"
 #include "vulkan_objects.h"
 
+#include <array>
 #include <lichen_interface.h>
 #include <memory>
+#include <utility>
 
 using namespace lichen::plugin;
 
@@ -44,6 +46,7 @@ LichenVulkanFunctions loadFunctions(PFN_vkGetInstanceProcAddr get, VkInstance in
   load(get, instance, "vkUpdateDescriptorSets", f.updateDescriptorSets);
   load(get, instance, "vkCmdPipelineBarrier", f.cmdPipelineBarrier);
   load(get, instance, "vkCmdCopyBufferToImage", f.cmdCopyBufferToImage);
+  load(get, instance, "vkCmdCopyBuffer", f.cmdCopyBuffer);
   return f;
 }
 
@@ -55,7 +58,7 @@ bool allPresent(const LichenVulkanFunctions& f) {
          f.bindImageMemory && f.createImageView && f.destroyImageView && f.createSampler &&
          f.destroySampler && f.createDescriptorSetLayout && f.destroyDescriptorSetLayout &&
          f.allocateDescriptorSets && f.updateDescriptorSets && f.cmdPipelineBarrier &&
-         f.cmdCopyBufferToImage;
+         f.cmdCopyBufferToImage && f.cmdCopyBuffer;
 }
 
 LichenResult findFunctions(const LichenVulkanInfo& info, LichenVulkanFunctions& functions,
@@ -76,7 +79,6 @@ LichenResult findFunctions(const LichenVulkanInfo& info, LichenVulkanFunctions& 
 }
 
 LichenResult checkInfo(const LichenVulkanInfo& info, LichenDiagnostic* diagnostic) {
-  constexpr std::uint32_t kMostBindings = 1 + 2 * LICHEN_MAX_MAPS;
   if (info.device == VK_NULL_HANDLE || info.physicalDevice == VK_NULL_HANDLE) {
     writeDiagnostic(diagnostic, "physicalDevice and device must not be VK_NULL_HANDLE");
     return LICHEN_ERROR_USAGE;
@@ -91,10 +93,10 @@ LichenResult checkInfo(const LichenVulkanInfo& info, LichenDiagnostic* diagnosti
                     double(info.maxAnisotropy), kMostAnisotropy);
     return LICHEN_ERROR_USAGE;
   }
-  if (info.firstBinding > UINT32_MAX - kMostBindings) {
+  if (info.firstBinding > UINT32_MAX - LICHEN_SET_BINDINGS) {
     writeDiagnostic(diagnostic,
-                    "firstBinding %u is too large; the noise needs %u consecutive binding numbers",
-                    info.firstBinding, kMostBindings);
+                    "firstBinding %u is too large; a noise needs %u consecutive binding numbers",
+                    info.firstBinding, unsigned(LICHEN_SET_BINDINGS));
     return LICHEN_ERROR_USAGE;
   }
   return LICHEN_SUCCESS;
@@ -132,6 +134,29 @@ VkResult createSampler(LichenVulkanContext_T& context, LichenSamplerUse use, flo
   return create(context, context.functions.createSampler, info, context.samplers[use]);
 }
 
+/// The layout of every noise's set.
+VkResult createSetLayout(LichenVulkanContext_T& context) {
+  std::array<VkDescriptorSetLayoutBinding, LICHEN_SET_BINDINGS> bindings{};
+  for (std::uint32_t i = 0; i < LICHEN_SET_BINDINGS; ++i) {
+    bindings[i].binding = context.firstBinding + i;
+    bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
+    bindings[i].descriptorCount = 1;
+    bindings[i].stageFlags = context.stages;
+  }
+  bindings[LICHEN_BINDING_NOISE].descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+  bindings[LICHEN_BINDING_MATERIAL].descriptorType = context.materialType;
+  for (const auto& [binding, use] : {std::pair{LICHEN_BINDING_IMAGE_SAMPLER, LICHEN_SAMPLER_IMAGE},
+                                     {LICHEN_BINDING_TABLE_SAMPLER, LICHEN_SAMPLER_TABLE}}) {
+    bindings[std::size_t(binding)].descriptorType = VK_DESCRIPTOR_TYPE_SAMPLER;
+    bindings[std::size_t(binding)].pImmutableSamplers = &context.samplers[use];
+  }
+  VkDescriptorSetLayoutCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+  info.bindingCount = std::uint32_t(bindings.size());
+  info.pBindings = bindings.data();
+  return create(context, context.functions.createDescriptorSetLayout, info, context.setLayout);
+}
+
 } // namespace
 
 namespace lichen::plugin {
@@ -149,10 +174,11 @@ LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* 
     return LICHEN_ERROR_OUT_OF_DEVICE_MEMORY;
   case VK_ERROR_OUT_OF_POOL_MEMORY:
   case VK_ERROR_FRAGMENTED_POOL:
-    writeDiagnostic(diagnostic,
-                    "%s: the descriptor pool is too small; lichenGetNoiseProperties returns what a "
-                    "set needs",
-                    what);
+    writeDiagnostic(
+        diagnostic,
+        "%s: the descriptor pool is too small; lichenVulkanGetSetLayout says what a set "
+        "takes",
+        what);
     return LICHEN_ERROR_OUT_OF_POOL_MEMORY;
   default:
     writeDiagnostic(diagnostic, "%s: VkResult %d", what, int(result));
@@ -190,9 +216,9 @@ LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* hostInfo,
     }
     newContext->functions.getPhysicalDeviceMemoryProperties(info.physicalDevice,
                                                             &newContext->memory);
-    newContext->uniformType = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS)
-                                  ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
-                                  : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    newContext->materialType = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS)
+                                   ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
+                                   : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
     newContext->firstBinding = info.firstBinding;
     newContext->stages =
         info.stages != 0 ? info.stages : VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
@@ -203,6 +229,11 @@ LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* hostInfo,
       lichenVulkanDestroyContext(newContext.release());
       return vulkanFailure("creating a sampler", created, diagnostic);
     }
+    created = createSetLayout(*newContext);
+    if (created != VK_SUCCESS) {
+      lichenVulkanDestroyContext(newContext.release());
+      return vulkanFailure("creating a descriptor set layout", created, diagnostic);
+    }
     *context = newContext.release();
     return LICHEN_SUCCESS;
   });
@@ -212,7 +243,25 @@ void lichenVulkanDestroyContext(LichenVulkanContext context) {
   if (context == nullptr)
     return;
   lichenVulkanFrameCompleted(context, UINT64_MAX);
+  context->functions.destroyDescriptorSetLayout(context->device, context->setLayout,
+                                                context->callbacks);
   for (const VkSampler sampler : context->samplers)
     context->functions.destroySampler(context->device, sampler, context->callbacks);
   delete context;
+}
+
+LichenResult lichenVulkanGetSetLayout(LichenVulkanContext context, VkDescriptorSetLayout* layout) {
+  if (context == nullptr || layout == nullptr)
+    return LICHEN_ERROR_USAGE;
+  *layout = context->setLayout;
+  return LICHEN_SUCCESS;
+}
+
+LichenResult lichenVulkanGetSamplers(LichenVulkanContext context, VkSampler* images,
+                                     VkSampler* tables) {
+  if (context == nullptr || images == nullptr || tables == nullptr)
+    return LICHEN_ERROR_USAGE;
+  *images = context->samplers[LICHEN_SAMPLER_IMAGE];
+  *tables = context->samplers[LICHEN_SAMPLER_TABLE];
+  return LICHEN_SUCCESS;
 }

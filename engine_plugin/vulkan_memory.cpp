@@ -6,9 +6,6 @@
 namespace lichen::plugin {
 namespace {
 
-/// Bytes; large, because drivers limit the number of allocations.
-constexpr VkDeviceSize kLeastBlockBytes = VkDeviceSize(1) << 20;
-
 /// The properties that an ordinary memory type may have. Others are slow (AMD's device-coherent
 /// memory), need a feature (protected) or cannot be the target of copies (lazily allocated).
 constexpr VkMemoryPropertyFlags kOrdinaryMemory =
@@ -16,13 +13,20 @@ constexpr VkMemoryPropertyFlags kOrdinaryMemory =
     VK_MEMORY_PROPERTY_HOST_COHERENT_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
 
 VkMemoryPropertyFlags propertiesOf(MemoryUse use) {
-  return use == MemoryUse::images
-             ? VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT)
-             : VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+  return use == MemoryUse::staging
+             ? VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT
+             : VkMemoryPropertyFlags(VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
 }
 
 const char* nameOf(MemoryUse use) {
-  return use == MemoryUse::images ? "memory for the images" : "memory for the staging buffer";
+  switch (use) {
+  case MemoryUse::images:
+    return "memory for the images";
+  case MemoryUse::constants:
+    return "memory for the noises' constants";
+  default:
+    return "memory for the staging buffer";
+  }
 }
 
 /// Allocates one block, and maps it for staging. On failure, nothing stays allocated.
@@ -30,7 +34,7 @@ VkResult allocateBlock(const LichenVulkanContext_T& context, const VkMemoryAlloc
                        MemoryUse use, LichenDeviceMemory& block) {
   const LichenVulkanFunctions& f = context.functions;
   VkResult result = create(context, f.allocateMemory, info, block.memory);
-  if (result != VK_SUCCESS || use == MemoryUse::images)
+  if (result != VK_SUCCESS || use != MemoryUse::staging)
     return result;
   result = f.mapMemory(context.device, block.memory, 0, VK_WHOLE_SIZE, 0, &block.mapped);
   if (result != VK_SUCCESS)
@@ -44,7 +48,7 @@ LichenResult allocateOwn(const LichenVulkanContext_T& context,
   const VkMemoryPropertyFlags needed = propertiesOf(use);
   VkMemoryAllocateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-  info.allocationSize = std::max(requirements.size, kLeastBlockBytes);
+  info.allocationSize = requirements.size;
   VkResult firstFailure = VK_SUCCESS; // of the best type, which drivers list first
   for (std::uint32_t type = 0; type < context.memory.memoryTypeCount; ++type) {
     const VkMemoryPropertyFlags has = context.memory.memoryTypes[type].propertyFlags;
@@ -89,7 +93,7 @@ LichenResult allocateByHost(const LichenVulkanContext_T& context,
   if (result != VK_SUCCESS)
     return vulkanFailure(nameOf(use), result, diagnostic);
   memory = allocated;
-  if (use == MemoryUse::images || allocated.mapped != nullptr)
+  if (use != MemoryUse::staging || allocated.mapped != nullptr)
     return LICHEN_SUCCESS;
   writeDiagnostic(diagnostic,
                   "deviceAllocator returned HOST_VISIBLE memory without setting `mapped`");

@@ -18,11 +18,12 @@ struct LichenVulkanContext_T {
   bool hostAllocates;
   LichenDeviceAllocator allocator; // the host's allocator if hostAllocates
   VkPhysicalDeviceMemoryProperties memory;
-  VkDescriptorType uniformType;
+  VkDescriptorType materialType;
   std::uint32_t firstBinding;
   VkShaderStageFlags stages;
   std::array<VkSampler, 2> samplers; // indexed by LichenSamplerUse
-  LichenVulkanAssets retired;        // head of a linked list
+  VkDescriptorSetLayout setLayout;
+  LichenVulkanAssets retired; // head of a linked list
 };
 
 struct LichenVulkanAssets_T {
@@ -47,8 +48,7 @@ struct LichenVulkanAssets_T {
     std::vector<VkImageMemoryBarrier> toWrite, toSample;
   };
   struct Noise {
-    VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    std::vector<VkDescriptorImageInfo> imageInfos; // Gaussian, table, Gaussian, table, ...
+    std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> imageInfos{}; // images, then tables
   };
 
   explicit LichenVulkanAssets_T(LichenVulkanContext owner) : context(owner) {}
@@ -59,6 +59,9 @@ struct LichenVulkanAssets_T {
   LichenVulkanContext context;
   std::vector<Image> images;
   std::vector<Noise> noises;
+  VkBuffer constants = VK_NULL_HANDLE; // LICHEN_NOISE_BYTES of each noise
+  std::optional<LichenDeviceMemory> constantsMemory;
+  VkBufferCopy constantsCopy{}; // from the last batch's staging buffer
   Barriers barriers;
   std::vector<Batch> batches;
   bool hasStaging = false; // true until lichenVulkanReleaseStaging()
@@ -83,7 +86,7 @@ VkResult create(const LichenVulkanContext_T& context, Function function, const I
 }
 
 /// The kinds of memory that the plugin allocates.
-enum class MemoryUse { staging, images };
+enum class MemoryUse { staging, images, constants };
 
 /// Maximum size of an allocation that holds several images. Every Vulkan 1.1 device can allocate
 /// this much (maxMemoryAllocationSize), and every Vulkan 1.3 device supports buffers of this size

@@ -2,16 +2,19 @@
 // The one file that a host includes (with `shaders_glsl/` on its include path and
 // GL_GOOGLE_include_directive enabled). Everything is prefixed lichen, Lichen or LICHEN_.
 //
-// Samplers as arguments: include this file and call the functions. docs/integration.md has both.
+// Images as arguments: include this file and call the functions; interface/fetch.glsl says what an
+// image is. docs/integration.md has both ways.
 // Descriptors declared here: define, before the include,
 //   LICHEN_SET            the descriptor set that the plugin fills
 //   LICHEN_FIRST_BINDING  its first binding (0)
-//   LICHEN_MAP_COUNT      maps of the noise, 1 to LICHEN_MAX_MAPS
-// which gives lichenUniforms.noise, .maps[k] and .texton, lichenImage0, lichenTable0, ...,
+//   LICHEN_ROLES          bit r: the shader evaluates the map of role r (63, all)
+// which gives lichenNoise, lichenMaps[role] and lichenMaterial,
 // LICHEN_PLACE(uv, gradientX, gradientY), where the noise is evaluated, or of other mappings
 // LICHEN_PLACE_TRIPLANAR(position, gradientX, gradientY, normal) and
-// LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent), and
-// LICHEN_NOISE(k, place), the value of map k there, whatever the noise's method.
+// LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent),
+// LICHEN_HAS(role), whether the noise has that map,
+// LICHEN_VALUE(role, place), its value there, whatever the noise's method, and
+// LICHEN_IMAGE(role) and LICHEN_TABLE(role), which other functions take.
 //
 // A host that knows more at compile time leaves out what it does not need: less code to run. The
 // switches are in README.md.
@@ -19,66 +22,96 @@
 #define LICHEN_GLSL
 
 #include "interface/lichen_interface.h"
+
+#ifdef LICHEN_SET
+#ifndef LICHEN_FIRST_BINDING
+#define LICHEN_FIRST_BINDING 0
+#endif
+#ifndef LICHEN_ROLES
+#define LICHEN_ROLES 63
+#endif
+
+layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
+                                   LICHEN_BINDING_IMAGE_SAMPLER) uniform sampler lichenImageSampler;
+layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
+                                   LICHEN_BINDING_TABLE_SAMPLER) uniform sampler lichenTableSampler;
+#define LICHEN_IMAGE_2D texture2D
+#define LICHEN_IMAGE_3D texture3D
+#define LICHEN_SAMPLE_2D(image, uv, level)                                                         \
+  textureLod(sampler2D(image, lichenImageSampler), uv, level)
+#define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY)                                                 \
+  textureGrad(sampler2D(image, lichenImageSampler), uv, uvX, uvY)
+#define LICHEN_SAMPLE_3D(image, uvw, level)                                                        \
+  textureLod(sampler3D(image, lichenTableSampler), uvw, level)
+#define LICHEN_GATHER_2D(image, uv) textureGather(sampler2D(image, lichenImageSampler), uv, 0)
+#endif
+
 #include "mapping/mix.glsl"
 #include "mapping/surface.glsl"
 #include "mapping/triplanar.glsl"
 #include "mapping/uv.glsl"
-#include "noise/method.glsl"
 
 #ifdef LICHEN_SET
-#ifndef LICHEN_MAP_COUNT
-#error lichen.glsl with LICHEN_SET needs LICHEN_MAP_COUNT, the number of maps of the noise, 1 to 6
-#elif LICHEN_MAP_COUNT < 1 || LICHEN_MAP_COUNT > LICHEN_MAX_MAPS
-#error LICHEN_MAP_COUNT is the number of maps of the noise, 1 to 6
+layout(std140, set = LICHEN_SET,
+       binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_NOISE) uniform LichenNoiseBlock {
+  LichenNoise lichenNoise;
+  LichenMap lichenMaps[LICHEN_MAX_MAPS];
+};
+layout(std140, set = LICHEN_SET,
+       binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_MATERIAL) uniform LichenMaterialBlock {
+  LichenMaterial lichenMaterial;
+#ifndef LICHEN_OMIT_TRIPLANAR
+  LichenPlane lichenPlaneY, lichenPlaneZ;
 #endif
-#ifndef LICHEN_FIRST_BINDING
-#define LICHEN_FIRST_BINDING 0
-#endif
+};
 
-layout(std140, set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_NOISE)
-    uniform LichenUniformBlock {
-  LichenNoise noise;
-  LichenMap maps[LICHEN_MAX_MAPS];
-  LichenTexton texton;
-} lichenUniforms;
+#define LICHEN_DECLARE_ROLE(role)                                                                  \
+  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_IMAGE(role))            \
+      uniform texture2D lichenImage##role;                                                         \
+  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_TABLE(role))            \
+      uniform texture3D lichenTable##role
 
-#define LICHEN_DECLARE_MAP(map)                                                                    \
-  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_IMAGE(map))          \
-      uniform sampler2D lichenImage##map;                                                          \
-  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_TABLE(map))             \
-      uniform sampler3D lichenTable##map
-
-LICHEN_DECLARE_MAP(0);
-#if LICHEN_MAP_COUNT > 1
-LICHEN_DECLARE_MAP(1);
+#if (LICHEN_ROLES & 1) != 0
+LICHEN_DECLARE_ROLE(0);
 #endif
-#if LICHEN_MAP_COUNT > 2
-LICHEN_DECLARE_MAP(2);
+#if (LICHEN_ROLES & 2) != 0
+LICHEN_DECLARE_ROLE(1);
 #endif
-#if LICHEN_MAP_COUNT > 3
-LICHEN_DECLARE_MAP(3);
+#if (LICHEN_ROLES & 4) != 0
+LICHEN_DECLARE_ROLE(2);
 #endif
-#if LICHEN_MAP_COUNT > 4
-LICHEN_DECLARE_MAP(4);
+#if (LICHEN_ROLES & 8) != 0
+LICHEN_DECLARE_ROLE(3);
 #endif
-#if LICHEN_MAP_COUNT > 5
-LICHEN_DECLARE_MAP(5);
+#if (LICHEN_ROLES & 16) != 0
+LICHEN_DECLARE_ROLE(4);
+#endif
+#if (LICHEN_ROLES & 32) != 0
+LICHEN_DECLARE_ROLE(5);
 #endif
 
 #define LICHEN_PLACE(uv, gradientX, gradientY)                                                     \
-  lichenPlaceUvGrad(uv, gradientX, gradientY, lichenUniforms.noise, lichenUniforms.texton)
+  lichenPlaceUvGrad(uv, gradientX, gradientY, lichenMaterial, lichenNoise)
 
 #define LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent)                      \
-  lichenPlaceSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenUniforms.noise,    \
-                         lichenUniforms.texton)
+  lichenPlaceSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenMaterial,          \
+                         lichenNoise)
 
 #define LICHEN_PLACE_TRIPLANAR(position, gradientX, gradientY, normal)                             \
-  lichenPlaceTriplanarGrad(position, gradientX, gradientY, normal, lichenUniforms.noise,           \
-                           lichenUniforms.texton)
+  lichenPlaceTriplanarGrad(position, gradientX, gradientY, normal,                                 \
+                           LichenTriplanarMaterial(lichenMaterial, lichenPlaneY, lichenPlaneZ),    \
+                           lichenNoise)
 
-#define LICHEN_NOISE(map, place)                                                                   \
-  lichenValue(lichenImage##map, lichenTable##map, place, lichenUniforms.noise,                     \
-              lichenUniforms.maps[map], lichenUniforms.texton)
+#define LICHEN_HAS(role) (((lichenNoise.roles >> uint(role)) & 1u) != 0u)
+
+// Twice, so that a role's name becomes its number before it is pasted.
+#define LICHEN_IMAGE(role) LICHEN_IMAGE_OF(role)
+#define LICHEN_TABLE(role) LICHEN_TABLE_OF(role)
+#define LICHEN_IMAGE_OF(role) lichenImage##role
+#define LICHEN_TABLE_OF(role) lichenTable##role
+
+#define LICHEN_VALUE(role, place)                                                                  \
+  lichenValue(LICHEN_IMAGE(role), LICHEN_TABLE(role), place, lichenMaps[role])
 #endif
 
 #endif

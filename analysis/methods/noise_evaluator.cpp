@@ -23,7 +23,7 @@ NoiseEvaluator::create(const Bundle& bundle, const MaterialNoise& material,
       [&] { return analysisOf(noise.method()).evaluator(bundle, material, placement, options); });
 }
 
-NoiseEvaluator::NoiseEvaluator(const Noise& noise, const shader::LichenNoise& constants)
+NoiseEvaluator::NoiseEvaluator(const Noise& noise, const shader::LichenTriplanarMaterial& constants)
     : constants_(constants) {
   for (const NoiseMap& map : noise.maps)
     holdsSlopes_.push_back(map.encoding == ValueEncoding::slope);
@@ -31,14 +31,14 @@ NoiseEvaluator::NoiseEvaluator(const Noise& noise, const shader::LichenNoise& co
 
 NoiseEvaluator::Value NoiseEvaluator::evaluateUv(std::size_t map, const UvFootprint& at) const {
   const auto toTile = [this](const std::array<float, 2>& uv) {
-    return std::array{constants_.uvToTileXX * uv[0] + constants_.uvToTileXY * uv[1],
-                      constants_.uvToTileYX * uv[0] + constants_.uvToTileYY * uv[1]};
+    return std::array{constants().uvToTileXX * uv[0] + constants().uvToTileXY * uv[1],
+                      constants().uvToTileYX * uv[0] + constants().uvToTileYY * uv[1]};
   };
   const TileFootprint tile{toTile(at.uv), toTile(at.dx), toTile(at.dy)};
   Value value = evaluate(map, tile, mixAt(at.uv));
   if (holdsSlopes_[map]) { // lichenSlopesToUv
-    const float length = std::hypot(constants_.uvToTileXX, constants_.uvToTileXY);
-    const float cosine = constants_.uvToTileXX / length, sine = constants_.uvToTileXY / length;
+    const float length = std::hypot(constants().uvToTileXX, constants().uvToTileXY);
+    const float cosine = constants().uvToTileXX / length, sine = constants().uvToTileXY / length;
     value = {cosine * value[0] + sine * value[1], cosine * value[1] - sine * value[0], value[2],
              value[3]};
   }

@@ -42,9 +42,9 @@ struct CubicWeights {
 /// A texton's image and the shape of its noise, for evaluation at one point.
 class Textons {
 public:
-  Textons(const RepeatingImage& image, const shader::LichenTexton& shape, const Impacts& impacts,
+  Textons(const RepeatingImage& image, const shader::LichenNoise& noise, const Impacts& impacts,
           const MixPlace& mix)
-      : image_(image), shape_(shape), impacts_(impacts), mix_(mix) {}
+      : image_(image), noise_(noise), shape_(noise.texton), impacts_(impacts), mix_(mix) {}
 
   /// Returns h at an offset in an impact's frame, filtered to the footprint.
   [[nodiscard]] Value at(const Vec2& place) const {
@@ -118,8 +118,8 @@ private:
   [[nodiscard]] float frameAt(const Vec2& texel) const {
     if (shape_.steps <= 1)
       return 0.0f;
-    const float x = (0.5f * float(shape_.coefficientsX) - texel[0]) / shape_.texelsPerTileX;
-    const float y = (0.5f * float(shape_.coefficientsY) - texel[1]) / shape_.texelsPerTileY;
+    const float x = (0.5f * float(shape_.coefficientsX) - texel[0]) / noise_.tileTexelsX;
+    const float y = (0.5f * float(shape_.coefficientsY) - texel[1]) / noise_.tileTexelsY;
     const float weight =
         std::clamp(mix_.weight + mix_.gradient[0] * x + mix_.gradient[1] * y, 0.0f, 1.0f);
     return std::floor(weight * (float(shape_.steps) - 1.0f) + 0.5f) * float(shape_.frameY);
@@ -155,6 +155,7 @@ private:
   }
 
   const RepeatingImage& image_;
+  const shader::LichenNoise& noise_;
   const shader::LichenTexton& shape_;
   const Impacts& impacts_;
   const MixPlace& mix_;
@@ -167,14 +168,15 @@ float knownLevel(const Impacts& impacts) {
 
 /// Returns the factor for the sums over impacts. Beyond the last mip the textons stay the same and
 /// their amplitude falls with the standard deviation.
-std::array<float, 3> gainOf(const Impacts& impacts, const shader::LichenNoise& noise,
-                            const shader::LichenTexton& texton, const shader::LichenMap& map) {
+std::array<float, 3> gainOf(const Impacts& impacts, const shader::LichenMaterial& material,
+                            const shader::LichenMap& map) {
   const std::array<float, 3> fetched = texton::levelKept(map, impacts.level);
   const std::array<float, 3> seen = texton::levelKept(map, knownLevel(impacts));
   constexpr float kLeast = 1e-6f; // below the square of a kept amplitude's first step, 1/255
+  const float amplitude = textonPart(material).amplitude;
   std::array<float, 3> gain{};
   for (std::size_t c = 0; c < gain.size(); ++c)
-    gain[c] = noise.contrast * std::sqrt(seen[c] / std::max(fetched[c], kLeast)) * texton.amplitude;
+    gain[c] = material.contrast * std::sqrt(seen[c] / std::max(fetched[c], kLeast)) * amplitude;
   return gain;
 }
 
@@ -223,23 +225,22 @@ Result<TextonEvaluator> TextonEvaluator::create(const Bundle& bundle, std::size_
       maps->push_back({shaderMap(bundle, noise, m),
                        RepeatingImage(bundle.tables[noise.maps[m].as<TextonMap>().image]),
                        texton::MixRows(noise.maps[m])});
-    return TextonEvaluator(std::move(maps));
+    return TextonEvaluator(shaderNoise(bundle, noiseIndex), std::move(maps));
   });
 }
 
 std::size_t TextonEvaluator::mapCount() const { return maps_->size(); }
 
-Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
-                                const shader::LichenTexton& texton, const TileFootprint& at,
-                                const MixPlace& mix) const {
+Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenMaterial& material,
+                                const TileFootprint& at, const MixPlace& mix) const {
   const Map& map = (*maps_)[mapIndex];
-  const Impacts impacts = texton::impactsWithin(0.0f, at, noise, texton);
-  const Textons textons(map.image, texton, impacts, mix);
+  const Impacts impacts = texton::impactsWithin(0.0f, at, material, noise_);
+  const Textons textons(map.image, noise_, impacts, mix);
   const shader::LichenMap here = map.mix.at(map.constants, mix);
-  const std::array<float, 3> gain = gainOf(impacts, noise, texton, here);
+  const std::array<float, 3> gain = gainOf(impacts, material, here);
   Value sum{};
   if (needsImpacts(gain))
-    texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
+    texton::forEachImpact(impacts, material, [&](const Vec2& place, float sign) {
       const Value h = textons.at(place);
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += sign * h[c];
@@ -247,17 +248,16 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
   return gaussianOf(sum, gain, here);
 }
 
-Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
-                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
-                                const MixPlace& mix) const {
+Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenMaterial& material,
+                                const SurfaceFootprint& at, const MixPlace& mix) const {
   const Map& map = (*maps_)[mapIndex];
-  const texton::SurfaceImpacts surface = texton::surfaceImpactsAt(at, noise, texton);
-  const Textons textons(map.image, texton, surface.impacts, mix);
+  const texton::SurfaceImpacts surface = texton::surfaceImpactsAt(at, material, noise_);
+  const Textons textons(map.image, noise_, surface.impacts, mix);
   const shader::LichenMap here = map.mix.at(map.constants, mix);
-  const std::array<float, 3> gain = gainOf(surface.impacts, noise, texton, here);
+  const std::array<float, 3> gain = gainOf(surface.impacts, material, here);
   Value sum{};
   if (needsImpacts(gain))
-    texton::forEachSurfaceImpact(surface, noise, texton, [&](const Vec2& place, float weight) {
+    texton::forEachSurfaceImpact(surface, material, [&](const Vec2& place, float weight) {
       const Value h = textons.at(place);
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += weight * h[c];
@@ -266,104 +266,98 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise&
 }
 
 std::array<float, 3> TextonEvaluator::lostVariance(std::size_t mapIndex,
-                                                   const shader::LichenNoise& noise,
-                                                   const shader::LichenTexton& texton,
+                                                   const shader::LichenMaterial& material,
                                                    const TileFootprint& at,
                                                    const MixPlace& mix) const {
   const Map& map = (*maps_)[mapIndex];
-  return lostOf(texton::impactsWithin(0.0f, at, noise, texton), map.mix.at(map.constants, mix));
+  return lostOf(texton::impactsWithin(0.0f, at, material, noise_), map.mix.at(map.constants, mix));
 }
 
 std::array<float, 3> TextonEvaluator::lostVariance(std::size_t mapIndex,
-                                                   const shader::LichenNoise& noise,
-                                                   const shader::LichenTexton& texton,
+                                                   const shader::LichenMaterial& material,
                                                    const SurfaceFootprint& at,
                                                    const MixPlace& mix) const {
   const Map& map = (*maps_)[mapIndex];
-  return lostOf(texton::surfaceImpactsAt(at, noise, texton).impacts,
+  return lostOf(texton::surfaceImpactsAt(at, material, noise_).impacts,
                 map.mix.at(map.constants, mix));
 }
 
-Value TextonEvaluator::decoded(const Map& map, const shader::LichenNoise& noise,
+Value TextonEvaluator::decoded(const Map& map, const shader::LichenMaterial& material,
                                const Value& gaussian, std::array<float, 3> lost,
                                const MixPlace& mix) {
   // Contrast scales the lost variance like the remaining one.
   for (float& share : lost)
-    share *= noise.contrast * noise.contrast;
+    share *= material.contrast * material.contrast;
   return decodedGaussian(map.mix.at(map.constants, mix), {gaussian[0], gaussian[1], gaussian[2]},
                          lost);
 }
 
-Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
-                                const shader::LichenTexton& texton, const TileFootprint& at,
-                                const MixPlace& mix) const {
-  return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix),
-                 lostVariance(mapIndex, noise, texton, at, mix), mix);
+Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenMaterial& material,
+                                const TileFootprint& at, const MixPlace& mix) const {
+  return decoded((*maps_)[mapIndex], material, gaussian(mapIndex, material, at, mix),
+                 lostVariance(mapIndex, material, at, mix), mix);
 }
 
-Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
-                                const shader::LichenTexton& texton, const SurfaceFootprint& at,
-                                const MixPlace& mix) const {
-  return decoded((*maps_)[mapIndex], noise, gaussian(mapIndex, noise, texton, at, mix),
-                 lostVariance(mapIndex, noise, texton, at, mix), mix);
+Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenMaterial& material,
+                                const SurfaceFootprint& at, const MixPlace& mix) const {
+  return decoded((*maps_)[mapIndex], material, gaussian(mapIndex, material, at, mix),
+                 lostVariance(mapIndex, material, at, mix), mix);
 }
 
-Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
-                                const shader::LichenTexton& texton, const TriplanarFootprint& at,
-                                const MixPlace& mix) const {
-  return triplanar::blendedGaussian(triplanar::planesAt(at, noise), [&](const auto& plane) {
-    return gaussian(mapIndex, plane.noise, texton, plane.at, mix);
-  });
+Value TextonEvaluator::gaussian(std::size_t mapIndex,
+                                const shader::LichenTriplanarMaterial& material,
+                                const TriplanarFootprint& at, const MixPlace& mix) const {
+  return triplanar::blendedGaussian(
+      triplanar::planesAt(at, material, noise_),
+      [&](const auto& plane) { return gaussian(mapIndex, plane.material, plane.at, mix); });
 }
 
 std::array<float, 3> TextonEvaluator::lostVariance(std::size_t mapIndex,
-                                                   const shader::LichenNoise& noise,
-                                                   const shader::LichenTexton& texton,
+                                                   const shader::LichenTriplanarMaterial& material,
                                                    const TriplanarFootprint& at,
                                                    const MixPlace& mix) const {
   std::array<float, 3> lost{};
-  for (const triplanar::Plane& plane : triplanar::planesAt(at, noise)) {
+  for (const triplanar::Plane& plane : triplanar::planesAt(at, material, noise_)) {
     if (plane.weight == 0.0f)
       continue;
-    const std::array<float, 3> own = lostVariance(mapIndex, plane.noise, texton, plane.at, mix);
+    const std::array<float, 3> own = lostVariance(mapIndex, plane.material, plane.at, mix);
     for (std::size_t c = 0; c < lost.size(); ++c)
       lost[c] += plane.weight * plane.weight * own[c];
   }
   return lost;
 }
 
-Value TextonEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
-                                const shader::LichenTexton& texton, const TriplanarFootprint& at,
-                                const MixPlace& mix) const {
+Value TextonEvaluator::evaluate(std::size_t mapIndex,
+                                const shader::LichenTriplanarMaterial& material,
+                                const TriplanarFootprint& at, const MixPlace& mix) const {
   const Map& map = (*maps_)[mapIndex];
   if (map.constants.encoding == LICHEN_ENCODING_SLOPE)
-    return triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
-      return evaluate(mapIndex, plane.noise, texton, plane.at, mix);
-    });
-  return decoded(map, noise, gaussian(mapIndex, noise, texton, at, mix),
-                 lostVariance(mapIndex, noise, texton, at, mix), mix);
+    return triplanar::blendedSlopes(
+        triplanar::planesAt(at, material, noise_),
+        [&](const auto& plane) { return evaluate(mapIndex, plane.material, plane.at, mix); });
+  return decoded(map, material.material, gaussian(mapIndex, material, at, mix),
+                 lostVariance(mapIndex, material, at, mix), mix);
 }
 
 std::array<float, 3> TextonEvaluator::gradient(std::size_t mapIndex,
-                                               const shader::LichenNoise& noise,
-                                               const shader::LichenTexton& texton,
+                                               const shader::LichenMaterial& material,
                                                const TileFootprint& at, const MixPlace& mix) const {
   const Map& map = (*maps_)[mapIndex];
   constexpr float kMargin = 0.5f; // reach of the finite differences beyond the texton
-  const Impacts impacts = texton::impactsWithin(kMargin, at, noise, texton);
-  const Textons textons(map.image, texton, impacts, mix);
+  const Impacts impacts = texton::impactsWithin(kMargin, at, material, noise_);
+  const Textons textons(map.image, noise_, impacts, mix);
   const shader::LichenMap here = map.mix.at(map.constants, mix);
-  const float scale = here.row0.x * here.sumFactor.x * gainOf(impacts, noise, texton, here)[0];
+  const float scale = here.row0.x * here.sumFactor.x * gainOf(impacts, material, here)[0];
   std::array<float, 3> sum{};
   if (scale > 0.0f)
-    texton::forEachImpact(impacts, noise, texton, [&](const Vec2& place, float sign) {
+    texton::forEachImpact(impacts, material, [&](const Vec2& place, float sign) {
       const std::array<float, 3> h = textons.gradientAt(place);
       for (std::size_t k = 0; k < 3; ++k)
         sum[k] += sign * h[k];
     });
   const std::array<float, 2> meanSlope = map.mix.meanSlope(mix);
-  return {here.row0.w + scale * sum[0], scale * sum[1] * texton.texelsPerTileX + meanSlope[0],
-          scale * sum[2] * texton.texelsPerTileY + meanSlope[1]};
+  return {here.row0.w + scale * sum[0], scale * sum[1] * noise_.tileTexelsX + meanSlope[0],
+          scale * sum[2] * noise_.tileTexelsY + meanSlope[1]};
 }
 
 } // namespace lichen

@@ -27,22 +27,22 @@ Reach mipReach(float level, const shader::LichenTexton& texton) {
   return {{-0.5f * side, -0.5f * side}, {high(texton.coefficientsX), high(texton.coefficientsY)}};
 }
 
-Impacts impactsWithin(float margin, const TileFootprint& at, const shader::LichenNoise& noise,
-                      const shader::LichenTexton& texton) {
-  const Vec2 texelsPerTile{texton.texelsPerTileX, texton.texelsPerTileY};
-  const Vec2 cellsPerTile{noise.columnsPerTile, noise.rowsPerTile};
-  const Vec2 offset{noise.offsetX, noise.offsetY};
-  const Vec2 coefficients{float(texton.coefficientsX), float(texton.coefficientsY)};
-  const std::array<std::int32_t, 2> origin{noise.cellI, noise.cellJ};
-  const std::array<std::int32_t, 2> period{noise.periodColumns, noise.periodRows};
+Impacts impactsWithin(float margin, const TileFootprint& at, const shader::LichenMaterial& material,
+                      const shader::LichenNoise& noise) {
+  const Vec2 texelsPerTile{noise.tileTexelsX, noise.tileTexelsY};
+  const Vec2 cellsPerTile{material.columnsPerTile, material.rowsPerTile};
+  const Vec2 offset{material.offsetX, material.offsetY};
+  const Vec2 coefficients{float(noise.texton.coefficientsX), float(noise.texton.coefficientsY)};
+  const std::array<std::int32_t, 2> origin{material.cellI, material.cellJ};
+  const std::array<std::int32_t, 2> period{material.periodColumns, material.periodRows};
   Impacts impacts;
   impacts.footprintLevel = sharpLevel(footprintLevel(at, texelsPerTile[0], texelsPerTile[1]));
-  impacts.level = std::min(impacts.footprintLevel, float(texton.mipCount - 1));
-  const Reach reach = mipReach(impacts.level, texton);
+  impacts.level = std::min(impacts.footprintLevel, float(noise.texton.mipCount - 1));
+  const Reach reach = mipReach(impacts.level, noise.texton);
   for (std::size_t k = 0; k < 2; ++k) {
     float low = reach.low[k];
     float high = reach.high[k];
-    if (texton.order == 3 && impacts.level < 1.0f) {
+    if (noise.texton.order == 3 && impacts.level < 1.0f) {
       constexpr float kReach = 1.5f; // reach of a cubic B-spline beyond its texel
       low = std::min(low, -kReach);
       high = std::max(high, coefficients[k] + kReach);

@@ -36,8 +36,8 @@ struct Impacts {
 
 /// Finds the impacts whose textons reach the point, or come within `margin` texels of their mip.
 [[nodiscard]] Impacts impactsWithin(float margin, const TileFootprint& at,
-                                    const shader::LichenNoise& noise,
-                                    const shader::LichenTexton& texton);
+                                    const shader::LichenMaterial& material,
+                                    const shader::LichenNoise& noise);
 
 /// Returns the number of impacts in a cell of the Poisson process: the quantile of a Poisson
 /// variable of mean 1 at hash / 2^32.
@@ -63,23 +63,22 @@ void actOnImpact(std::uint32_t word, const Vec2& corner, const Impacts& impacts,
 
 /// Calls act(offset of the point, sign) for each impact that reaches the point, row by row.
 template <class Act>
-void forEachImpact(const Impacts& impacts, const shader::LichenNoise& noise,
-                   const shader::LichenTexton& texton, const Act& act) {
+void forEachImpact(const Impacts& impacts, const shader::LichenMaterial& material, const Act& act) {
   std::uint32_t j = impacts.firstCell[1];
   for (float y = impacts.start[1]; y > impacts.end[1]; y -= impacts.cellTexels[1]) {
     std::uint32_t i = impacts.firstCell[0];
     for (float x = impacts.start[0]; x >= impacts.end[0]; x -= impacts.cellTexels[0]) {
-      const std::array<std::uint32_t, 3> hash = pcg3d({i, j, noise.seedWord});
-      if (texton.pointProcess == LICHEN_POINTS_POISSON) {
+      const std::array<std::uint32_t, 3> hash = pcg3d({i, j, material.seedWord});
+      if (textonPart(material).pointProcess == LICHEN_POINTS_POISSON) {
         const auto count = std::uint32_t(poissonCount(hash[1]));
         for (std::uint32_t k = 0; k < count; ++k)
           actOnImpact(pcg(hash[0] + k), {x, y}, impacts, act);
       } else {
         actOnImpact(hash[0], {x, y}, impacts, act);
       }
-      i = nextCell(i, noise.periodColumns);
+      i = nextCell(i, material.periodColumns);
     }
-    j = nextCell(j, noise.periodRows);
+    j = nextCell(j, material.periodRows);
   }
 }
 

@@ -54,33 +54,34 @@ float thickness(const shader::LichenTexton& texton) {
 
 } // namespace
 
-SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at, const shader::LichenNoise& noise,
-                                const shader::LichenTexton& texton) {
-  const float perScale = std::hypot(noise.uvToTileXX, noise.uvToTileXY);
+SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at, const shader::LichenMaterial& material,
+                                const shader::LichenNoise& noise) {
+  const float perScale = std::hypot(material.uvToTileXX, material.uvToTileXY);
   const float tilesPerMetre = perScale / noise.tileSizeMetres;
-  const Frame frame = turned(surfaceFrame(at.normal, at.tangent), noise.uvToTileXX / perScale,
-                             noise.uvToTileXY / perScale);
+  const Frame frame = turned(surfaceFrame(at.normal, at.tangent), material.uvToTileXX / perScale,
+                             material.uvToTileXY / perScale);
   // Texels are square, so the vertical scale is in tiles of the tile's own height.
-  const float perHeight = tilesPerMetre * texton.texelsPerTileX / texton.texelsPerTileY;
+  const float perHeight = tilesPerMetre * noise.tileAspect;
   TileFootprint plane;
   plane.dx = {tilesPerMetre * dot(frame.right, at.dx), perHeight * dot(frame.down, at.dx)};
   plane.dy = {tilesPerMetre * dot(frame.right, at.dy), perHeight * dot(frame.down, at.dy)};
   SurfaceImpacts surface;
-  surface.impacts = impactsWithin(0.0f, plane, noise, texton);
-  const float side = texton.surfaceCubeTexels;
-  const float greatestHeight = 0.5f * thickness(texton);
+  surface.impacts = impactsWithin(0.0f, plane, material, noise);
+  const float side = textonPart(material).surfaceCubeTexels;
+  const float greatestHeight = 0.5f * thickness(noise.texton);
   const Vec3 none{};
   surface.axes = {combined(side, frame.right, 0.0f, none), combined(side, frame.down, 0.0f, none),
                   combined(side / greatestHeight, frame.outward, 0.0f, none)};
   const Impacts& impacts = surface.impacts;
   surface.radius = {impacts.radius[0], impacts.radius[1], 1.0f};
   // The centre of the coefficients lies at the impact's position.
-  const Vec2 shift{0.5f * float(texton.coefficientsX) - impacts.middle[0],
-                   0.5f * float(texton.coefficientsY) - impacts.middle[1]};
-  const std::array<std::int32_t, 3> origin{noise.cellI, noise.cellJ, noise.cellK};
+  const Vec2 shift{0.5f * float(noise.texton.coefficientsX) - impacts.middle[0],
+                   0.5f * float(noise.texton.coefficientsY) - impacts.middle[1]};
+  const std::array<std::int32_t, 3> origin{material.cellI, material.cellJ,
+                                           textonPart(material).cellK};
   Vec3 inside{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const float grid = at.position[k] * tilesPerMetre * noise.columnsPerTile;
+    const float grid = at.position[k] * tilesPerMetre * material.columnsPerTile;
     const float cell = std::floor(grid);
     inside[k] = grid - cell;
     // 64 bits, because 2^28 tiles may have 2^46 cubes.

@@ -29,8 +29,8 @@ struct SurfaceImpacts {
 };
 
 [[nodiscard]] SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at,
-                                              const shader::LichenNoise& noise,
-                                              const shader::LichenTexton& texton);
+                                              const shader::LichenMaterial& material,
+                                              const shader::LichenNoise& noise);
 
 /// Calls act(offset of the point, signed weight) for the impact that `word` encodes in the cube at
 /// offset `way`, if the impact reaches the point.
@@ -57,18 +57,19 @@ void actOnSurfaceImpact(std::uint32_t word, const Vec3& way, const SurfaceImpact
 /// Calls act(offset of the point, signed weight) for each impact that reaches the point, column by
 /// column along z, in the order in which the shader sums them.
 template <class Act>
-void forEachSurfaceImpact(const SurfaceImpacts& surface, const shader::LichenNoise& noise,
-                          const shader::LichenTexton& texton, const Act& act) {
+void forEachSurfaceImpact(const SurfaceImpacts& surface, const shader::LichenMaterial& material,
+                          const Act& act) {
   const auto cell = [&](std::size_t axis, int way) {
     return surface.cell[axis] + std::uint32_t(way);
   };
   for (int y = surface.first[1]; y <= surface.last[1]; ++y)
     for (int x = surface.first[0]; x <= surface.last[0]; ++x) {
-      const std::array<std::uint32_t, 3> column = pcg3d({cell(0, x), cell(1, y), noise.seedWord});
+      const std::array<std::uint32_t, 3> column =
+          pcg3d({cell(0, x), cell(1, y), material.seedWord});
       for (int z = surface.first[2]; z <= surface.last[2]; ++z) {
         const Vec3 way{float(x), float(y), float(z)};
         const std::uint32_t word = pcg(column[0] + cell(2, z));
-        if (texton.pointProcess != LICHEN_POINTS_POISSON) {
+        if (textonPart(material).pointProcess != LICHEN_POINTS_POISSON) {
           actOnSurfaceImpact(word, way, surface, act);
           continue;
         }

@@ -9,35 +9,38 @@ namespace {
 
 class Evaluator final : public NoiseEvaluator {
 public:
-  Evaluator(TextonEvaluator evaluator, const Noise& noise, const shader::LichenNoise& constants,
-            const shader::LichenTexton& texton)
-      : NoiseEvaluator(noise, constants), evaluator_(std::move(evaluator)), texton_(texton) {}
+  Evaluator(TextonEvaluator evaluator, const Noise& noise,
+            const shader::LichenTriplanarMaterial& constants)
+      : NoiseEvaluator(noise, constants), evaluator_(std::move(evaluator)),
+        texton_(textonPart(constants.material)) {}
 
   [[nodiscard]] Value evaluate(std::size_t map, const TileFootprint& at,
                                const MixPlace& mix) const override {
-    return evaluator_.evaluate(map, constants(), texton_, at, mix);
+    return evaluator_.evaluate(map, constants(), at, mix);
   }
   [[nodiscard]] Value evaluate(std::size_t map, const TriplanarFootprint& at,
                                const MixPlace& mix) const override {
-    return evaluator_.evaluate(map, constants(), texton_, at, mix);
+    return evaluator_.evaluate(map, planes(), at, mix);
   }
   [[nodiscard]] Value evaluate(std::size_t map, const SurfaceFootprint& at,
                                const MixPlace& mix) const override {
-    return evaluator_.evaluate(map, constants(), texton_, at, mix);
+    return evaluator_.evaluate(map, constants(), at, mix);
   }
 
 private:
   /// The CPU twin of lichenMixByUv (shaders_glsl/mapping/uv.glsl).
   [[nodiscard]] MixPlace mixAt(const std::array<float, 2>& uv) const override {
-    const shader::LichenNoise& noise = constants();
-    const float square = noise.uvToTileXX * noise.uvToTileXX + noise.uvToTileXY * noise.uvToTileXY;
-    return {texton_.mixWeight + texton_.mixPerU * uv[0] + texton_.mixPerV * uv[1],
-            {(noise.uvToTileXX * texton_.mixPerU + noise.uvToTileXY * texton_.mixPerV) / square,
-             (noise.uvToTileYX * texton_.mixPerU + noise.uvToTileYY * texton_.mixPerV) / square}};
+    const shader::LichenMaterial& material = constants();
+    const float square =
+        material.uvToTileXX * material.uvToTileXX + material.uvToTileXY * material.uvToTileXY;
+    return {
+        texton_.mixWeight + texton_.mixPerU * uv[0] + texton_.mixPerV * uv[1],
+        {(material.uvToTileXX * texton_.mixPerU + material.uvToTileXY * texton_.mixPerV) / square,
+         (material.uvToTileYX * texton_.mixPerU + material.uvToTileYY * texton_.mixPerV) / square}};
   }
 
   TextonEvaluator evaluator_;
-  shader::LichenTexton texton_;
+  shader::LichenTextonMaterial texton_;
 };
 
 } // namespace
@@ -48,9 +51,9 @@ TextonAnalysis::evaluator(const Bundle& bundle, const MaterialNoise& material,
   Result<TextonEvaluator> created = TextonEvaluator::create(bundle, material.noise);
   if (!created)
     return created.error();
-  return std::unique_ptr<const NoiseEvaluator>(std::make_unique<Evaluator>(
-      std::move(created).value(), bundle.noises[material.noise],
-      shaderNoise(bundle, material, placement), shaderTexton(bundle, material, placement)));
+  return std::unique_ptr<const NoiseEvaluator>(
+      std::make_unique<Evaluator>(std::move(created).value(), bundle.noises[material.noise],
+                                  shaderMaterial(bundle, material, placement)));
 }
 
 } // namespace lichen

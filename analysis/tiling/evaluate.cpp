@@ -106,7 +106,7 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
       }
       maps->push_back(std::move(map));
     }
-    return TilingEvaluator(std::move(maps), quality);
+    return TilingEvaluator(shaderNoise(bundle, noiseIndex), std::move(maps), quality);
   });
 }
 
@@ -181,16 +181,19 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float contr
   return value;
 }
 
-TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map, const shader::LichenNoise& noise,
+TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
+                                                const shader::LichenMaterial& material,
                                                 TileFootprint at) const {
-  at.position[0] += noise.offsetX;
-  at.position[1] += noise.offsetY;
-  Tiles tiles{tiling::tapsAt(noise, at.position), {}};
+  at.position[0] += material.offsetX;
+  at.position[1] += material.offsetY;
+  Tiles tiles{tiling::tapsAt(material, noise_, at.position), {}};
   tiling::takeFewerTaps(tiles.taps, at, quality_);
-  const float footprint = footprintLevel(at, noise.tileTexelsX, noise.tileTexelsY);
+  const float footprint = footprintLevel(at, noise_.tileTexelsX, noise_.tileTexelsY);
   const float level = sharpLevel(footprint + map.constants.levelOffset);
-  const bool sharesTexels = map.constants.levelOffset == 0.0f && tiling::turnsKeepTexels(noise);
-  const float share = sharesTexels ? lossShare(noise, at, footprint) : 1.0f;
+  const bool sharesTexels =
+      map.constants.levelOffset == 0.0f &&
+      tiling::turnsKeepTexels(tilingPart(material).tileRotation, noise_.tileAspect);
+  const float share = sharesTexels ? lossShare(noise_, at, footprint) : 1.0f;
   for (std::size_t k = 0; k < 3; ++k) {
     if (tiles.taps.weight[k] == 0.0f)
       continue;
@@ -210,12 +213,12 @@ float TilingEvaluator::footprintShare(const Map& map, float lost) {
   return lost > interpolation ? (lost - interpolation) / (lost - lost * interpolation) : 0.0f;
 }
 
-Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenNoise& noise) {
+Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenMaterial& material) {
   Value blend{};
   for (std::size_t k = 0; k < 3; ++k)
     for (std::size_t c = 0; c < 4; ++c)
       blend[c] += tiles.taps.weight[k] * tiles.value[k][c];
-  const float gain = noise.contrast / tiles.taps.norm;
+  const float gain = material.contrast / tiles.taps.norm;
   for (std::size_t c = 0; c < 3; ++c)
     blend[c] = 0.5f + gain * (blend[c] - 0.5f);
   return blend;
@@ -223,13 +226,13 @@ Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenNoise& no
 
 /// The tiles decoded one by one and blended about the mean; comparison operators.
 Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
-                                      const shader::LichenNoise& noise, BlendOperator blend) {
-  const bool turnsSlopes = tiling::turnsTiles(noise) && isSlope(map.constants);
+                                      const shader::LichenMaterial& material, BlendOperator blend) {
+  const bool turnsSlopes = tiling::turnsTiles(material) && isSlope(map.constants);
   const shader::vec4& mean = map.constants.mean;
   const Value middle =
       turnsSlopes ? Value{0.0f, 0.0f, mean.z, 1.0f} : Value{mean.x, mean.y, mean.z, 1.0f};
   Value result = middle;
-  const float gain = noise.contrast / (blend == BlendOperator::linear ? 1.0f : tiles.taps.norm);
+  const float gain = material.contrast / (blend == BlendOperator::linear ? 1.0f : tiles.taps.norm);
   for (std::size_t k = 0; k < 3; ++k) {
     if (tiles.taps.weight[k] == 0.0f)
       continue;
@@ -245,15 +248,15 @@ Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
 /// The slopes of rotated tiles, decoded one by one, turned back and blended about 0: a joint table
 /// knows slopes as they lie in the exemplar.
 Value TilingEvaluator::turnedSlopes(const Map& map, const Tiles& tiles,
-                                    const shader::LichenNoise& noise) {
+                                    const shader::LichenMaterial& material) {
   Value sum{0.0f, 0.0f, 0.0f, 1.0f};
   for (std::size_t k = 0; k < 3; ++k) {
     if (tiles.taps.weight[k] == 0.0f)
       continue;
     Value tile = tiles.value[k];
     for (std::size_t c = 0; c < 3; ++c)
-      tile[c] = 0.5f + noise.contrast * (tile[c] - 0.5f);
-    Value slopes = decode(map, tile, noise.contrast);
+      tile[c] = 0.5f + material.contrast * (tile[c] - 0.5f);
+    Value slopes = decode(map, tile, material.contrast);
     turnSlopesBack(slopes, tiles.taps.turn[k]);
     const float share = tiles.taps.weight[k] / tiles.taps.norm;
     sum[0] += share * slopes[0];
@@ -263,39 +266,41 @@ Value TilingEvaluator::turnedSlopes(const Map& map, const Tiles& tiles,
   return sum;
 }
 
-Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
+Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenMaterial& material,
                                 const TileFootprint& at) const {
-  return blended(tilesAt((*maps_)[mapIndex], noise, at), noise);
+  return blended(tilesAt((*maps_)[mapIndex], material, at), material);
 }
 
-Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenMaterial& material,
                                 const TileFootprint& at, BlendOperator blend) const {
   const Map& map = (*maps_)[mapIndex];
-  const Tiles tiles = tilesAt(map, noise, at);
+  const Tiles tiles = tilesAt(map, material, at);
   if (blend != BlendOperator::histogramPreserving)
-    return blendedDecoded(map, tiles, noise, blend);
-  if (tiling::turnsTiles(noise) && isSlope(map.constants))
-    return turnedSlopes(map, tiles, noise);
-  const Value gaussian = blended(tiles, noise);
-  return decode(map, gaussian, noise.contrast);
+    return blendedDecoded(map, tiles, material, blend);
+  if (tiling::turnsTiles(material) && isSlope(map.constants))
+    return turnedSlopes(map, tiles, material);
+  const Value gaussian = blended(tiles, material);
+  return decode(map, gaussian, material.contrast);
 }
 
-Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenNoise& noise,
+Value TilingEvaluator::gaussian(std::size_t mapIndex,
+                                const shader::LichenTriplanarMaterial& material,
                                 const TriplanarFootprint& at) const {
-  return triplanar::blendedGaussian(triplanar::planesAt(at, noise), [&](const auto& plane) {
-    return gaussian(mapIndex, plane.noise, plane.at);
-  });
+  return triplanar::blendedGaussian(
+      triplanar::planesAt(at, material, noise_),
+      [&](const auto& plane) { return gaussian(mapIndex, plane.material, plane.at); });
 }
 
-Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenNoise& noise,
+Value TilingEvaluator::evaluate(std::size_t mapIndex,
+                                const shader::LichenTriplanarMaterial& material,
                                 const TriplanarFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
   if (isSlope(map.constants))
-    return triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
-      return evaluate(mapIndex, plane.noise, plane.at);
-    });
-  const Value blend = gaussian(mapIndex, noise, at);
-  return decode(map, blend, noise.contrast);
+    return triplanar::blendedSlopes(
+        triplanar::planesAt(at, material, noise_),
+        [&](const auto& plane) { return evaluate(mapIndex, plane.material, plane.at); });
+  const Value blend = gaussian(mapIndex, material, at);
+  return decode(map, blend, material.material.contrast);
 }
 
 } // namespace lichen

@@ -20,28 +20,29 @@ std::int32_t floorDivide(std::int32_t a, std::int32_t b) { return a / b - (a % b
 /// Sets the position at which vertex (i, j) fetches its tile for a point: a whole number of texels
 /// away from the point, minus the whole periods that separate the vertex from its representative in
 /// a periodic lattice, and rotated. `way` is the offset from the vertex to the point [tiles].
-void setTap(Taps& taps, std::size_t k, const shader::LichenNoise& noise,
-            const std::array<float, 2>& position, const std::array<float, 2>& way, std::int32_t i,
-            std::int32_t j) {
+void setTap(Taps& taps, std::size_t k, const shader::LichenMaterial& material,
+            const shader::LichenNoise& noise, const std::array<float, 2>& position,
+            const std::array<float, 2>& way, std::int32_t i, std::int32_t j) {
   std::array<float, 2>& tap = taps.position[k];
   tap = position;
-  if (noise.periodRows > 0) {
-    const std::int32_t rowPeriods = floorDivide(j, noise.periodRows);
-    j -= rowPeriods * noise.periodRows;
-    i += rowPeriods * (noise.periodRows / 2);
-    const std::int32_t columnPeriods = floorDivide(i, noise.periodColumns);
-    i -= columnPeriods * noise.periodColumns;
-    tap[0] -= float(columnPeriods) * noise.periodTilesX;
-    tap[1] -= float(rowPeriods) * noise.periodTilesY;
+  if (material.periodRows > 0) {
+    const std::int32_t rowPeriods = floorDivide(j, material.periodRows);
+    j -= rowPeriods * material.periodRows;
+    i += rowPeriods * (material.periodRows / 2);
+    const std::int32_t columnPeriods = floorDivide(i, material.periodColumns);
+    i -= columnPeriods * material.periodColumns;
+    tap[0] -= float(columnPeriods) * material.periodTilesX;
+    tap[1] -= float(rowPeriods) * material.periodTilesY;
   }
   taps.turn[k] = {1.0f, 0.0f};
-  if (turnsTiles(noise)) {
-    taps.turn[k] = tileTurn(
-        tileRotationStep(std::uint32_t(i), std::uint32_t(j), noise.seedWord, noise.tileRotation),
-        noise.tileRotation);
-    tap = turned(turnsKeepTexels(noise) ? tap : way, taps.turn[k], noise.tileAspect);
+  if (const std::uint32_t rotation = tilingPart(material).tileRotation; rotation > 1) {
+    taps.turn[k] =
+        tileTurn(tileRotationStep(std::uint32_t(i), std::uint32_t(j), material.seedWord, rotation),
+                 rotation);
+    tap = turned(turnsKeepTexels(rotation, noise.tileAspect) ? tap : way, taps.turn[k],
+                 noise.tileAspect);
   }
-  const auto steps = tileOffsetSteps(std::uint32_t(i), std::uint32_t(j), noise.seedWord);
+  const auto steps = tileOffsetSteps(std::uint32_t(i), std::uint32_t(j), material.seedWord);
   tap[0] += float(steps[0]) * noise.offsetStepX;
   tap[1] += float(steps[1]) * noise.offsetStepY;
 }
@@ -62,13 +63,14 @@ void sharpen(Taps& taps, float exponent) {
 
 } // namespace
 
-Taps tapsAt(const shader::LichenNoise& noise, const std::array<float, 2>& position) {
-  const float b = position[1] * noise.rowsPerTile;
-  const float a = position[0] * noise.columnsPerTile - 0.5f * b;
+Taps tapsAt(const shader::LichenMaterial& material, const shader::LichenNoise& noise,
+            const std::array<float, 2>& position) {
+  const float b = position[1] * material.rowsPerTile;
+  const float a = position[0] * material.columnsPerTile - 0.5f * b;
   const float floorA = std::floor(a);
   const float floorB = std::floor(b);
-  const std::int32_t i = wrappingSum(std::int32_t(floorA), noise.cellI);
-  const std::int32_t j = wrappingSum(std::int32_t(floorB), noise.cellJ);
+  const std::int32_t i = wrappingSum(std::int32_t(floorA), material.cellI);
+  const std::int32_t j = wrappingSum(std::int32_t(floorB), material.cellJ);
   const float f = a - floorA;
   const float g = b - floorB;
 
@@ -81,11 +83,11 @@ Taps tapsAt(const shader::LichenNoise& noise, const std::array<float, 2>& positi
   for (std::size_t k = 0; k < 3; ++k) {
     const float column = f - float(corners[k][0]);
     const float row = g - float(corners[k][1]);
-    setTap(taps, k, noise, position,
-           {(column + 0.5f * row) / noise.columnsPerTile, row / noise.rowsPerTile},
+    setTap(taps, k, material, noise, position,
+           {(column + 0.5f * row) / material.columnsPerTile, row / material.rowsPerTile},
            wrappingSum(i, corners[k][0]), wrappingSum(j, corners[k][1]));
   }
-  sharpen(taps, noise.blendSharpness);
+  sharpen(taps, tilingPart(material).blendSharpness);
   return taps;
 }
 

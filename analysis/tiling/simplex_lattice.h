@@ -18,6 +18,7 @@ struct Taps {
   float norm = 1.0f; ///< square root of the sum of the squared weights, [HN18] eq. 6
 };
 
-[[nodiscard]] Taps tapsAt(const shader::LichenNoise& noise, const std::array<float, 2>& position);
+[[nodiscard]] Taps tapsAt(const shader::LichenMaterial& material, const shader::LichenNoise& noise,
+                          const std::array<float, 2>& position);
 
 } // namespace lichen::tiling

@@ -7,8 +7,8 @@
 
 namespace lichen::tiling {
 
-bool turnsKeepTexels(const shader::LichenNoise& noise) {
-  return noise.tileRotation <= 2 || (noise.tileRotation == 4 && noise.tileAspect == 1.0f);
+bool turnsKeepTexels(std::uint32_t tileRotation, float tileAspect) {
+  return tileRotation <= 2 || (tileRotation == 4 && tileAspect == 1.0f);
 }
 
 std::array<float, 2> tileTurn(std::uint32_t step, std::uint32_t steps) {

@@ -9,13 +9,13 @@
 
 namespace lichen::tiling {
 
-[[nodiscard]] inline bool turnsTiles(const shader::LichenNoise& noise) {
-  return noise.tileRotation > 1;
+[[nodiscard]] inline bool turnsTiles(const shader::LichenMaterial& material) {
+  return tilingPart(material).tileRotation > 1;
 }
 
 /// Returns whether rotated texels coincide with unrotated ones. Such tiles rotate about the origin,
 /// others about their vertices.
-[[nodiscard]] bool turnsKeepTexels(const shader::LichenNoise& noise);
+[[nodiscard]] bool turnsKeepTexels(std::uint32_t tileRotation, float tileAspect);
 
 /// Cosine and sine of rotation `step`, below `steps`, of a full circle; quarter rotations are
 /// exact.

@@ -11,7 +11,8 @@ namespace {
 
 class Evaluator final : public NoiseEvaluator {
 public:
-  Evaluator(TilingEvaluator evaluator, const Noise& noise, const shader::LichenNoise& constants)
+  Evaluator(TilingEvaluator evaluator, const Noise& noise,
+            const shader::LichenTriplanarMaterial& constants)
       : NoiseEvaluator(noise, constants), evaluator_(std::move(evaluator)) {}
 
   [[nodiscard]] Value evaluate(std::size_t map, const TileFootprint& at,
@@ -20,7 +21,7 @@ public:
   }
   [[nodiscard]] Value evaluate(std::size_t map, const TriplanarFootprint& at,
                                const MixPlace&) const override {
-    return evaluator_.evaluate(map, constants(), at);
+    return evaluator_.evaluate(map, planes(), at);
   }
   [[nodiscard]] Value evaluate(std::size_t, const SurfaceFootprint&,
                                const MixPlace&) const override {
@@ -42,7 +43,7 @@ TilingAnalysis::evaluator(const Bundle& bundle, const MaterialNoise& material,
     return created.error();
   return std::unique_ptr<const NoiseEvaluator>(
       std::make_unique<Evaluator>(std::move(created).value(), bundle.noises[material.noise],
-                                  shaderNoise(bundle, material, placement)));
+                                  shaderMaterial(bundle, material, placement)));
 }
 
 } // namespace lichen

@@ -33,13 +33,14 @@ Vec3 weightsOf(const Vec3& normal, float sharpness) {
 
 } // namespace
 
-std::array<Plane, 3> planesAt(const TriplanarFootprint& at, const shader::LichenNoise& noise) {
-  const Vec3 weights = weightsOf(at.normal, noise.planeSharpness);
-  const std::array<const shader::LichenPlane*, 3> origins{&noise.planeX, &noise.planeY,
-                                                          &noise.planeZ};
-  const float scale = std::hypot(noise.uvToTileXX, noise.uvToTileXY);
-  const float cosine = noise.uvToTileXX / scale;
-  const float sine = noise.uvToTileXY / scale;
+std::array<Plane, 3> planesAt(const TriplanarFootprint& at,
+                              const shader::LichenTriplanarMaterial& material,
+                              const shader::LichenNoise& noise) {
+  const shader::LichenMaterial& own = material.material;
+  const Vec3 weights = weightsOf(at.normal, own.planeSharpness);
+  const float scale = std::hypot(own.uvToTileXX, own.uvToTileXY);
+  const float cosine = own.uvToTileXX / scale;
+  const float sine = own.uvToTileXY / scale;
   const float tilesPerMetre = scale / noise.tileSizeMetres;
   std::array<Plane, 3> planes;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -57,14 +58,16 @@ std::array<Plane, 3> planesAt(const TriplanarFootprint& at, const shader::Lichen
       return Vec2{tilesPerMetre * dot(way, exemplarRight),
                   tilesPerMetre * noise.tileAspect * dot(way, exemplarDown)};
     };
-    const shader::LichenPlane& origin = *origins[axis];
     plane.weight = weights[axis];
-    plane.noise = noise;
-    plane.noise.cellI = origin.cellI;
-    plane.noise.cellJ = origin.cellJ;
-    plane.noise.seedWord = origin.seedWord;
-    plane.noise.offsetX = origin.offsetX;
-    plane.noise.offsetY = origin.offsetY;
+    plane.material = own;
+    if (axis > 0) {
+      const shader::LichenPlane& origin = axis == 1 ? material.planeY : material.planeZ;
+      plane.material.cellI = origin.cellI;
+      plane.material.cellJ = origin.cellJ;
+      plane.material.offsetX = origin.offsetX;
+      plane.material.offsetY = origin.offsetY;
+      plane.material.seedWord = origin.seedWord;
+    }
     plane.at = {tiles(at.position), tiles(at.dx), tiles(at.dy)};
     const float squaredCosine = at.normal[axis] * at.normal[axis] / dot(at.normal, at.normal);
     plane.seen = 0.5f + 0.5f * squaredCosine;

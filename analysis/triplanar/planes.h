@@ -13,8 +13,8 @@ namespace lichen::triplanar {
 
 /// The noise in the plane perpendicular to one axis.
 struct Plane {
-  float weight = 0.0f;         ///< the squares of the weights sum to 1; 0: skipped
-  shader::LichenNoise noise{}; ///< as for a noise on texture coordinates
+  float weight = 0.0f;               ///< the squares of the weights sum to 1; 0: skipped
+  shader::LichenMaterial material{}; ///< as on texture coordinates
   TileFootprint at;
   std::array<std::array<float, 3>, 2> axes{}; ///< in space: the exemplar's right and up
   float seen = 0.0f; ///< share of a slope's variance that the surface shows
@@ -22,6 +22,7 @@ struct Plane {
 
 /// Returns the planes perpendicular to x, y and z.
 [[nodiscard]] std::array<Plane, 3> planesAt(const TriplanarFootprint& at,
+                                            const shader::LichenTriplanarMaterial& material,
                                             const shader::LichenNoise& noise);
 
 /// Blends `gaussianOf(plane)` of each plane with a weight. It returns four floats: three Gaussian

@@ -52,20 +52,19 @@ public:
 
   /// The noise's cells on texture coordinates (cells), and the cell of an integer tile origin
   /// (cellOf), modulo 2^32, at the corner of which the origin lies.
-  [[nodiscard]] virtual Lattice cells(const Noise& noise, const MaterialNoise& material,
+  [[nodiscard]] virtual Lattice cells(const shader::LichenNoise& noise,
+                                      const MaterialNoise& material,
                                       const Placement& placement) const = 0;
   [[nodiscard]] virtual std::array<std::int32_t, 2> cellOf(const Lattice& cells, std::int64_t tileX,
                                                            std::int64_t tileY) const = 0;
 
-  /// Sets the noise constants for Mapping::surface. Called only if fits(Mapping::surface).
-  virtual void setSurface(const Noise&, const MaterialNoise&, const Placement&,
-                          shader::LichenNoise&) const {}
-
-  /// Sets the map and noise constants that only this method has.
+  /// Sets the constants that only this method has: of a map, of a noise, and of a material, of
+  /// which for Mapping::surface, where it fits, also the cells.
   virtual void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                       shader::LichenMap& constants) const = 0;
-  virtual void setNoise(const Bundle& bundle, const MaterialNoise& material,
-                        const Placement& placement, shader::LichenNoise& constants) const = 0;
+  virtual void setNoise(const Noise& noise, shader::LichenNoise& constants) const = 0;
+  virtual void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
+                           const Placement& placement, shader::LichenMaterial& constants) const = 0;
 };
 
 /// All methods, in the order of Method.

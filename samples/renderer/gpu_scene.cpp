@@ -130,7 +130,7 @@ int alphaModeOf(const Material& material) {
   return ALPHA_BLEND;
 }
 
-shader::MaterialData materialData(const Material& material, const NoiseRoles& noise) {
+shader::MaterialData materialData(const Material& material, const NoiseUse& noise) {
   shader::MaterialData data{};
   const bool masked = material.alphaMode == AlphaMode::mask;
   data.baseColor = material.baseColor;
@@ -140,9 +140,7 @@ shader::MaterialData materialData(const Material& material, const NoiseRoles& no
   const auto slots = slotsOf(material);
   for (int k = 0; k < 4; ++k)
     data.texCoords[k] = slots[std::size_t(k)]->texCoord;
-  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, alphaModeOf(material), noise.map[NOISE_OPACITY],
-                int(noise.texCoord)};
-  data.noiseMaps = {noise.map[0], noise.map[1], noise.map[2], noise.map[3]};
+  data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, alphaModeOf(material), 0, int(noise.texCoord)};
   data.ormComponents = {noise.ormComponents[0], noise.ormComponents[1], noise.ormComponents[2], 0};
   data.mixSource = {material.mixTexture.image ? MIX_FROM_MASK
                     : material.mixColorSet    ? MIX_FROM_VERTICES
@@ -188,7 +186,7 @@ void createMaterials(VulkanDevice& device, ObjectOwner& objects, const Scene& sc
 
 void writeMaterials(const Scene& scene, const NoiseHost& noises, GpuScene& gpu) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    const shader::MaterialData data = materialData(scene.materials[m], noises.roles(m));
+    const shader::MaterialData data = materialData(scene.materials[m], noises.use(m));
     std::memcpy(gpu.materialData.mapped + kMaterialStride * m, &data, sizeof data);
   }
 }

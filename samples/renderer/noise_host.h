@@ -5,24 +5,22 @@
 
 #include "gpu_objects.h"
 #include "noise_changes.h"
+#include "noise_context.h"
 #include "scene.h"
-#include "shaders/scene_interface.h"
 
 #include <lichen/lichen.h>
 #include <lichen/lichen_vulkan.h>
 
 #include <array>
-#include <memory>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace lichen::renderer {
 
-/// What the shaders need to know about a material's noise besides the uniform block.
-struct NoiseRoles {
-  /// index of the map of each role; -1 for none
-  std::array<int, NOISE_ROLES> map{-1, -1, -1, -1, -1};
+/// What the renderer needs to know of a material's noise besides the plugin's blocks.
+struct NoiseUse {
+  bool hasBaseColor = false;
   /// Component of the ORM map's value for occlusion, roughness, metallic; -1 for none.
   std::array<int, 3> ormComponents{-1, -1, -1};
   std::uint32_t texCoord = 0;
@@ -33,16 +31,31 @@ struct NoiseRoles {
   glm::vec3 fromTileOrigin{0.0f};
 };
 
+/// What the noises that are rendered use of the shaders.
+struct NoiseFeatures {
+  bool gaussianOnly = false;  ///< some tiling map has no inverse table
+  bool tilingNoises = false;  ///< some noise is a tiling noise
+  bool textonNoises = false;  ///< some noise is a texton noise
+  bool surfaceNoises = false; ///< some noise uses surface mapping
+  bool triplanarNoises = false;
+  bool otherMappings = false; ///< some noise uses a mapping other than triplanar
+  bool mixes = false;         ///< some texton noise is a mix
+  bool objectSpaces = false;  ///< some noise is placed in object space
+  bool tileRotation = false;  ///< some noise rotates its tiles
+  [[nodiscard]] bool operator==(const NoiseFeatures&) const = default;
+};
+
 class NoiseHost {
 public:
   /// Throws a Failure: badInput if the plugin rejects the bundle; environment if the device lacks a
-  /// format. Does not call the plugin if the scene has no noise materials.
-  NoiseHost(VulkanDevice& device, ObjectOwner& objects, const Scene& scene);
+  /// format. The context must outlive the object.
+  NoiseHost(VulkanDevice& device, ObjectOwner& objects, const NoiseContext& context,
+            const Scene& scene);
 
   /// Replaces the changes applied to the scene's noises. The results of all functions below may
   /// change. No frame may be in flight. Throws a Failure: usage for a noise that the bundle does
   /// not contain.
-  void change(VkDevice device, const NoiseChanges& changes);
+  void change(const NoiseChanges& changes);
 
   /// Sets the point that device positions are relative to, for noises in world space; initially the
   /// world's origin. No frame may be in flight.
@@ -51,31 +64,17 @@ public:
   /// Whether a material renders with a noise. Some materials with the extension do not, for example
   /// for an unknown revision.
   [[nodiscard]] bool hasNoise(std::size_t material) const {
-    return noises_[material] != LICHEN_NO_NOISE;
+    return materials_[material].parameters.noise != LICHEN_NO_NOISE;
   }
-  /// Whether any map of a rendered tiling noise has no inverse table.
-  [[nodiscard]] bool hasGaussianOnly() const { return hasGaussianOnly_; }
-  /// Whether any of the rendered noises is a tiling noise, or a texton noise.
-  [[nodiscard]] bool hasTilingNoises() const { return hasTilingNoises_; }
-  [[nodiscard]] bool hasTextonNoises() const { return hasTextonNoises_; }
-  /// Whether any of the rendered noises uses surface mapping.
-  [[nodiscard]] bool hasSurfaceNoises() const { return hasSurfaceNoises_; }
-  /// Whether any of the rendered noises uses triplanar mapping, and whether any uses another
-  /// mapping.
-  [[nodiscard]] bool hasTriplanarNoises() const { return hasTriplanarNoises_; }
-  [[nodiscard]] bool hasOtherMappings() const { return hasOtherMappings_; }
-  /// Whether any of the rendered noises is placed in object space.
-  [[nodiscard]] bool hasObjectSpaces() const { return hasObjectSpaces_; }
-  /// Whether any of the rendered texton noises is a mix.
-  [[nodiscard]] bool hasMixes() const { return hasMixes_; }
-  /// Whether any of the rendered noises rotates its tiles.
-  [[nodiscard]] bool hasTileRotation() const { return hasTileRotation_; }
-  [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
-  /// The descriptor set of a material. Without a noise, its images are 1 x 1 placeholders.
-  [[nodiscard]] VkDescriptorSet set(std::size_t material) const { return sets_[material]; }
+  [[nodiscard]] const NoiseFeatures& features() const { return features_; }
+  /// The set of the noise of a material that has one, and the dynamic offset of its block.
+  [[nodiscard]] VkDescriptorSet set(std::size_t material) const {
+    return sets_[materials_[material].parameters.noise];
+  }
+  [[nodiscard]] std::uint32_t dynamicOffset(std::size_t material) const;
   /// Names of the bundle's noises as stored in the file; may be empty strings.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
-  [[nodiscard]] const NoiseRoles& roles(std::size_t material) const { return roles_[material]; }
+  [[nodiscard]] const NoiseUse& use(std::size_t material) const { return materials_[material].use; }
   /// Side of the tiles for triplanar and surface mapping, in the units of the noise's space; 0
   /// otherwise.
   [[nodiscard]] double tileSide(std::size_t material) const;
@@ -85,56 +84,36 @@ public:
   [[nodiscard]] std::vector<std::string> notes() const;
 
 private:
-  struct Release {
-    void operator()(LichenBundle bundle) const { lichenDestroyBundle(bundle); }
-    void operator()(LichenVulkanContext context) const { lichenVulkanDestroyContext(context); }
-    void operator()(LichenVulkanAssets assets) const { lichenVulkanDestroyAssets(assets); }
+  struct MaterialState {
+    LichenMaterialProperties properties{};
+    LichenMaterialParameters own{};        ///< of the file
+    LichenMaterialParameters parameters{}; ///< with the changes
+    NoiseUse use;
   };
-  template <class T>
-  using Owned = std::unique_ptr<std::remove_pointer_t<T>, Release>;
 
-  void loadBundle(VulkanDevice& device, const Scene& scene);
-  void createPlaceholders(VulkanDevice& device, ObjectOwner& objects);
+  void loadBundle(VulkanDevice& device, const NoiseContext& context, const Scene& scene);
+  void readNoises();
   void readMaterials(const Scene& scene);
-  void createSets(VulkanDevice& device, ObjectOwner& objects, std::size_t materials);
-  [[nodiscard]] LichenUniformInfo uniformInfo(std::uint32_t material) const;
-  [[nodiscard]] LichenMapping mappingOf(const LichenUniformInfo& info) const;
-  [[nodiscard]] double tileSide(const LichenUniformInfo& info) const;
-  void setTileOrigin(LichenUniformInfo& info);
-  void fillUniforms(std::uint32_t material);
-  void writeNoiseSet(VkDevice device, std::size_t material) const;
-  [[nodiscard]] NoiseRoles rolesOf(std::uint32_t noise, std::uint32_t texCoord);
-  [[nodiscard]] std::array<VkDescriptorImageInfo, 2 * NOISE_ROLES>
-  imageInfos(std::uint32_t noise, const NoiseRoles& roles) const;
+  void createSets(VulkanDevice& device, ObjectOwner& objects);
+  [[nodiscard]] LichenMaterialParameters changed(const LichenMaterialParameters& own) const;
+  void readUse(MaterialState& material);
+  void noteFeatures(const MaterialState& material);
+  [[nodiscard]] LichenPlacement place(std::size_t material);
+  void fillBlock(std::size_t material);
 
   // In order of dependency: destroyed last to first.
-  Owned<LichenBundle> bundle_;
-  Owned<LichenVulkanContext> context_;
-  Owned<LichenVulkanAssets> assets_;
-  DeviceImage placeholder2d_;
-  DeviceImage placeholder3d_;
-  VkSampler placeholderSampler_ = VK_NULL_HANDLE;
-  DeviceBuffer uniforms_;
-  VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
+  LichenOwned<LichenBundle> bundle_;
+  LichenOwned<LichenVulkanAssets> assets_;
+  DeviceBuffer blocks_;               ///< one for each material, kBlockStride bytes apart
+  std::vector<VkDescriptorSet> sets_; ///< by noise
   std::vector<std::string> names_;
-  std::vector<LichenMaterialProperties> materials_; ///< of the bundle
-  /// index of the noise that each material renders with, or LICHEN_NO_NOISE
-  std::vector<std::uint32_t> noises_;
-  std::vector<NoiseRoles> roles_;
-  std::vector<VkDescriptorSet> sets_;
+  std::vector<LichenNoiseProperties> noises_; ///< of the bundle
+  std::vector<MaterialState> materials_;      ///< of the scene
   NoiseChanges changes_;
   glm::dvec3 origin_{0.0};
+  NoiseFeatures features_;
   /// notes of the file, of the last change() and of the last setOrigin()
   std::set<std::string> fileNotes_, changeNotes_, originNotes_;
-  bool hasGaussianOnly_ = false;
-  bool hasTilingNoises_ = false;
-  bool hasTextonNoises_ = false;
-  bool hasSurfaceNoises_ = false;
-  bool hasTriplanarNoises_ = false;
-  bool hasOtherMappings_ = false;
-  bool hasMixes_ = false;
-  bool hasObjectSpaces_ = false;
-  bool hasTileRotation_ = false;
 };
 
 } // namespace lichen::renderer

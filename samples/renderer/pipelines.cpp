@@ -8,6 +8,7 @@
 
 #include <accumulate.comp.h>
 #include <cstddef>
+#include <depth.frag.bare.h>
 #include <depth.frag.h>
 #include <depth.frag.plane.h>
 #include <depth.frag.surface.h>
@@ -15,6 +16,7 @@
 #include <depth.frag.triplanar_tiling.h>
 #include <depth.vert.h>
 #include <optional>
+#include <scene.frag.bare.h>
 #include <scene.frag.h>
 #include <scene.frag.plane.h>
 #include <scene.frag.surface.h>
@@ -158,7 +160,6 @@ Description depthDescription(VkPipelineLayout layout, VkShaderModule vertex) {
 
 /// Specialization constants of surface.glsl, world_frame.glsl and scene.frag.
 struct Constants {
-  VkBool32 hasNoise = VK_FALSE;
   VkBool32 hasNormalMap = VK_FALSE;
   std::int32_t debugView = DEBUG_NONE;
   VkBool32 gaussianOnly = VK_FALSE;
@@ -171,7 +172,6 @@ struct Constants {
 };
 
 constexpr std::array kConstants{
-    VkSpecializationMapEntry{0, offsetof(Constants, hasNoise), sizeof(VkBool32)},
     VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, gaussianOnly), sizeof(VkBool32)},
@@ -192,28 +192,30 @@ struct FragmentCode {
   std::span<const std::uint32_t> depth;
 };
 
-FragmentCode fragmentCodeFor(const SurfaceConstants& shared) {
-  if (!shared.textonNoises && !shared.triplanarNoises)
+FragmentCode fragmentCodeFor(const NoiseFeatures& noises, bool hasNoise) {
+  if (!hasNoise)
+    return {scene_frag_bare, depth_frag_bare};
+  if (!noises.textonNoises && !noises.triplanarNoises)
     return {scene_frag_tiling, depth_frag_tiling};
-  if (!shared.textonNoises)
+  if (!noises.textonNoises)
     return {scene_frag_triplanar_tiling, depth_frag_triplanar_tiling};
-  if (shared.triplanarNoises)
+  if (noises.triplanarNoises)
     return {scene_frag, depth_frag};
-  if (shared.surfaceNoises)
+  if (noises.surfaceNoises)
     return {scene_frag_surface, depth_frag_surface};
   return {scene_frag_plane, depth_frag_plane};
 }
 
-Constants constantsOf(const SurfaceConstants& shared, bool hasNoise) {
-  return {.hasNoise = hasNoise,
-          .debugView = shared.debugView,
-          .gaussianOnly = shared.gaussianOnly,
-          .tilingNoises = shared.tilingNoises,
-          .mixedTextons = shared.mixedTextons,
-          .triplanar = shared.triplanarNoises,
-          .otherMappings = shared.otherMappings,
-          .objectSpaces = shared.objectSpaces,
-          .tileRotation = shared.tileRotation};
+Constants constantsOf(const SurfaceConstants& shared) {
+  const NoiseFeatures& noises = shared.noises;
+  return {.debugView = shared.debugView,
+          .gaussianOnly = noises.gaussianOnly,
+          .tilingNoises = noises.tilingNoises,
+          .mixedTextons = noises.mixes,
+          .triplanar = noises.triplanarNoises,
+          .otherMappings = noises.otherMappings,
+          .objectSpaces = noises.objectSpaces,
+          .tileRotation = noises.tileRotation};
 }
 
 /// The pipeline of that key in `stored`, which `create` makes the first time.
@@ -231,14 +233,14 @@ VkPipeline found(std::vector<Stored>& stored, const SurfaceConstants& constants,
 
 VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t kind) {
   return found(surfaces_, constants, kind, [&] {
-    Constants values = constantsOf(constants, (kind & 4) != 0);
+    Constants values = constantsOf(constants);
     values.hasNormalMap = (kind & 2) != 0;
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d;
     d.layout = shared_.sceneLayout;
     d.attributes = kAttributes;
     d.vertex = objects_.shader(scene_vert);
-    d.fragment = objects_.shader(fragmentCodeFor(constants).surface);
+    d.fragment = objects_.shader(fragmentCodeFor(constants.noises, (kind & 4) != 0).surface);
     d.specialization = &specialization;
     d.blends = (kind & 1) != 0;
     d.writesDepth = !d.blends;
@@ -248,10 +250,10 @@ VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t
 
 VkPipeline PipelineStore::depthWithGaps(const SurfaceConstants& constants, bool hasNoise) {
   return found(depths_, constants, hasNoise ? 1 : 0, [&] {
-    const Constants values = constantsOf(constants, hasNoise);
+    const Constants values = constantsOf(constants);
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d = depthDescription(shared_.depthLayout, objects_.shader(depth_vert));
-    d.fragment = objects_.shader(fragmentCodeFor(constants).depth);
+    d.fragment = objects_.shader(fragmentCodeFor(constants.noises, hasNoise).depth);
     d.specialization = &specialization;
     return graphics(objects_, d);
   });
@@ -259,7 +261,7 @@ VkPipeline PipelineStore::depthWithGaps(const SurfaceConstants& constants, bool 
 
 void PipelineStore::createShared(const PipelineLayouts& layouts) {
   Pipelines made;
-  const std::array sceneSets{layouts.frame, layouts.material, layouts.noise};
+  const std::array sceneSets{layouts.frame, layouts.material, noises_.setLayout()};
   made.sceneLayout =
       objects_.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DrawData));
   made.depthLayout =

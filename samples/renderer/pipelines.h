@@ -3,6 +3,8 @@
 #pragma once
 
 #include "gpu_objects.h"
+#include "noise_context.h"
+#include "noise_host.h"
 
 #include <array>
 #include <vector>
@@ -53,22 +55,13 @@ struct Pipelines {
 struct PipelineLayouts {
   VkDescriptorSetLayout frame = VK_NULL_HANDLE;
   VkDescriptorSetLayout material = VK_NULL_HANDLE;
-  VkDescriptorSetLayout noise = VK_NULL_HANDLE;
   VkDescriptorSetLayout accumulate = VK_NULL_HANDLE;
 };
 
-/// Specialization constants that all surfaces of a scene share.
+/// What the fragment shaders of all surfaces of a scene are specialized for.
 struct SurfaceConstants {
-  int debugView = 0;            ///< one of the shaders' DEBUG_ constants
-  bool gaussianOnly = false;    ///< some map of a tiling noise has no table
-  bool tilingNoises = false;    ///< some noise is a tiling noise
-  bool textonNoises = false;    ///< some noise is a texton noise
-  bool surfaceNoises = false;   ///< some noise uses surface mapping
-  bool triplanarNoises = false; ///< some noise uses triplanar mapping
-  bool otherMappings = false;   ///< some noise uses another mapping
-  bool mixedTextons = false;    ///< some noise is a mix of textons
-  bool objectSpaces = false;    ///< some noise is placed in object space
-  bool tileRotation = false;    ///< some noise rotates its tiles
+  int debugView = 0; ///< one of the shaders' DEBUG_ constants
+  NoiseFeatures noises;
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 
@@ -77,7 +70,11 @@ struct SurfaceConstants {
 /// picture. Not thread-safe.
 class PipelineStore {
 public:
-  explicit PipelineStore(VkDevice device) : objects_(device) {}
+  /// Throws a Failure. The device must outlive the store.
+  explicit PipelineStore(VulkanDevice& device) : noises_(device), objects_(device.device()) {}
+
+  /// The noise plugin's context, which lives as long as the store.
+  [[nodiscard]] const NoiseContext& noiseContext() const { return noises_; }
 
   /// The pipelines that `used` asks for. The set layouts of all calls must be defined identically;
   /// they need not outlive the call. Cull mode and front face are dynamic state. Throws a Failure.
@@ -96,6 +93,7 @@ private:
   [[nodiscard]] VkPipeline surface(const SurfaceConstants& constants, std::size_t kind);
   [[nodiscard]] VkPipeline depthWithGaps(const SurfaceConstants& constants, bool hasNoise);
 
+  NoiseContext noises_;
   ObjectOwner objects_;
   Pipelines shared_; ///< layouts, and the pipelines that all scenes have
   std::vector<Stored> surfaces_;

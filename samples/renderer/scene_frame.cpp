@@ -90,9 +90,14 @@ SurfaceKind SceneRenderer::kindOf(std::size_t material) const {
 
 void SceneRenderer::bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout,
                                  std::size_t material) const {
-  const std::array sets{gpu_.materialSets[material], noises_.set(material)};
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL,
-                          std::uint32_t(sets.size()), sets.data(), 0, nullptr);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL, 1,
+                          &gpu_.materialSets[material], 0, nullptr);
+  if (!noises_.hasNoise(material))
+    return;
+  const VkDescriptorSet noise = noises_.set(material);
+  const std::uint32_t block = noises_.dynamicOffset(material);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_NOISE, 1, &noise,
+                          1, &block);
 }
 
 void SceneRenderer::recordDepthMap(VkCommandBuffer commands, VkImageView view, std::uint32_t side,

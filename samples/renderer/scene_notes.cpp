@@ -46,7 +46,7 @@ void SceneRenderer::noteCoarseVertices(std::vector<std::string>& notes) const {
     const double side = noises_.tileSide(m);
     if (side == 0.0 || notedMaterials.contains(m))
       continue;
-    const bool inObjectSpace = noises_.roles(m).inObjectSpace;
+    const bool inObjectSpace = noises_.use(m).inObjectSpace;
     const auto [entry, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
     if (isNew)
       entry->second = reachOf(scene_.primitives[instance.primitive], inObjectSpace);
@@ -74,7 +74,7 @@ void SceneRenderer::noteInvisibleNoise(std::vector<std::string>& notes) const {
   for (const Instance& instance : scene_.instances) {
     const std::size_t m = scene_.primitives[instance.primitive].material;
     const double side =
-        noises_.tileSide(m) * (noises_.roles(m).inObjectSpace ? scaleOf(instance) : 1.0);
+        noises_.tileSide(m) * (noises_.use(m).inObjectSpace ? scaleOf(instance) : 1.0);
     if (side == 0.0)
       continue;
     const double height =
@@ -104,7 +104,7 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
     const std::size_t m = primitive.material;
     if (!noises_.hasNoise(m) || noises_.tileSide(m) != 0.0 || notedMaterials.contains(m))
       continue;
-    const std::uint32_t set = noises_.roles(m).texCoord;
+    const std::uint32_t set = noises_.use(m).texCoord;
     const auto coordinates = set == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1;
     const glm::vec2 first = primitive.vertices.front().*coordinates;
     if (std::any_of(primitive.vertices.begin(), primitive.vertices.end(),
@@ -123,9 +123,9 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
 void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   bool hasBaseColor = false;
   for (std::size_t m = 0; m < scene_.materials.size(); ++m)
-    hasBaseColor =
-        hasBaseColor || (noises_.hasNoise(m) && noises_.roles(m).map[NOISE_BASE_COLOR] >= 0);
-  const bool hasTiling = noises_.hasTilingNoises(), hasTextons = noises_.hasTextonNoises();
+    hasBaseColor = hasBaseColor || (noises_.hasNoise(m) && noises_.use(m).hasBaseColor);
+  const bool hasTiling = noises_.features().tilingNoises,
+             hasTextons = noises_.features().textonNoises;
   const auto note = [&](const char* view, bool isThere, const char* needed) {
     if (!isThere)
       notes.push_back(fmt::format("debug view {}: no material of the scene has {}, so all surfaces "
@@ -140,7 +140,7 @@ void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   case DEBUG_IMPACTS:
     return note("impacts", hasTextons, "a noise of the method texton");
   case DEBUG_PLANES:
-    return note("planes", noises_.hasTriplanarNoises(), "a noise with triplanar mapping");
+    return note("planes", noises_.features().triplanarNoises, "a noise with triplanar mapping");
   case DEBUG_MIP_LEVEL:
     return note("mip-level", hasTextons || (hasTiling && hasBaseColor),
                 "a noise of the method texton, or of the method tiling with a base colour");

@@ -26,8 +26,9 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
                              const RenderSettings& settings)
     : device_(device), scene_(scene), exposureEv_(settings.exposureEv), toneMap_(settings.toneMap),
       debugView_(take(debugViewValue(settings.debugView))), objects_(device.device()),
-      noises_(device, objects_, scene), gpu_(uploadScene(device, objects_, scene, noises_)),
-      store_(settings.pipelines ? *settings.pipelines : ownStore_.emplace(device.device())) {
+      store_(settings.pipelines ? *settings.pipelines : ownStore_.emplace(device)),
+      noises_(device, objects_, store_.noiseContext(), scene),
+      gpu_(uploadScene(device, objects_, scene, noises_)) {
   inputs_.subject = take(subjectOf(scene));
   const float aspect = float(settings.width) / float(settings.height);
   inputs_.lighting = arrangeLights(scene, inputs_.subject, settings.environment.has_value());
@@ -126,23 +127,9 @@ PipelinesUsed SceneRenderer::pipelinesUsed() const {
   return used;
 }
 
-SurfaceConstants SceneRenderer::surfaceConstants() const {
-  return {debugView_,
-          noises_.hasGaussianOnly(),
-          noises_.hasTilingNoises(),
-          noises_.hasTextonNoises(),
-          noises_.hasSurfaceNoises(),
-          noises_.hasTriplanarNoises(),
-          noises_.hasOtherMappings(),
-          noises_.hasMixes(),
-          noises_.hasObjectSpaces(),
-          noises_.hasTileRotation()};
-}
-
 void SceneRenderer::choosePipelines() {
-  pipelines_ = store_.pipelinesFor(
-      {frameLayout_, gpu_.materialLayout, noises_.setLayout(), accumulateLayout_},
-      surfaceConstants(), pipelinesUsed());
+  pipelines_ = store_.pipelinesFor({frameLayout_, gpu_.materialLayout, accumulateLayout_},
+                                   {debugView_, noises_.features()}, pipelinesUsed());
 }
 
 void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {
@@ -186,10 +173,10 @@ void SceneRenderer::setDebugView(const std::string& name) {
 }
 
 void SceneRenderer::setNoise(const NoiseChanges& changes) {
-  const SurfaceConstants before = surfaceConstants();
-  noises_.change(device_.device(), changes);
+  const NoiseFeatures before = noises_.features();
+  noises_.change(changes);
   writeMaterials(scene_, noises_, gpu_);
-  if (surfaceConstants() != before)
+  if (noises_.features() != before)
     choosePipelines();
 }
 

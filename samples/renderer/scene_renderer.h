@@ -64,7 +64,6 @@ private:
   [[nodiscard]] VkDescriptorSet createSet(std::span<const Descriptor> descriptors,
                                           VkShaderStageFlags stages, VkDescriptorSetLayout& layout);
   [[nodiscard]] std::array<Descriptor, 2> accumulateDescriptors() const;
-  [[nodiscard]] SurfaceConstants surfaceConstants() const;
   [[nodiscard]] PipelinesUsed pipelinesUsed() const;
   void choosePipelines();
 
@@ -90,6 +89,8 @@ private:
   bool toneMap_;
   int debugView_;
   ObjectOwner objects_;
+  std::optional<PipelineStore> ownStore_; ///< unless the settings have one
+  PipelineStore& store_;
   NoiseHost noises_;
   GpuScene gpu_;
   FrameInputs inputs_;
@@ -106,8 +107,6 @@ private:
   VkDescriptorSet frameSet_ = VK_NULL_HANDLE;
   VkDescriptorSet accumulateSet_ = VK_NULL_HANDLE;
   std::vector<std::string> environmentNotes_;
-  std::optional<PipelineStore> ownStore_; ///< unless the settings have one
-  PipelineStore& store_;
   Pipelines pipelines_;
 };
 

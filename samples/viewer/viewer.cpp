@@ -50,7 +50,7 @@ public:
   Viewer(const ViewCommand& command, Scene scene, std::optional<FileStamp> stamp,
          RenderSettings settings, VulkanDevice& device, Window& window)
       : command_(command), settings_(std::move(settings)), device_(device),
-        pipelines_(device.device()), window_(window), watch_(stamp),
+        pipelines_(device), window_(window), watch_(stamp),
         swapchain_(device, window.createSurface(device.instance())), display_(device),
         current_(prepare(std::move(scene))),
         camera_(current_->renderer->camera(), current_->renderer->subject()),

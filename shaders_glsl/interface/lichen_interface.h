@@ -8,7 +8,7 @@
 // compiled with another (LichenParseInfo::interfaceVersion).
 #define LICHEN_INTERFACE_VERSION 1
 
-// Maps of one noise: baseColor, normal, occlusionRoughnessMetallic, emissive, height, opacity.
+// Maps of one noise, one for each role.
 #define LICHEN_MAX_MAPS 6
 #define LICHEN_MAX_MIPS 16
 
@@ -36,11 +36,23 @@
 #define LICHEN_MIX_KEPT 2      // and up: amplitudes that mip 0, 1, ... keeps of each channel
 #define LICHEN_MIX_ROWS 18     // LICHEN_MIX_KEPT + LICHEN_MAX_MIPS
 
-// Binding numbers, relative to the host's first binding: the uniform block, then for each map of
-// the noise, in order, its image (Gaussian image or texton) and its inverse table.
+// Maps by role. A noise that lacks one has a placeholder there (lichenHas).
+#define LICHEN_BASE_COLOR 0
+#define LICHEN_NORMAL 1
+#define LICHEN_OCCLUSION_ROUGHNESS_METALLIC 2
+#define LICHEN_EMISSIVE 3
+#define LICHEN_HEIGHT 4
+#define LICHEN_OPACITY 5
+
+// Binding numbers, relative to the host's first binding: two uniform blocks, the samplers of all
+// images and of all tables, and for each role its image (Gaussian image or texton) and its table.
 #define LICHEN_BINDING_NOISE 0
-#define LICHEN_BINDING_IMAGE(map) (1 + 2 * (map))
-#define LICHEN_BINDING_TABLE(map) (2 + 2 * (map))
+#define LICHEN_BINDING_MATERIAL 1
+#define LICHEN_BINDING_IMAGE_SAMPLER 2
+#define LICHEN_BINDING_TABLE_SAMPLER 3
+#define LICHEN_BINDING_IMAGE(role) (4 + (role))
+#define LICHEN_BINDING_TABLE(role) (10 + (role))
+#define LICHEN_BINDING_COUNT 16
 
 #ifdef __cplusplus
 #include <cstdint>
@@ -54,8 +66,28 @@ struct uvec4 {
 };
 #endif
 
-/// A plane of triplanar noise, which has a lattice of its own: as LichenNoise has it for the plane
-/// of texture coordinates, at the host's tile origin in space.
+/// How one material uses one noise. May change every frame. 128 bytes.
+struct LichenMaterial {
+  // Tile coordinate = offset + (uvToTileXX uvToTileXY; uvToTileYX uvToTileYY) uv. [tiles]
+  float uvToTileXX, uvToTileXY, uvToTileYX, uvToTileYY;
+  float offsetX, offsetY;
+  float contrast;       // [0, 4] scale of the Gaussian value about its mean
+  float planeSharpness; // [1, 64] exponent of the planes' weights; 0 but for triplanar noise
+  // Cells per tile, of the lattice of tiling or the impacts of textons. Cells of surface noise are
+  // cubes, columnsPerTile of them to the width of a tile.
+  float columnsPerTile, rowsPerTile;
+  int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
+  float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
+  int periodColumns, periodRows;    // 0, 0 when the cells do not repeat; rows of tiling even
+  uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
+  uint seed;                        // as the material gives it
+  float maxAnisotropy; // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
+  uint noise;          // index of the noise in its bundle
+  uvec4 own0, own1, own2; // of the method: LichenTilingMaterial or LichenTextonMaterial
+};
+
+/// A plane of triplanar noise, which has a lattice of its own, at the host's tile origin in space.
+/// That of the plane that looks along x is the material's.
 struct LichenPlane {
   int cellI, cellJ;
   float offsetX, offsetY; // [tiles]
@@ -63,32 +95,48 @@ struct LichenPlane {
   uint reserved0, reserved1, reserved2; // 0: to a multiple of 16 bytes
 };
 
-/// How one material uses one noise. May change every frame.
-struct LichenNoise {
-  // Tile coordinate = offset + (uvToTileXX uvToTileXY; uvToTileYX uvToTileYY) uv. [tiles]
-  float uvToTileXX, uvToTileXY, uvToTileYX, uvToTileYY;
-  float offsetX, offsetY;
+/// A material with its planes. 192 bytes.
+struct LichenTriplanarMaterial {
+  LichenMaterial material;
+  LichenPlane planeY, planeZ; // looking along y, z
+};
+
+/// What only tiling has of a material: own0 to own2.
+struct LichenTilingMaterial {
   float blendSharpness; // [0.25, 16] exponent of the blend weights
-  float contrast;       // [0, 4] scale of the Gaussian value about its mean
-  // The lattice of tiling, or the grid of impacts of texton noise: cells per tile. Cells of surface
-  // noise are cubes, columnsPerTile of them to the width of a tile.
-  float columnsPerTile, rowsPerTile;
-  int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
-  int periodColumns, periodRows;    // 0, 0 when the lattice is infinite; rows of tiling even
-  float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
-  float offsetStepX, offsetStepY;   // [tiles] between neighbouring offsets of a tile
-  uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
-  uint seed;                        // as the material gives it
-  float maxAnisotropy; // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
-  float tileSizeMetres;
-  uint method;          // LICHEN_METHOD_*
-  int cellK;            // of surface noise: the third of cellI and cellJ
-  float planeSharpness; // [1, 64] exponent of the planes' weights; 0 but for triplanar noise
-  float tileAspect;     // width over height of a tile in space
-  float tileTexelsX, tileTexelsY; // of the widest and the highest map
-  uint tileRotation; // [0, 65536] of tiling: steps of a turn that tiles lie in; 0 and 1: none
-  uint reserved0, reserved1, reserved2; // 0: to a multiple of 16 bytes
-  LichenPlane planeX, planeY, planeZ; // of triplanar noise: looking along x, y, z
+  uint tileRotation;    // [0, 65536] steps of a turn that tiles lie in; 0 and 1: none
+};
+
+/// What only textons have of a material: own0 to own2.
+struct LichenTextonMaterial {
+  float amplitude;    // [texels] of one impact; of surface noise, of one in the tangent plane
+  uint pointProcess;  // LICHEN_POINTS_*
+  float surfaceCubeTexels; // side of the cubes of surface noise, 0 of noise in a plane
+  int cellK;               // of surface noise: the third of cellI and cellJ
+  // Of a mix, weight = mixWeight + mixPerU u + mixPerV v: of a constant or a direction, 0 where a
+  // mask or vertex colours say it.
+  float mixWeight, mixPerU, mixPerV;
+};
+
+/// What the textons of all maps of a noise share; zeros for tiling.
+struct LichenTexton {
+  int coefficientsX, coefficientsY; // in the top left corner of a frame
+  int frameX, frameY;               // [texels] the rest of which is zero
+  uint order;                       // of the B-spline between coefficients: 0, 1 or 3
+  uint mipCount;                    // of the textons' images
+  uint steps;                       // frames of an image, one above the other
+  uint reserved0;                   // 0: to a multiple of 16 bytes
+};
+
+/// What all maps of a noise share. Fixed by the bundle.
+struct LichenNoise {
+  float tileTexelsX, tileTexelsY; // of the exemplar: of tiling, of its widest and its highest map
+  float tileAspect;               // width over height of a tile in space
+  float tileSizeMetres;           // width of a tile
+  uint method;                    // LICHEN_METHOD_*
+  uint roles;                     // bit r: the map of role r is there
+  float offsetStepX, offsetStepY; // of tiling: between neighbouring offsets of a tile [tiles]
+  LichenTexton texton;
 };
 
 /// The constants of one map of a noise. Fixed by the bundle.
@@ -110,29 +158,10 @@ struct LichenMap {
   vec4 sumFactor; // of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix; w unused
 };
 
-/// What the textons of all maps of a noise share; zeros for tiling.
-struct LichenTexton {
-  float texelsPerTileX, texelsPerTileY; // size of the exemplar
-  int coefficientsX, coefficientsY;     // in the top left corner of a frame
-  int frameX, frameY;                   // [texels] the rest of which is zero
-  uint order;                           // of the B-spline between coefficients: 0, 1 or 3
-  uint mipCount;                        // of the textons' images
-  uint steps;                           // frames of an image, one above the other
-  uint pointProcess;                    // LICHEN_POINTS_*
-  float amplitude;         // [texels] of one impact; of surface noise, of one in the tangent plane
-  float surfaceCubeTexels; // side of the cubes of surface noise, 0 of noise in a plane
-  // Of a mix, weight = mixWeight + mixPerU u + mixPerV v: of a constant or a direction, 0 where a
-  // mask or vertex colours say it.
-  float mixWeight, mixPerU, mixPerV;
-  float reserved0; // 0: to a multiple of 16 bytes
-};
-
-/// The uniform block.
-struct LichenUniforms {
+/// The block of a noise. 1,024 bytes, fixed by the bundle.
+struct LichenNoiseConstants {
   LichenNoise noise;
-  LichenMap maps[LICHEN_MAX_MAPS];
-  LichenTexton texton;
-  vec4 reserved[2]; // 0: to 1280 bytes
+  LichenMap maps[LICHEN_MAX_MAPS]; // by role
 };
 
 #ifdef __cplusplus

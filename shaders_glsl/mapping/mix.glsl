@@ -19,21 +19,21 @@ void lichenSetMix(inout LichenImpacts impacts, float weight, vec2 gradient) {
 /// From a channel (a unit vector) of a mask at `uv`, whose screen-space gradients are the columns
 /// of `uvGradients`; those of `tileGradients` are the tile coordinate's.
 void lichenMixByMask(inout LichenImpacts impacts, sampler2D mask, vec4 channel, vec2 uv,
-                     mat2 uvGradients, mat2 tileGradients, LichenTexton texton) {
+                     mat2 uvGradients, mat2 tileGradients, LichenNoise noise) {
   // Differences as wide as the impacts lie: those of neighbouring texels would jump at the mask's
   // texels, and what lies between two of them is often as wide as a texton.
-  vec2 reach = 0.5 * vec2(ivec2(texton.coefficientsX, texton.coefficientsY)) /
-               vec2(texton.texelsPerTileX, texton.texelsPerTileY);
+  vec2 reach = 0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) /
+               vec2(noise.tileTexelsX, noise.tileTexelsY);
   float area = determinant(tileGradients);
   mat2 uvPerTile = area != 0.0 ? uvGradients * inverse(tileGradients) : mat2(0.0);
   vec2 alongX = reach.x * uvPerTile[0];
   vec2 alongY = reach.y * uvPerTile[1];
   vec2 dx = uvGradients[0];
   vec2 dy = uvGradients[1];
-  vec2 rise = vec2(dot(channel, textureGrad(mask, uv + alongX, dx, dy) -
-                                    textureGrad(mask, uv - alongX, dx, dy)),
-                   dot(channel, textureGrad(mask, uv + alongY, dx, dy) -
-                                    textureGrad(mask, uv - alongY, dx, dy)));
+  vec2 rise = vec2(
+      dot(channel, textureGrad(mask, uv + alongX, dx, dy) - textureGrad(mask, uv - alongX, dx, dy)),
+      dot(channel,
+          textureGrad(mask, uv + alongY, dx, dy) - textureGrad(mask, uv - alongY, dx, dy)));
   lichenSetMix(impacts, dot(channel, textureGrad(mask, uv, dx, dy)), rise / (2.0 * reach));
 }
 

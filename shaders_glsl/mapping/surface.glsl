@@ -7,7 +7,7 @@
 #ifndef LICHEN_SURFACE_GLSL
 #define LICHEN_SURFACE_GLSL
 
-#include "../noise/method.glsl"
+#include "../noise/place.glsl"
 
 /// The columns point to the right, down and outward in the exemplar as it lies on the surface:
 /// orthonormal, whatever interpolation has made of the vertices' directions. `tangent` is glTF's,
@@ -18,8 +18,8 @@ mat3 lichenSurfaceFrame(vec3 normal, vec4 tangent) {
   // Between directions that cancel, as around a singularity, any will do.
   const float kLeastLength2 = 1e-12;
   if (dot(right, right) < kLeastLength2)
-    right = abs(outward.z) < 0.5 ? vec3(-outward.y, outward.x, 0.0)
-                                 : vec3(0.0, -outward.z, outward.y);
+    right =
+        abs(outward.z) < 0.5 ? vec3(-outward.y, outward.x, 0.0) : vec3(0.0, -outward.z, outward.y);
   right = normalize(right);
   float handedness = tangent.w < 0.0 ? -1.0 : 1.0;
   return mat3(right, -handedness * cross(outward, right), outward);
@@ -28,10 +28,10 @@ mat3 lichenSurfaceFrame(vec3 normal, vec4 tangent) {
 /// The place at `position` [metres, relative to the host's integer tile origin], with the
 /// position's derivatives along the screen: usable in compute and in non-uniform control flow.
 LichenPlace lichenPlaceSurfaceGrad(vec3 position, vec3 positionGradientX, vec3 positionGradientY,
-                                   vec3 normal, vec4 tangent, LichenNoise noise,
-                                   LichenTexton texton) {
+                                   vec3 normal, vec4 tangent, LichenMaterial material,
+                                   LichenNoise noise) {
   // As on texture coordinates, the exemplar is turned against the surface, and scaled.
-  vec2 turn = vec2(noise.uvToTileXX, noise.uvToTileXY); // (cos, sin) / scale
+  vec2 turn = vec2(material.uvToTileXX, material.uvToTileXY); // (cos, sin) / scale
   float perScale = length(turn);
   turn /= perScale;
   mat3 frame = lichenSurfaceFrame(normal, tangent);
@@ -39,17 +39,19 @@ LichenPlace lichenPlaceSurfaceGrad(vec3 position, vec3 positionGradientX, vec3 p
   vec3 down = turn.x * frame[1] - turn.y * frame[0];
   float tilesPerMetre = perScale / noise.tileSizeMetres;
   // Texels are square: a tile is as many high as wide, in tiles of its own height.
-  vec2 tiles = tilesPerMetre * vec2(1.0, texton.texelsPerTileX / texton.texelsPerTileY);
+  vec2 tiles = tilesPerMetre * vec2(1.0, noise.tileAspect);
   mat3x2 toTiles = mat3x2(tiles * vec2(right.x, down.x), tiles * vec2(right.y, down.y),
                           tiles * vec2(right.z, down.z));
   LichenPlace place;
-  place.impacts = lichenImpactsAt(vec2(0.0), toTiles * positionGradientX,
-                                  toTiles * positionGradientY, noise, texton);
+  place.material = material;
+  place.noise = noise;
+  place.point.impacts = lichenImpactsAt(vec2(0.0), toTiles * positionGradientX,
+                                        toTiles * positionGradientY, material, noise);
   // Right for a constant. For a direction, which texture coordinates have:
-  // lichenSetMix(place.impacts, lichenMixWeight(uv, texton), vec2(0.0)).
-  place.impacts.mixWeight = texton.mixWeight;
+  // lichenSetMix(place.point.impacts, lichenMixWeight(uv, material), vec2(0.0)).
+  place.point.impacts.mixWeight = lichenTextonMaterial(material).mixWeight;
   place.surface = lichenSurfaceImpactsAt(tilesPerMetre * position, right, down, frame[2],
-                                         place.impacts, noise, texton);
+                                         place.point.impacts, material, noise);
   return place;
 }
 

@@ -6,7 +6,7 @@
 #ifndef LICHEN_TRIPLANAR_MAPPING_GLSL
 #define LICHEN_TRIPLANAR_MAPPING_GLSL
 
-#include "../noise/method.glsl"
+#include "../noise/place.glsl"
 
 // What is taken from each plane's weight, the greatest being 1: a plane of less is not looked at,
 // and one that begins to count does so from 0. Below it a plane moves a value of an 8-bit picture,
@@ -14,44 +14,38 @@
 #define LICHEN_LEAST_PLANE_WEIGHT (1.0 / 64.0)
 
 /// Weights of the planes that look along x, y and z; their squares sum to 1.
-vec3 lichenPlaneWeights(vec3 normal, LichenNoise noise) {
+vec3 lichenPlaneWeights(vec3 normal, LichenMaterial material) {
   vec3 slant = abs(normal);
   slant /= max(slant.x, max(slant.y, slant.z));
-  vec3 weights = max(pow(slant, vec3(noise.planeSharpness)) - LICHEN_LEAST_PLANE_WEIGHT, 0.0);
+  vec3 weights = max(pow(slant, vec3(material.planeSharpness)) - LICHEN_LEAST_PLANE_WEIGHT, 0.0);
   return weights * inversesqrt(dot(weights, weights));
 }
 
 /// The place in one plane, whose `weight` is above 0, at `position` [metres].
 LichenPlanePlace lichenPlanePlaceAt(int axis, float weight, vec3 position, vec3 gradientX,
-                                    vec3 gradientY, LichenNoise noise, LichenTexton texton) {
-  LichenNoise own = lichenNoiseOfPlane(axis, noise);
+                                    vec3 gradientY, LichenTriplanarMaterial planes,
+                                    LichenNoise noise) {
+  LichenMaterial own = lichenMaterialOfPlane(axis, planes);
   // Texels are square in space.
   vec2 tilesPerUnit = vec2(1.0, noise.tileAspect) / noise.tileSizeMetres;
   vec2 tile = vec2(own.offsetX, own.offsetY) +
               tilesPerUnit * lichenUvToTile(lichenOntoPlane(position, axis), own);
   vec2 tileX = tilesPerUnit * lichenUvToTile(lichenOntoPlane(gradientX, axis), own);
   vec2 tileY = tilesPerUnit * lichenUvToTile(lichenOntoPlane(gradientY, axis), own);
-  LichenPlanePlace place;
-  place.axis = axis;
-  place.weight = weight;
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise))
-    place.impacts = lichenImpactsAt(tile, tileX, tileY, own, texton);
-  else
-#endif
-    place.taps = lichenTilingTaps(tile, tileX, tileY, own);
-  return place;
+  return LichenPlanePlace(axis, weight, lichenPointAt(tile, tileX, tileY, own, noise));
 }
 
 /// The place at `position` [metres, relative to the host's integer tile origin], with the
 /// position's derivatives along the screen: usable in compute and in non-uniform control flow. The
 /// `normal` is not 0, of any length and either side.
 LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3 positionGradientY,
-                                     vec3 normal, LichenNoise noise, LichenTexton texton) {
-  vec3 weights = lichenPlaneWeights(normal, noise);
+                                     vec3 normal, LichenTriplanarMaterial planes,
+                                     LichenNoise noise) {
+  LichenMaterial material = planes.material;
+  vec3 weights = lichenPlaneWeights(normal, material);
   // The greatest first, and those that do not count last.
-  int first = weights.x >= weights.y ? (weights.x >= weights.z ? 0 : 2)
-                                     : (weights.y >= weights.z ? 1 : 2);
+  int first =
+      weights.x >= weights.y ? (weights.x >= weights.z ? 0 : 2) : (weights.y >= weights.z ? 1 : 2);
   int second = first == 2 ? 0 : first + 1;
   int third = 3 - first - second;
   if (lichenAlongAxis(weights, second) < lichenAlongAxis(weights, third)) {
@@ -60,6 +54,8 @@ LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3
     third = swapped;
   }
   LichenPlace place;
+  place.material = material;
+  place.noise = noise;
   place.triplanar.normal = normalize(normal);
   place.triplanar.count = int(weights.x > 0.0) + int(weights.y > 0.0) + int(weights.z > 0.0);
   int rank = 0; // tested at both ends, as in lichenTriplanarBlend
@@ -67,7 +63,7 @@ LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3
     int axis = rank == 0 ? first : (rank == 1 ? second : third);
     LichenPlanePlace plane =
         lichenPlanePlaceAt(axis, lichenAlongAxis(weights, axis), position, positionGradientX,
-                           positionGradientY, noise, texton);
+                           positionGradientY, planes, noise);
     if (rank == 0)
       place.triplanar.plane0 = plane;
     else if (rank == 1)
@@ -79,8 +75,8 @@ LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3
       break;
   }
   // Right for a constant. For a direction, which texture coordinates have:
-  // lichenSetMix(place.impacts, lichenMixWeight(uv, texton), vec2(0.0)).
-  place.impacts.mixWeight = texton.mixWeight;
+  // lichenSetMix(place.point.impacts, lichenMixWeight(uv, material), vec2(0.0)).
+  place.point.impacts.mixWeight = lichenTextonMaterial(material).mixWeight;
   return place;
 }
 

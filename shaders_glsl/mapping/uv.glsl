@@ -5,42 +5,31 @@
 #ifndef LICHEN_UV_GLSL
 #define LICHEN_UV_GLSL
 
-#include "../noise/method.glsl"
+#include "../noise/place.glsl"
 #include "../noise/texton_gradient.glsl"
 #include "../noise/tile_frame.glsl"
 
-/// The weight of a mix at `uv` where it is a constant or a direction; 0 of other sources, which
-/// lichenSetMix and lichenMixByMask are for.
-void lichenMixByUv(inout LichenImpacts impacts, vec2 uv, LichenNoise noise, LichenTexton texton) {
-  impacts.mixWeight = lichenMixWeight(uv, texton);
-  // By tile coordinates: the transposed inverse of a rotation with a scale is itself over the
-  // scale's square.
-  vec2 row = vec2(noise.uvToTileXX, noise.uvToTileXY);
-  impacts.mixGradient =
-      lichenUvToTile(vec2(texton.mixPerU, texton.mixPerV), noise) / dot(row, row);
-}
-
 /// The place at `uv` with explicit gradients: usable in compute and in non-uniform control flow.
-LichenPlace lichenPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, LichenNoise noise,
-                              LichenTexton texton) {
-  vec2 position = vec2(noise.offsetX, noise.offsetY) + lichenUvToTile(uv, noise);
-  LichenPlace place = lichenPlaceAt(position, lichenUvToTile(uvGradientX, noise),
-                                    lichenUvToTile(uvGradientY, noise), noise, texton);
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsMix(texton))
-    lichenMixByUv(place.impacts, uv, noise, texton);
-#endif
+LichenPlace lichenPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, LichenMaterial material,
+                              LichenNoise noise) {
+  vec2 position = vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material);
+  LichenPlace place;
+  place.material = material;
+  place.noise = noise;
+  place.point = lichenPointAt(position, lichenUvToTile(uvGradientX, material),
+                              lichenUvToTile(uvGradientY, material), material, noise);
+  lichenTakeUv(place.point, uv, material, noise);
   return place;
 }
 
 /// The impacts for lichenTextonGradient at `uv`, likewise.
 LichenImpacts lichenGradientPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY,
-                                        LichenNoise noise, LichenTexton texton) {
-  vec2 position = vec2(noise.offsetX, noise.offsetY) + lichenUvToTile(uv, noise);
+                                        LichenMaterial material, LichenNoise noise) {
+  vec2 position = vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material);
   LichenImpacts impacts =
-      lichenGradientImpactsAt(position, lichenUvToTile(uvGradientX, noise),
-                              lichenUvToTile(uvGradientY, noise), noise, texton);
-  lichenMixByUv(impacts, uv, noise, texton);
+      lichenGradientImpactsAt(position, lichenUvToTile(uvGradientX, material),
+                              lichenUvToTile(uvGradientY, material), material, noise);
+  lichenMixByUv(impacts, uv, material);
   return impacts;
 }
 

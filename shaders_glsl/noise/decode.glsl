@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What a Gaussian value stands for: (Gaussian value, share of its variance that filtering lost) ->
 // the mean, over what is lost, of the decoded quantity. Shared by all methods. For slopes, z is
-// the variance of a slope that the footprint hides. [HN18] section 4.3; docs/gltf_extension/README.md, "Decoding".
+// the variance of a slope that the footprint hides. [HN18] section 4.3;
+// docs/gltf_extension/README.md, "Decoding".
 #ifndef LICHEN_DECODE_GLSL
 #define LICHEN_DECODE_GLSL
 
+#include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "gaussian_cdf.glsl"
 
@@ -18,12 +20,12 @@
 #endif
 
 /// By an inverse table, each of whose mip levels averages over what it lacks.
-vec4 lichenDecodeTable(sampler3D table, vec3 gaussian, float lost, LichenMap map) {
+vec4 lichenDecodeTable(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, LichenMap map) {
   // Levels are equidistant in the amplitude that is left: 1, 0.8, ... 0.2. Where all is lost,
   // blended losses are rounded to a little more than 1.
   const float kLevels = 5.0;
   float level = kLevels - kLevels * sqrt(max(1.0 - lost, 0.0));
-  vec4 value = textureLod(table, lichenGaussianCdf(gaussian), level);
+  vec4 value = LICHEN_SAMPLE_3D(table, lichenGaussianCdf(gaussian), level);
   // Roots of light are squared, other values are as stored.
   bool isRoot = map.encoding == uint(LICHEN_ENCODING_ROOT);
   return isRoot ? value * value : value;
@@ -62,7 +64,7 @@ float lichenFootprintShare(float lost, LichenMap map) {
 
 /// By whichever the map has. `contrast` is the factor on the Gaussian value about its mean, which
 /// scales what is lost with what is there. A table averages over no more than all of it.
-vec4 lichenDecode(sampler3D table, vec3 gaussian, float lost, float contrast, LichenMap map) {
+vec4 lichenDecode(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, float contrast, LichenMap map) {
   // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
   bool hasTables = bool(LICHEN_TABLES);
   bool hasGaussian = bool(LICHEN_GAUSSIAN_ONLY);

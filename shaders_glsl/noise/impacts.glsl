@@ -11,6 +11,7 @@
 #include "../interface/lichen_interface.h"
 #include "footprint_level.glsl"
 #include "hash.glsl"
+#include "material_parts.glsl"
 #include "periodic_lattice.glsl"
 
 // 1 when the images' sampler is anisotropic: the textons are then fetched with gradients.
@@ -34,12 +35,13 @@ struct LichenImpacts {
 #if LICHEN_ANISOTROPIC
   vec2 majorAxis, minorAxis; // [texels] of the footprint, as far as textons are fetched with it
 #endif
-  vec2 middle, radius;  // [texels] of what a texton reaches, fetched at this level
-  ivec2 firstCell;      // of those whose impacts may reach the point, in the period
-  vec2 start, end;      // places of the point seen from corners of cells: first, beyond the last
-  vec2 cellTexels;      // sides of a cell
-  float mixWeight;      // [0, 1] of a mix: the place between its exemplars
-  vec2 mixGradient;     // [1 / tile] its derivative
+  vec2 middle, radius; // [texels] of what a texton reaches, fetched at this level
+  ivec2 firstCell;     // of those whose impacts may reach the point, in the period
+  vec2 start, end;     // places of the point seen from corners of cells: first, beyond the last
+  vec2 cellTexels;     // sides of a cell
+  uint seedWord;       // of the hash
+  float mixWeight;     // [0, 1] of a mix: the place between its exemplars
+  vec2 mixGradient;    // [1 / tile] its derivative
 };
 
 /// A walk over the impacts of those cells. All of it but the last three members is about the next
@@ -99,32 +101,32 @@ float lichenAnisotropicLevel(float major, float minor, float maxAnisotropy) {
 
 /// The levels and axes of the footprint with these derivatives [texels / pixel].
 void lichenSetFootprint(inout LichenImpacts impacts, vec2 texelsX, vec2 texelsY,
-                        LichenNoise noise, LichenTexton texton) {
-  float lastLevel = float(int(texton.mipCount) - 1);
+                        LichenMaterial material, LichenNoise noise) {
+  float lastLevel = float(int(noise.texton.mipCount) - 1);
 #if LICHEN_ANISOTROPIC
   // The axes of the ellipse: eigenvectors of texelsX texelsX^T + texelsY texelsY^T.
   const float kLeast = 1.0e-10; // texels; keeps axes and levels defined at a point
   float mean = 0.5 * (dot(texelsX, texelsX) + dot(texelsY, texelsY));
   float covariance = texelsX.x * texelsX.y + texelsY.x * texelsY.y;
-  float difference = 0.5 * (texelsX.x * texelsX.x + texelsY.x * texelsY.x -
-                            texelsX.y * texelsX.y - texelsY.y * texelsY.y);
+  float difference = 0.5 * (texelsX.x * texelsX.x + texelsY.x * texelsY.x - texelsX.y * texelsX.y -
+                            texelsY.y * texelsY.y);
   float root = length(vec2(difference, covariance));
   float major = sqrt(max(mean + root, kLeast * kLeast));
   float minor = sqrt(max(mean - root, kLeast * kLeast));
-  vec2 direction = difference >= 0.0 ? vec2(root + difference, covariance)
-                                     : vec2(covariance, root - difference);
+  vec2 direction =
+      difference >= 0.0 ? vec2(root + difference, covariance) : vec2(covariance, root - difference);
   direction = root > 0.0 ? normalize(direction) : vec2(1.0, 0.0);
   // What interpolation averages is as wide along the major axis as along the minor one.
   float blur = minor > 1.0 ? minor - exp2(lichenSharpLevel(log2(minor))) : 0.0;
   minor -= blur;
   major -= blur;
-  impacts.footprintLevel = lichenAnisotropicLevel(major, minor, noise.maxAnisotropy);
+  impacts.footprintLevel = lichenAnisotropicLevel(major, minor, material.maxAnisotropy);
   // The frame's zeros are one texel of the last mip wide. A longer footprint than half of it would
   // see across them, unless it is one fetch.
   float most = exp2(lastLevel);
   minor = min(minor, most);
   major = min(major, max(minor, 0.5 * most));
-  impacts.level = min(lichenAnisotropicLevel(major, minor, noise.maxAnisotropy), lastLevel);
+  impacts.level = min(lichenAnisotropicLevel(major, minor, material.maxAnisotropy), lastLevel);
   impacts.majorAxis = major * direction;
   impacts.minorAxis = minor * vec2(-direction.y, direction.x);
 #else
@@ -152,13 +154,13 @@ float lichenMinified(LichenImpacts impacts) {
 }
 
 /// The texels outside which a texton fetched with this footprint is 0.
-void lichenReach(LichenImpacts impacts, LichenNoise noise, LichenTexton texton, out vec2 low,
+void lichenReach(LichenImpacts impacts, LichenMaterial material, LichenNoise noise, out vec2 low,
                  out vec2 high) {
-  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+  vec2 coefficients = vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY));
 #if LICHEN_ANISOTROPIC
   // Fetches in a row along the major axis, each at the level of the minor one.
   float major = length(impacts.majorAxis);
-  float ratio = clamp(major / length(impacts.minorAxis), 1.0, noise.maxAnisotropy);
+  float ratio = clamp(major / length(impacts.minorAxis), 1.0, material.maxAnisotropy);
   lichenMipReach(max(0.0, log2(major / ratio)), coefficients, low, high);
   vec2 row = 0.5 * (1.0 - 1.0 / ceil(ratio)) * abs(impacts.majorAxis);
   low -= row;
@@ -167,7 +169,7 @@ void lichenReach(LichenImpacts impacts, LichenNoise noise, LichenTexton texton, 
   lichenMipReach(impacts.level, coefficients, low, high);
 #endif
   float minified = lichenMinified(impacts);
-  if (bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && minified < 1.0) {
+  if (bool(LICHEN_CUBIC_TEXTONS) && noise.texton.order == 3u && minified < 1.0) {
     vec2 lowMip, highMip;
     lichenMipReach(minified, coefficients, lowMip, highMip);
     const float kReach = 1.5; // of a cubic B-spline beyond the border of its texel
@@ -179,14 +181,15 @@ void lichenReach(LichenImpacts impacts, LichenNoise noise, LichenTexton texton, 
 /// Impacts around `position` [tiles, relative to the host's integer tile origin] whose textons
 /// reach it, or reach `margin` texels of their mip beyond.
 LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, vec2 gradientY,
-                                  LichenNoise noise, LichenTexton texton) {
-  vec2 texelsPerTile = vec2(texton.texelsPerTileX, texton.texelsPerTileY);
-  vec2 cellsPerTile = vec2(noise.columnsPerTile, noise.rowsPerTile);
-  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+                                  LichenMaterial material, LichenNoise noise) {
+  vec2 texelsPerTile = vec2(noise.tileTexelsX, noise.tileTexelsY);
+  vec2 cellsPerTile = vec2(material.columnsPerTile, material.rowsPerTile);
+  vec2 coefficients = vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY));
   LichenImpacts impacts;
-  lichenSetFootprint(impacts, gradientX * texelsPerTile, gradientY * texelsPerTile, noise, texton);
+  lichenSetFootprint(impacts, gradientX * texelsPerTile, gradientY * texelsPerTile, material,
+                     noise);
   vec2 low, high;
-  lichenReach(impacts, noise, texton, low, high);
+  lichenReach(impacts, material, noise, low, high);
   low -= margin * exp2(impacts.level);
   high += margin * exp2(impacts.level);
   impacts.middle = 0.5 * (low + high);
@@ -203,21 +206,22 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
   // Half a cell further than the last: sums of sides are rounded.
   impacts.end = impacts.start - (last - first + 0.5) * impacts.cellTexels;
   impacts.firstCell =
-      ivec2(first) + ivec2(lichenCellNumber(cell.x, noise.periodColumns) + noise.cellI,
-                           lichenCellNumber(cell.y, noise.periodRows) + noise.cellJ);
+      ivec2(first) + ivec2(lichenCellNumber(cell.x, material.periodColumns) + material.cellI,
+                           lichenCellNumber(cell.y, material.periodRows) + material.cellJ);
   if (bool(LICHEN_PERIODIC_LATTICE)) {
-    impacts.firstCell.x = lichenWrapped(impacts.firstCell.x, noise.periodColumns);
-    impacts.firstCell.y = lichenWrapped(impacts.firstCell.y, noise.periodRows);
+    impacts.firstCell.x = lichenWrapped(impacts.firstCell.x, material.periodColumns);
+    impacts.firstCell.y = lichenWrapped(impacts.firstCell.y, material.periodRows);
   }
+  impacts.seedWord = material.seedWord;
   impacts.mixWeight = 0.0;
   impacts.mixGradient = vec2(0.0);
   return impacts;
 }
 
 /// Those of values.
-LichenImpacts lichenImpactsAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenNoise noise,
-                              LichenTexton texton) {
-  return lichenImpactsWithin(0.0, position, gradientX, gradientY, noise, texton);
+LichenImpacts lichenImpactsAt(vec2 position, vec2 gradientX, vec2 gradientY,
+                              LichenMaterial material, LichenNoise noise) {
+  return lichenImpactsWithin(0.0, position, gradientX, gradientY, material, noise);
 }
 
 /// Where an impact lies in its cell, [0, 1).
@@ -249,10 +253,10 @@ uint lichenPoissonCount(uint hash) {
 }
 
 /// A walk before its first impact.
-LichenWalk lichenFirstImpact(LichenImpacts impacts, LichenNoise noise) {
+LichenWalk lichenFirstImpact(LichenImpacts impacts, LichenMaterial material) {
   LichenWalk walk;
-  walk.cell = uvec3(uvec2(impacts.firstCell), noise.seedWord) * LICHEN_PCG3D_FACTOR +
-              LICHEN_PCG3D_TERM;
+  walk.cell =
+      uvec3(uvec2(impacts.firstCell), impacts.seedWord) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM;
   walk.index = 0u;
   walk.corner = impacts.start;
   walk.isReached = false;
@@ -272,21 +276,20 @@ uint lichenNextCell(uint cell, int period) {
 }
 
 /// To the next cell of the window, row by row.
-void lichenNextCellOf(inout LichenWalk walk, LichenImpacts impacts, LichenNoise noise) {
+void lichenNextCellOf(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material) {
   walk.corner.x -= impacts.cellTexels.x;
   bool endsRow = walk.corner.x < impacts.end.x;
   uint first = uint(impacts.firstCell.x) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM;
-  walk.cell.x = endsRow ? first : lichenNextCell(walk.cell.x, noise.periodColumns);
-  walk.cell.y = endsRow ? lichenNextCell(walk.cell.y, noise.periodRows) : walk.cell.y;
-  walk.corner =
-      endsRow ? vec2(impacts.start.x, walk.corner.y - impacts.cellTexels.y) : walk.corner;
+  walk.cell.x = endsRow ? first : lichenNextCell(walk.cell.x, material.periodColumns);
+  walk.cell.y = endsRow ? lichenNextCell(walk.cell.y, material.periodRows) : walk.cell.y;
+  walk.corner = endsRow ? vec2(impacts.start.x, walk.corner.y - impacts.cellTexels.y) : walk.corner;
 }
 
 /// One step of a walk.
-void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenNoise noise,
-                LichenTexton texton) {
-  bool isPoisson =
-      bool(LICHEN_POISSON_POINTS) && texton.pointProcess == uint(LICHEN_POINTS_POISSON);
+void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material,
+                LichenNoise noise) {
+  bool isPoisson = bool(LICHEN_POISSON_POINTS) &&
+                   lichenTextonMaterial(material).pointProcess == uint(LICHEN_POINTS_POISSON);
   uvec3 hash = lichenPcg3dMix(walk.cell);
   uint word = isPoisson ? lichenPcg(hash.x + walk.index) : hash.x;
   uint count = isPoisson ? lichenPoissonCount(hash.y) : 1u;
@@ -297,22 +300,20 @@ void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenNoise noise,
   ++walk.index;
   if (!isPoisson || walk.index >= count) {
     walk.index = 0u;
-    lichenNextCellOf(walk, impacts, noise);
+    lichenNextCellOf(walk, impacts, material);
   }
 }
 
 /// Whether a walk has not come to the end of its cells.
-bool lichenGoesOn(LichenWalk walk, LichenImpacts impacts) {
-  return walk.corner.y > impacts.end.y;
-}
+bool lichenGoesOn(LichenWalk walk, LichenImpacts impacts) { return walk.corner.y > impacts.end.y; }
 
 /// Goes on to the next impact that reaches the point, but not further than over one that does not:
 /// with a loop here, devices that compute pixels together would run it for the slowest of them.
-void lichenNextImpact(inout LichenWalk walk, LichenImpacts impacts, LichenNoise noise,
-                      LichenTexton texton) {
-  lichenStep(walk, impacts, noise, texton);
+void lichenNextImpact(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material,
+                      LichenNoise noise) {
+  lichenStep(walk, impacts, material, noise);
   if (!walk.isReached && lichenGoesOn(walk, impacts))
-    lichenStep(walk, impacts, noise, texton);
+    lichenStep(walk, impacts, material, noise);
 }
 
 #endif

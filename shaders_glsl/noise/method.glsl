@@ -1,57 +1,78 @@
 // SPDX-License-Identifier: MIT
-// Any noise, whatever its method: a host places it once per fragment (mapping/) and evaluates each
-// of its maps there (lichenValue).
+// The seam between methods and mappings: a point (what all maps share there), the Gaussian value of
+// a map with the share of its variance that filtering lost, and what they stand for. Mappings call
+// these and name no method.
 #ifndef LICHEN_METHOD_GLSL
 #define LICHEN_METHOD_GLSL
 
+#include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "method_choice.glsl"
-#include "surface_texton.glsl"
 #include "texton.glsl"
+#include "texton_mix.glsl"
 #include "tiling_options.glsl"
-#include "triplanar.glsl"
 
-/// What all maps of a noise share at one point; the parts of its method and mapping are set.
-struct LichenPlace {
+/// What all maps of a noise share at one point of a plane; the part of its method is set.
+struct LichenPoint {
   LichenTilingTaps taps;
   LichenImpacts impacts;
-  LichenSurfaceImpacts surface;
-  LichenTriplanar triplanar;
 };
 
-/// The place at `position` [tiles, relative to the host's integer tile origin] of a pixel with
-/// these gradients.
-LichenPlace lichenPlaceAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenNoise noise,
-                          LichenTexton texton) {
-  LichenPlace place;
+/// The point at `position` [tiles, relative to the host's integer tile origin] of a pixel with
+/// these gradients [tiles / pixel].
+LichenPoint lichenPointAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenMaterial material,
+                          LichenNoise noise) {
+  LichenPoint point;
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise))
-    place.impacts = lichenImpactsAt(position, gradientX, gradientY, noise, texton);
+    point.impacts = lichenImpactsAt(position, gradientX, gradientY, material, noise);
   else
 #endif
-    place.taps = lichenTilingTaps(position, gradientX, gradientY, noise);
-  return place;
+    point.taps = lichenTilingTaps(position, gradientX, gradientY, material, noise);
+  return point;
+}
+
+/// What a point takes from its texture coordinates: the weight of a mix.
+void lichenTakeUv(inout LichenPoint point, vec2 uv, LichenMaterial material, LichenNoise noise) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise) && lichenIsMix(noise))
+    lichenMixByUv(point.impacts, uv, material);
+#endif
+}
+
+/// The Gaussian value of one map: mean 1/2, deviation 1/6 where nothing is lost. `lost`: the share
+/// of each channel's variance that filtering lost. `table` is that of the map's binding.
+vec3 lichenGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint point,
+                    LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise))
+    return lichenTextonValue(image, table, point.impacts, material, noise, map, lost);
+#endif
+  vec4 gaussian = lichenTilingGaussian(image, point.taps, map);
+  lost = gaussian.aaa;
+  return gaussian.rgb;
+}
+
+/// The value that a Gaussian value stands for.
+vec4 lichenDecodeAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenPoint point,
+                    LichenMaterial material, LichenNoise noise, LichenMap map) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise)) // contrast scales what is missing with what is there
+    return lichenDecodeGaussian(gaussian, material.contrast * material.contrast * lost,
+                                lichenMixedMap(table, point.impacts, noise, map));
+#endif
+  return lichenDecode(table, gaussian, lost.x, material.contrast, map);
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
-/// the variance of a slope that the footprint hides, for lichenRoughness; triplanar ones are a
-/// gradient in space, and the variance is w.
-vec4 lichenValue(sampler2D image, sampler3D table, LichenPlace place, LichenNoise noise,
-                 LichenMap map, LichenTexton texton) {
-#ifndef LICHEN_OMIT_TRIPLANAR
-  if (lichenIsTriplanar(noise))
-    return lichenTriplanarValue(image, table, place.triplanar, place.impacts.mixWeight, noise, map,
-                                texton);
-#endif
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenIsTexton(noise) && lichenIsSurface(texton))
-    return lichenSurfaceTexton(image, table, place.impacts, place.surface, noise, map, texton);
-#endif
+/// the variance of a slope that the footprint hides.
+vec4 lichenPointValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint point,
+                      LichenMaterial material, LichenNoise noise, LichenMap map) {
 #ifndef LICHEN_OMIT_TEXTONS
   if (lichenIsTexton(noise))
-    return lichenTexton(image, table, place.impacts, noise, map, texton);
+    return lichenTexton(image, table, point.impacts, material, noise, map);
 #endif
-  return lichenTiling(image, table, place.taps, noise, map);
+  return lichenTiling(image, table, point.taps, map);
 }
 
 #endif

@@ -4,6 +4,7 @@
 #define LICHEN_METHOD_CHOICE_GLSL
 
 #include "../interface/lichen_interface.h"
+#include "material_parts.glsl"
 
 // 0 where no noise is of this method. Literals, or the host's specialization constants. Where
 // LICHEN_OMIT_TEXTONS is defined, textons are not called at all, and where
@@ -50,15 +51,15 @@ bool lichenIsTexton(LichenNoise noise) {
 }
 
 /// Whether texton noise is mapped onto a surface; known at compile time where none is.
-bool lichenIsSurface(LichenTexton texton) {
-  return bool(LICHEN_SURFACE_TEXTONS) && texton.surfaceCubeTexels > 0.0;
+bool lichenIsSurface(LichenMaterial material) {
+  return bool(LICHEN_SURFACE_TEXTONS) && lichenTextonMaterial(material).surfaceCubeTexels > 0.0;
 }
 
 /// Whether the mapping is triplanar; known at compile time where none is, or all are.
-bool lichenIsTriplanar(LichenNoise noise) {
+bool lichenIsTriplanar(LichenMaterial material) {
   bool hasTriplanar = bool(LICHEN_TRIPLANAR); // in variables, as above
   bool hasOther = bool(LICHEN_OTHER_MAPPINGS);
-  return hasTriplanar && (!hasOther || noise.planeSharpness > 0.0);
+  return hasTriplanar && (!hasOther || material.planeSharpness > 0.0);
 }
 
 #endif

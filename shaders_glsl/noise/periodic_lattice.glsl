@@ -19,24 +19,24 @@ int lichenFloorDivide(int value, int period) {
 }
 
 /// As lichenSkewed, of a lattice whose columns and rows fit into its period.
-vec2 lichenSkewedWithin(vec2 position, LichenNoise noise) {
+vec2 lichenSkewedWithin(vec2 position, LichenMaterial material) {
   if (!bool(LICHEN_PERIODIC_LATTICE))
     return lichenSkewed(position);
-  float row = position.y * noise.rowsPerTile;
-  return vec2(position.x * noise.columnsPerTile - 0.5 * row, row);
+  float row = position.y * material.rowsPerTile;
+  return vec2(position.x * material.columnsPerTile - 0.5 * row, row);
 }
 
 /// Reduces a vertex to one period and returns the whole periods taken away [tiles]; an infinite
-/// lattice is left alone. The cells of a periodic one are near the origin, which the host reduces to
-/// one period: |i|, |j| < 2^22.
-vec2 lichenReduceToPeriod(inout ivec2 vertex, LichenNoise noise) {
-  if (!bool(LICHEN_PERIODIC_LATTICE) || noise.periodRows == 0)
+/// lattice is left alone. The cells of a periodic one are near the origin, which the host reduces
+/// to one period: |i|, |j| < 2^22.
+vec2 lichenReduceToPeriod(inout ivec2 vertex, LichenMaterial material) {
+  if (!bool(LICHEN_PERIODIC_LATTICE) || material.periodRows == 0)
     return vec2(0.0);
-  int rows = lichenFloorDivide(vertex.y, noise.periodRows);
-  vertex += rows * ivec2(noise.periodRows / 2, -noise.periodRows);
-  int columns = lichenFloorDivide(vertex.x, noise.periodColumns);
-  vertex.x -= columns * noise.periodColumns;
-  return vec2(float(columns) * noise.periodTilesX, float(rows) * noise.periodTilesY);
+  int rows = lichenFloorDivide(vertex.y, material.periodRows);
+  vertex += rows * ivec2(material.periodRows / 2, -material.periodRows);
+  int columns = lichenFloorDivide(vertex.x, material.periodColumns);
+  vertex.x -= columns * material.periodColumns;
+  return vec2(float(columns) * material.periodTilesX, float(rows) * material.periodTilesY);
 }
 
 #endif

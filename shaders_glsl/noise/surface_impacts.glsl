@@ -41,9 +41,10 @@ struct LichenSurfaceWalk {
 };
 
 /// How thick a layer of impacts a point sees. [texels]
-float lichenSurfaceThickness(LichenTexton texton) {
+float lichenSurfaceThickness(LichenNoise noise) {
   // [GLM17] section 6: r, the side of a square texton; of another that of the square of its area.
-  ivec2 support = ivec2(texton.coefficientsX, texton.coefficientsY) + int(texton.order);
+  ivec2 support =
+      ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY) + int(noise.texton.order);
   return sqrt(float(support.x) * float(support.y));
 }
 
@@ -51,21 +52,23 @@ float lichenSurfaceThickness(LichenTexton texton) {
 /// the exemplar's x and y lie along the unit vectors `right` and `down` of a tangent plane with the
 /// normal `outward`. `impacts` are those of a plane at this footprint.
 LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down, vec3 outward,
-                                            LichenImpacts impacts, LichenNoise noise,
-                                            LichenTexton texton) {
+                                            LichenImpacts impacts, LichenMaterial material,
+                                            LichenNoise noise) {
   LichenSurfaceImpacts surface;
-  float side = texton.surfaceCubeTexels;
-  float greatestHeight = 0.5 * lichenSurfaceThickness(texton);
+  float side = lichenTextonMaterial(material).surfaceCubeTexels;
+  float greatestHeight = 0.5 * lichenSurfaceThickness(noise);
   vec3 scale = vec3(side, side, side / greatestHeight);
   surface.axes = mat3(scale.x * right, scale.y * down, scale.z * outward);
-  vec3 grid = position * noise.columnsPerTile;
+  vec3 grid = position * material.columnsPerTile;
   vec3 cell = floor(grid);
   vec3 inside = grid - cell;
-  // 2^28 tiles of 16384 texels have 2^46 cubes: cubes of 0.08 texels, for 1000 impacts of one texel.
+  // 2^28 tiles of 16384 texels have 2^46 cubes: cubes of 0.08 texels, for 1000 impacts of one
+  // texel.
   surface.cell = ivec3(lichenLowWord(cell.x), lichenLowWord(cell.y), lichenLowWord(cell.z)) +
-                 ivec3(noise.cellI, noise.cellJ, noise.cellK);
+                 ivec3(material.cellI, material.cellJ, lichenTextonMaterial(material).cellK);
   // An impact has the middle of its coefficients at its own place.
-  vec2 shift = 0.5 * vec2(ivec2(texton.coefficientsX, texton.coefficientsY)) - impacts.middle;
+  vec2 shift =
+      0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) - impacts.middle;
   surface.place = inside * surface.axes + vec3(shift, 0.0);
   surface.radius = vec3(impacts.radius, 1.0);
   // The impacts in reach lie in a box that is askew among the cubes.
@@ -85,14 +88,13 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   surface.columnReach = (surface.radius + 0.5 * (abs(alongX) + abs(alongY))) * abs(perWay);
   surface.columnStepX = -alongX * perWay;
   surface.columnStepY = -alongY * perWay;
-  surface.columnMiddle =
-      surface.place * perWay + 0.5 * (surface.columnStepX + surface.columnStepY);
+  surface.columnMiddle = surface.place * perWay + 0.5 * (surface.columnStepX + surface.columnStepY);
   return surface;
 }
 
 /// Sets what a walk knows of its column.
 void lichenEnterColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
-                       LichenNoise noise) {
+                       LichenMaterial material) {
   vec3 middle = surface.columnMiddle + walk.column.x * surface.columnStepX +
                 walk.column.y * surface.columnStepY;
   vec3 low = middle - surface.columnReach;
@@ -101,28 +103,28 @@ void lichenEnterColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surfac
   walk.cube = floor(max(low.x, max(low.y, low.z)));
   walk.lastCube = floor(min(high.x, min(high.y, high.z)));
   uvec2 cell = uvec2(surface.cell.xy + ivec2(walk.column));
-  walk.columnHash = lichenPcg3d(uvec3(cell, noise.seedWord)).xy;
+  walk.columnHash = lichenPcg3d(uvec3(cell, material.seedWord)).xy;
 }
 
 /// A walk before its first impact.
-LichenSurfaceWalk lichenFirstSurfaceImpact(LichenSurfaceImpacts surface, LichenNoise noise) {
+LichenSurfaceWalk lichenFirstSurfaceImpact(LichenSurfaceImpacts surface, LichenMaterial material) {
   LichenSurfaceWalk walk;
   walk.column = surface.firstColumn;
   walk.index = 0u;
   walk.isReached = false;
   walk.place = vec2(0.0);
   walk.weight = 0.0;
-  lichenEnterColumn(walk, surface, noise);
+  lichenEnterColumn(walk, surface, material);
   return walk;
 }
 
 /// To the next column, row by row.
 void lichenNextColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
-                      LichenNoise noise) {
+                      LichenMaterial material) {
   walk.column.x += 1.0;
   if (walk.column.x > surface.lastColumn.x)
     walk.column = vec2(surface.firstColumn.x, walk.column.y + 1.0);
-  lichenEnterColumn(walk, surface, noise);
+  lichenEnterColumn(walk, surface, material);
 }
 
 /// Where an impact lies in its cube, [0, 1).
@@ -134,9 +136,9 @@ vec3 lichenImpactInCube(uint word) {
 
 /// One step of a walk.
 void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
-                       LichenNoise noise, LichenTexton texton) {
-  bool isPoisson =
-      bool(LICHEN_POISSON_POINTS) && texton.pointProcess == uint(LICHEN_POINTS_POISSON);
+                       LichenMaterial material, LichenNoise noise) {
+  bool isPoisson = bool(LICHEN_POISSON_POINTS) &&
+                   lichenTextonMaterial(material).pointProcess == uint(LICHEN_POINTS_POISSON);
   uint cell = uint(surface.cell.z + int(walk.cube));
   uint word = lichenPcg(walk.columnHash.x + cell);
   uint count = 1u;
@@ -156,7 +158,7 @@ void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surfac
     walk.index = 0u;
     walk.cube += 1.0;
     if (walk.cube > walk.lastCube)
-      lichenNextColumn(walk, surface, noise);
+      lichenNextColumn(walk, surface, material);
   }
 }
 
@@ -168,11 +170,11 @@ bool lichenGoesOn(LichenSurfaceWalk walk, LichenSurfaceImpacts surface) {
 /// Goes on to the next impact that reaches the point, or to the end. Pixels that are computed
 /// together mostly agree on it, and then nothing is fetched in vain.
 void lichenNextSurfaceImpact(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
-                             LichenNoise noise, LichenTexton texton) {
+                             LichenMaterial material, LichenNoise noise) {
   // No do-while: Mesa 22.3's lavapipe runs one wrong that is inside another loop.
   walk.isReached = false;
   while (!walk.isReached && lichenGoesOn(walk, surface))
-    lichenSurfaceStep(walk, surface, noise, texton);
+    lichenSurfaceStep(walk, surface, material, noise);
 }
 
 #endif

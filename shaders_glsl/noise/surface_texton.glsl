@@ -11,51 +11,52 @@
 #include "texton.glsl"
 
 /// The sum over impacts, with mean 0.
-vec3 lichenSurfaceTextonSum(sampler2D image, LichenImpacts impacts, LichenSurfaceImpacts surface,
-                            LichenNoise noise, LichenTexton texton) {
+vec3 lichenSurfaceTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts,
+                            LichenSurfaceImpacts surface, LichenMaterial material,
+                            LichenNoise noise) {
   vec3 sum = vec3(0.0);
-  LichenSurfaceWalk walk = lichenFirstSurfaceImpact(surface, noise);
+  LichenSurfaceWalk walk = lichenFirstSurfaceImpact(surface, material);
   while (lichenGoesOn(walk, surface)) {
-    lichenNextSurfaceImpact(walk, surface, noise, texton);
+    lichenNextSurfaceImpact(walk, surface, material, noise);
     float weight = walk.isReached ? walk.weight : 0.0;
-    sum += weight * lichenTextonAt(image, walk.place + impacts.middle, impacts, texton);
+    sum += weight * lichenTextonAt(image, walk.place + impacts.middle, impacts, noise);
   }
-  return texton.amplitude * sum;
+  return lichenTextonMaterial(material).amplitude * sum;
 }
 
 /// How many impacts reach the point.
-int lichenSurfaceImpactCount(LichenSurfaceImpacts surface, LichenNoise noise,
-                             LichenTexton texton) {
+int lichenSurfaceImpactCount(LichenSurfaceImpacts surface, LichenMaterial material,
+                             LichenNoise noise) {
   int count = 0;
-  LichenSurfaceWalk walk = lichenFirstSurfaceImpact(surface, noise);
+  LichenSurfaceWalk walk = lichenFirstSurfaceImpact(surface, material);
   while (lichenGoesOn(walk, surface)) {
-    lichenNextSurfaceImpact(walk, surface, noise, texton);
+    lichenNextSurfaceImpact(walk, surface, material, noise);
     count += walk.isReached ? 1 : 0;
   }
   return count;
 }
 
 /// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified.
-vec3 lichenSurfaceTextonGaussian(sampler2D image, LichenImpacts impacts,
+vec3 lichenSurfaceTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts,
                                  LichenSurfaceImpacts surface, LichenKept kept,
-                                 LichenNoise noise, LichenMap map, LichenTexton texton) {
-  vec3 gain = lichenTextonGain(kept, noise);
+                                 LichenMaterial material, LichenNoise noise, LichenMap map) {
+  vec3 gain = lichenTextonGain(kept, material);
   // As lichenTextonGaussian has it.
   if (gain == vec3(0.0))
     return vec3(0.5);
-  vec3 sum = lichenSurfaceTextonSum(image, impacts, surface, noise, texton);
+  vec3 sum = lichenSurfaceTextonSum(image, impacts, surface, material, noise);
   return 0.5 + gain * map.sumFactor.rgb * sum;
 }
 
 /// The value of one map, as lichenTexton has it.
-vec4 lichenSurfaceTexton(sampler2D image, sampler3D table, LichenImpacts impacts,
-                         LichenSurfaceImpacts surface, LichenNoise noise, LichenMap map,
-                         LichenTexton texton) {
-  LichenMap here = lichenMixedMap(table, impacts, map, texton);
-  LichenKept kept = lichenTextonKept(table, impacts, map, texton);
+vec4 lichenSurfaceTexton(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
+                         LichenSurfaceImpacts surface, LichenMaterial material, LichenNoise noise,
+                         LichenMap map) {
+  LichenMap here = lichenMixedMap(table, impacts, noise, map);
+  LichenKept kept = lichenTextonKept(table, impacts, noise, map);
   return lichenTextonDecode(
-      lichenSurfaceTextonGaussian(image, impacts, surface, kept, noise, here, texton), kept, noise,
-      here);
+      lichenSurfaceTextonGaussian(image, impacts, surface, kept, material, noise, here), kept,
+      material, here);
 }
 
 #endif

@@ -7,6 +7,7 @@
 #ifndef LICHEN_TEXTON_GLSL
 #define LICHEN_TEXTON_GLSL
 
+#include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "decode.glsl"
 #include "impacts.glsl"
@@ -18,24 +19,28 @@
 #endif
 
 /// One fetch at `texel` of the image.
-vec3 lichenTextonFetch(sampler2D image, vec2 texel, float level, LichenTexton texton) {
+vec3 lichenTextonFetch(LICHEN_IMAGE_2D image, vec2 texel, float level, LichenNoise noise) {
   // A product, whose factor is the same for all impacts: 4 % of the whole cost of a quotient.
-  vec2 perTexel = 1.0 / vec2(ivec2(texton.frameX, texton.frameY * int(texton.steps)));
-  return textureLod(image, texel * perTexel, level).rgb;
+  vec2 perTexel =
+      1.0 / vec2(ivec2(noise.texton.frameX, noise.texton.frameY * int(noise.texton.steps)));
+  return LICHEN_SAMPLE_2D(image, texel * perTexel, level).rgb;
 }
 
 /// One fetch at `texel` of the image, filtered to the footprint.
-vec3 lichenTextonFiltered(sampler2D image, vec2 texel, LichenImpacts impacts, LichenTexton texton) {
+vec3 lichenTextonFiltered(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts,
+                          LichenNoise noise) {
 #if LICHEN_ANISOTROPIC
-  vec2 size = vec2(ivec2(texton.frameX, texton.frameY * int(texton.steps)));
-  return textureGrad(image, texel / size, impacts.majorAxis / size, impacts.minorAxis / size).rgb;
+  vec2 size = vec2(ivec2(noise.texton.frameX, noise.texton.frameY * int(noise.texton.steps)));
+  return LICHEN_SAMPLE_2D_GRAD(image, texel / size, impacts.majorAxis / size,
+                               impacts.minorAxis / size)
+      .rgb;
 #else
-  return lichenTextonFetch(image, texel, impacts.level, texton);
+  return lichenTextonFetch(image, texel, impacts.level, noise);
 #endif
 }
 
 /// The cubic B-spline of the coefficients.
-vec3 lichenTextonCubic(sampler2D image, vec2 texel, float frame, LichenTexton texton) {
+vec3 lichenTextonCubic(LICHEN_IMAGE_2D image, vec2 texel, float frame, LichenNoise noise) {
   // [SH05] section 20.2: two texels of weights a and b are one bilinear fetch at b / (a + b).
   vec2 base = floor(texel - 0.5);
   vec2 f = texel - 0.5 - base;
@@ -47,59 +52,61 @@ vec3 lichenTextonCubic(sampler2D image, vec2 texel, float frame, LichenTexton te
   vec2 far = 1.0 - near;
   // Half a texel outside the coefficients all is 0, as beyond, where the image repeats.
   vec2 low, high;
-  lichenMipReach(0.0, vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low, high);
+  lichenMipReach(0.0, vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)), low,
+                 high);
   vec2 at0 = clamp(base - 0.5 + weight1 / near, low, high);
   vec2 at1 = clamp(base + 1.5 + weight3 / far, low, high);
   at0.y += frame;
   at1.y += frame;
-  vec3 above = near.x * lichenTextonFetch(image, at0, 0.0, texton) +
-               far.x * lichenTextonFetch(image, vec2(at1.x, at0.y), 0.0, texton);
-  vec3 below = near.x * lichenTextonFetch(image, vec2(at0.x, at1.y), 0.0, texton) +
-               far.x * lichenTextonFetch(image, at1, 0.0, texton);
+  vec3 above = near.x * lichenTextonFetch(image, at0, 0.0, noise) +
+               far.x * lichenTextonFetch(image, vec2(at1.x, at0.y), 0.0, noise);
+  vec3 below = near.x * lichenTextonFetch(image, vec2(at0.x, at1.y), 0.0, noise) +
+               far.x * lichenTextonFetch(image, at1, 0.0, noise);
   return near.y * above + far.y * below;
 }
 
 /// h at `texel` of its frame, filtered to the footprint.
-vec3 lichenTextonAt(sampler2D image, vec2 texel, LichenImpacts impacts, LichenTexton texton) {
-  float frame = lichenTextonFrame(texel, impacts, texton);
+vec3 lichenTextonAt(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts, LichenNoise noise) {
+  float frame = lichenTextonFrame(texel, impacts, noise);
   float minified = lichenMinified(impacts);
   // Order 0: steps where magnified, none from the first mip on.
-  if (bool(LICHEN_NEAREST_TEXTONS) && texton.order == 0u)
+  if (bool(LICHEN_NEAREST_TEXTONS) && noise.texton.order == 0u)
     texel = mix(floor(texel) + 0.5, texel, minified);
-  if (bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && minified < 1.0) {
+  if (bool(LICHEN_CUBIC_TEXTONS) && noise.texton.order == 3u && minified < 1.0) {
     // Between the spline and the first mip.
-    vec3 magnified = lichenTextonCubic(image, texel, frame, texton);
+    vec3 magnified = lichenTextonCubic(image, texel, frame, noise);
     vec2 low, high;
     float mip = ceil(minified);
-    lichenMipReach(mip, vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low, high);
+    lichenMipReach(mip, vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)), low,
+                   high);
     texel = clamp(texel, low, high);
     texel.y += frame;
-    return mix(magnified, lichenTextonFetch(image, texel, mip, texton), minified);
+    return mix(magnified, lichenTextonFetch(image, texel, mip, noise), minified);
   }
   texel.y += frame;
-  return lichenTextonFiltered(image, texel, impacts, texton);
+  return lichenTextonFiltered(image, texel, impacts, noise);
 }
 
 /// The sum over impacts, with mean 0.
-vec3 lichenTextonSum(sampler2D image, LichenImpacts impacts, LichenNoise noise,
-                     LichenTexton texton) {
+vec3 lichenTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenMaterial material,
+                     LichenNoise noise) {
   // [GLM17] eq. 2, symmetric signs.
   vec3 sum = vec3(0.0);
-  LichenWalk walk = lichenFirstImpact(impacts, noise);
+  LichenWalk walk = lichenFirstImpact(impacts, material);
   while (lichenGoesOn(walk, impacts)) {
-    lichenNextImpact(walk, impacts, noise, texton);
+    lichenNextImpact(walk, impacts, material, noise);
     float sign = walk.isReached ? walk.sign : 0.0;
-    sum += sign * lichenTextonAt(image, walk.place + impacts.middle, impacts, texton);
+    sum += sign * lichenTextonAt(image, walk.place + impacts.middle, impacts, noise);
   }
-  return texton.amplitude * sum;
+  return lichenTextonMaterial(material).amplitude * sum;
 }
 
 /// How many impacts reach the point.
-int lichenImpactCount(LichenImpacts impacts, LichenNoise noise, LichenTexton texton) {
+int lichenImpactCount(LichenImpacts impacts, LichenMaterial material, LichenNoise noise) {
   int count = 0;
-  LichenWalk walk = lichenFirstImpact(impacts, noise);
+  LichenWalk walk = lichenFirstImpact(impacts, material);
   while (lichenGoesOn(walk, impacts)) {
-    lichenNextImpact(walk, impacts, noise, texton);
+    lichenNextImpact(walk, impacts, material, noise);
     count += walk.isReached ? 1 : 0;
   }
   return count;
@@ -107,16 +114,15 @@ int lichenImpactCount(LichenImpacts impacts, LichenNoise noise, LichenTexton tex
 
 /// The share of each channel's variance that textons fetched at a level >= 0 keep: of a trilinear
 /// blend of a mip and the next.
-vec3 lichenTextonLevelKept(sampler3D table, float level, LichenImpacts impacts, LichenMap map,
-                           LichenTexton texton) {
+vec3 lichenTextonLevelKept(LICHEN_IMAGE_3D table, float level, LichenImpacts impacts,
+                           LichenNoise noise, LichenMap map) {
   // docs/theory.md, Filtering: the covariance of the two.
   int mip = int(level);
-  vec3 fine = lichenTextonMipKept(table, mip, impacts, map, texton);
-  vec3 coarse = lichenTextonMipKept(table, mip + 1, impacts, map, texton);
+  vec3 fine = lichenTextonMipKept(table, mip, impacts, noise, map);
+  vec3 coarse = lichenTextonMipKept(table, mip + 1, impacts, noise, map);
   const float kLeast = 1.0e-3; // of the amplitudes' steps of 1/255, below the first
   vec3 ratio = coarse / max(fine, kLeast);
-  vec3 covariance =
-      coarse * coarse + 0.5 * ratio * ratio * ratio * (fine * fine - coarse * coarse);
+  vec3 covariance = coarse * coarse + 0.5 * ratio * ratio * ratio * (fine * fine - coarse * coarse);
   float t = level - float(mip);
   float rest = 1.0 - t;
   return rest * rest * fine * fine + 2.0 * t * rest * covariance + t * t * coarse * coarse;
@@ -128,47 +134,56 @@ struct LichenKept {
   vec3 seen;    // of the noise, seen through the footprint
 };
 
-LichenKept lichenTextonKept(sampler3D table, LichenImpacts impacts, LichenMap map,
-                            LichenTexton texton) {
+LichenKept lichenTextonKept(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
+                            LichenMap map) {
   float level = min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1));
-  return LichenKept(lichenTextonLevelKept(table, impacts.level, impacts, map, texton),
-                    lichenTextonLevelKept(table, level, impacts, map, texton));
+  return LichenKept(lichenTextonLevelKept(table, impacts.level, impacts, noise, map),
+                    lichenTextonLevelKept(table, level, impacts, noise, map));
 }
 
 /// What the sums over impacts are multiplied by. Beyond the last mip textons stay as they are, and
 /// amplitudes fall as deviations do.
-vec3 lichenTextonGain(LichenKept kept, LichenNoise noise) {
+vec3 lichenTextonGain(LichenKept kept, LichenMaterial material) {
   const float kLeast = 1.0e-6; // below the square of an amplitude's first step, 1/255
-  return noise.contrast * sqrt(kept.seen / max(kept.fetched, kLeast));
+  return material.contrast * sqrt(kept.seen / max(kept.fetched, kLeast));
 }
 
 /// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified. Of a mix, `map`
 /// is what lichenMixedMap makes of it; likewise below.
-vec3 lichenTextonGaussian(sampler2D image, LichenImpacts impacts, LichenKept kept,
-                          LichenNoise noise, LichenMap map, LichenTexton texton) {
-  vec3 gain = lichenTextonGain(kept, noise);
+vec3 lichenTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenKept kept,
+                          LichenMaterial material, LichenNoise noise, LichenMap map) {
+  vec3 gain = lichenTextonGain(kept, material);
   // From so far that nothing is left to see, the mean needs no impacts.
   if (gain == vec3(0.0))
     return vec3(0.5);
-  return 0.5 + gain * map.sumFactor.rgb * lichenTextonSum(image, impacts, noise, texton);
+  return 0.5 + gain * map.sumFactor.rgb * lichenTextonSum(image, impacts, material, noise);
+}
+
+/// The Gaussian value of a map, and the shares of its variance that filtering lost.
+vec3 lichenTextonValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
+                       LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+  LichenKept kept = lichenTextonKept(table, impacts, noise, map);
+  lost = 1.0 - kept.seen;
+  return lichenTextonGaussian(image, impacts, kept, material, noise,
+                              lichenMixedMap(table, impacts, noise, map));
 }
 
 /// The value that a Gaussian value stands for.
-vec4 lichenTextonDecode(vec3 gaussian, LichenKept kept, LichenNoise noise, LichenMap map) {
+vec4 lichenTextonDecode(vec3 gaussian, LichenKept kept, LichenMaterial material, LichenMap map) {
   // Contrast scales what is missing with what is there.
-  vec3 lost = noise.contrast * noise.contrast * (1.0 - kept.seen);
+  vec3 lost = material.contrast * material.contrast * (1.0 - kept.seen);
   return lichenDecodeGaussian(gaussian, lost, map);
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
 /// the variance of a slope that the footprint hides, for lichenRoughness. `table` is that of the
 /// map's binding, fetched of mixes only.
-vec4 lichenTexton(sampler2D image, sampler3D table, LichenImpacts impacts, LichenNoise noise,
-                  LichenMap map, LichenTexton texton) {
-  LichenMap here = lichenMixedMap(table, impacts, map, texton);
-  LichenKept kept = lichenTextonKept(table, impacts, map, texton);
-  return lichenTextonDecode(lichenTextonGaussian(image, impacts, kept, noise, here, texton), kept,
-                            noise, here);
+vec4 lichenTexton(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
+                  LichenMaterial material, LichenNoise noise, LichenMap map) {
+  LichenMap here = lichenMixedMap(table, impacts, noise, map);
+  LichenKept kept = lichenTextonKept(table, impacts, noise, map);
+  return lichenTextonDecode(lichenTextonGaussian(image, impacts, kept, material, noise, here), kept,
+                            material, here);
 }
 
 #endif

@@ -23,25 +23,25 @@ vec4 lichenCubicSlopes(float f) {
 }
 
 /// Value and derivatives [1 / texel] of the cubic B-spline of the first channel's coefficients.
-vec3 lichenTextonCubicGradient(sampler2D image, vec2 texel, float frame, LichenTexton texton) {
+vec3 lichenTextonCubicGradient(LICHEN_IMAGE_2D image, vec2 texel, float frame, LichenNoise noise) {
   vec2 base = floor(texel - 0.5);
   vec2 f = texel - 0.5 - base;
   // The image repeats: texels that hold no coefficients do not count.
   vec4 columns = base.x + vec4(-1.0, 0.0, 1.0, 2.0);
   vec4 rows = base.y + vec4(-1.0, 0.0, 1.0, 2.0);
-  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
+  vec2 coefficients = vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY));
   vec4 isColumn = step(vec4(0.0), columns) * step(columns, vec4(coefficients.x - 1.0));
   vec4 isRow = step(vec4(0.0), rows) * step(rows, vec4(coefficients.y - 1.0));
   vec4 weightX = lichenCubicWeights(f.x) * isColumn;
   vec4 weightY = lichenCubicWeights(f.y) * isRow;
   vec4 slopeX = lichenCubicSlopes(f.x) * isColumn;
   vec4 slopeY = lichenCubicSlopes(f.y) * isRow;
-  vec2 size = vec2(ivec2(texton.frameX, texton.frameY * int(texton.steps)));
+  vec2 size = vec2(ivec2(noise.texton.frameX, noise.texton.frameY * int(noise.texton.steps)));
   vec2 corner = base + vec2(0.0, frame); // between the first two texels along each axis
-  vec4 aboveLeft = textureGather(image, corner / size, 0);
-  vec4 aboveRight = textureGather(image, (corner + vec2(2.0, 0.0)) / size, 0);
-  vec4 belowLeft = textureGather(image, (corner + vec2(0.0, 2.0)) / size, 0);
-  vec4 belowRight = textureGather(image, (corner + 2.0) / size, 0);
+  vec4 aboveLeft = LICHEN_GATHER_2D(image, corner / size);
+  vec4 aboveRight = LICHEN_GATHER_2D(image, (corner + vec2(2.0, 0.0)) / size);
+  vec4 belowLeft = LICHEN_GATHER_2D(image, (corner + vec2(0.0, 2.0)) / size);
+  vec4 belowRight = LICHEN_GATHER_2D(image, (corner + 2.0) / size);
   // A gather's components: lower left, lower right, upper right, upper left, y downwards.
   mat4 texels = mat4(aboveLeft.wz, aboveRight.wz, aboveLeft.xy, aboveRight.xy, belowLeft.wz,
                      belowRight.wz, belowLeft.xy, belowRight.xy);
@@ -53,11 +53,11 @@ vec3 lichenTextonCubicGradient(sampler2D image, vec2 texel, float frame, LichenT
 #define LICHEN_GRADIENT_MARGIN 0.5
 
 /// Value and derivatives [1 / texel] at `texel` of an impact's frame, filtered to the footprint.
-vec3 lichenTextonGradientAt(sampler2D image, vec2 texel, LichenImpacts impacts,
-                            LichenTexton texton) {
-  float frame = lichenTextonFrame(texel, impacts, texton);
+vec3 lichenTextonGradientAt(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts,
+                            LichenNoise noise) {
+  float frame = lichenTextonFrame(texel, impacts, noise);
   float minified = lichenMinified(impacts);
-  bool isCubic = bool(LICHEN_CUBIC_TEXTONS) && texton.order == 3u && minified < 1.0;
+  bool isCubic = bool(LICHEN_CUBIC_TEXTONS) && noise.texton.order == 3u && minified < 1.0;
   float side = exp2(isCubic ? ceil(minified) : impacts.level);
   // Where the image repeats, the next copy does not count.
   vec2 reach = impacts.radius - LICHEN_GRADIENT_MARGIN * exp2(impacts.level);
@@ -65,13 +65,13 @@ vec3 lichenTextonGradientAt(sampler2D image, vec2 texel, LichenImpacts impacts,
   vec2 high = impacts.middle + reach;
   LichenImpacts mip = impacts;
   if (isCubic) {
-    lichenMipReach(ceil(minified), vec2(ivec2(texton.coefficientsX, texton.coefficientsY)), low,
-                   high);
+    lichenMipReach(ceil(minified),
+                   vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)), low, high);
     lichenSetSquare(mip, side);
   }
   // The value of order 0 has steps; its differences are those between them.
   vec2 valueTexel = texel;
-  if (bool(LICHEN_NEAREST_TEXTONS) && texton.order == 0u)
+  if (bool(LICHEN_NEAREST_TEXTONS) && noise.texton.order == 0u)
     valueTexel = mix(floor(texel) + 0.5, texel, minified);
   vec2 top = vec2(0.0, frame);
   vec2 alongX = vec2(0.5 * side, 0.0);
@@ -81,41 +81,41 @@ vec3 lichenTextonGradientAt(sampler2D image, vec2 texel, LichenImpacts impacts,
   vec2 above = clamp(texel - alongY, low, high) + top;
   vec2 below = clamp(texel + alongY, low, high) + top;
   vec3 differences;
-  differences.x =
-      lichenTextonFiltered(image, clamp(valueTexel, low, high) + top, mip, texton).x;
-  differences.y = (lichenTextonFiltered(image, right, mip, texton).x -
-                   lichenTextonFiltered(image, left, mip, texton).x) /
+  differences.x = lichenTextonFiltered(image, clamp(valueTexel, low, high) + top, mip, noise).x;
+  differences.y = (lichenTextonFiltered(image, right, mip, noise).x -
+                   lichenTextonFiltered(image, left, mip, noise).x) /
                   side;
-  differences.z = (lichenTextonFiltered(image, below, mip, texton).x -
-                   lichenTextonFiltered(image, above, mip, texton).x) /
+  differences.z = (lichenTextonFiltered(image, below, mip, noise).x -
+                   lichenTextonFiltered(image, above, mip, noise).x) /
                   side;
   if (!isCubic)
     return differences;
-  return mix(lichenTextonCubicGradient(image, texel, frame, texton), differences, minified);
+  return mix(lichenTextonCubicGradient(image, texel, frame, noise), differences, minified);
 }
 
 /// Impacts for lichenTextonGradient, at `position` [tiles] of a pixel with these gradients.
 LichenImpacts lichenGradientImpactsAt(vec2 position, vec2 gradientX, vec2 gradientY,
-                                      LichenNoise noise, LichenTexton texton) {
-  return lichenImpactsWithin(LICHEN_GRADIENT_MARGIN, position, gradientX, gradientY, noise, texton);
+                                      LichenMaterial material, LichenNoise noise) {
+  return lichenImpactsWithin(LICHEN_GRADIENT_MARGIN, position, gradientX, gradientY, material,
+                             noise);
 }
 
 /// The stored value of a map's first channel, not clamped, and its derivatives along x and y
 /// [1 / tile]. `table` is that of the map's binding, fetched of mixes only.
-vec3 lichenTextonGradient(sampler2D image, sampler3D table, LichenImpacts impacts,
-                          LichenNoise noise, LichenMap map, LichenTexton texton) {
-  LichenMap here = lichenMixedMap(table, impacts, map, texton);
-  float gain = lichenTextonGain(lichenTextonKept(table, impacts, map, texton), noise).x;
+vec3 lichenTextonGradient(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
+                          LichenMaterial material, LichenNoise noise, LichenMap map) {
+  LichenMap here = lichenMixedMap(table, impacts, noise, map);
+  float gain = lichenTextonGain(lichenTextonKept(table, impacts, noise, map), material).x;
   vec3 sum = vec3(0.0);
-  LichenWalk walk = lichenFirstImpact(impacts, noise);
+  LichenWalk walk = lichenFirstImpact(impacts, material);
   while (gain > 0.0 && lichenGoesOn(walk, impacts)) {
-    lichenNextImpact(walk, impacts, noise, texton);
+    lichenNextImpact(walk, impacts, material, noise);
     float sign = walk.isReached ? walk.sign : 0.0;
-    sum += sign * lichenTextonGradientAt(image, walk.place + impacts.middle, impacts, texton);
+    sum += sign * lichenTextonGradientAt(image, walk.place + impacts.middle, impacts, noise);
   }
-  vec3 gradient = here.row0.x * here.sumFactor.x * texton.amplitude * gain * sum *
-                  vec3(1.0, texton.texelsPerTileX, texton.texelsPerTileY);
-  return gradient + vec3(here.row0.w, lichenMixMeanSlope(table, impacts, texton));
+  vec3 gradient = here.row0.x * here.sumFactor.x * lichenTextonMaterial(material).amplitude * gain *
+                  sum * vec3(1.0, noise.tileTexelsX, noise.tileTexelsY);
+  return gradient + vec3(here.row0.w, lichenMixMeanSlope(table, impacts, noise));
 }
 
 #endif

@@ -6,53 +6,70 @@
 #ifndef LICHEN_TEXTON_MIX_GLSL
 #define LICHEN_TEXTON_MIX_GLSL
 
+#include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "impacts.glsl"
+#include "material_parts.glsl"
 #include "mip_variance.glsl"
+#include "tile_frame.glsl"
 
 // 0 where no noise is a mix. A literal, or the host's specialization constant.
 #ifndef LICHEN_MIXED_TEXTONS
 #define LICHEN_MIXED_TEXTONS 1
 #endif
 
-bool lichenIsMix(LichenTexton texton) { return bool(LICHEN_MIXED_TEXTONS) && texton.steps > 1u; }
+bool lichenIsMix(LichenNoise noise) {
+  return bool(LICHEN_MIXED_TEXTONS) && noise.texton.steps > 1u;
+}
 
 /// The weight of a constant or a direction, at texture coordinates.
-float lichenMixWeight(vec2 uv, LichenTexton texton) {
-  return texton.mixWeight + dot(vec2(texton.mixPerU, texton.mixPerV), uv);
+float lichenMixWeight(vec2 uv, LichenMaterial material) {
+  LichenTextonMaterial own = lichenTextonMaterial(material);
+  return own.mixWeight + dot(vec2(own.mixPerU, own.mixPerV), uv);
+}
+
+/// The place in a mix at `uv` where it is a constant or a direction; 0 of other sources, which
+/// lichenSetMix and lichenMixByMask are for.
+void lichenMixByUv(inout LichenImpacts impacts, vec2 uv, LichenMaterial material) {
+  LichenTextonMaterial own = lichenTextonMaterial(material);
+  impacts.mixWeight = lichenMixWeight(uv, material);
+  // By tile coordinates: the transposed inverse of a rotation with a scale is itself over the
+  // scale's square.
+  vec2 row = vec2(material.uvToTileXX, material.uvToTileXY);
+  impacts.mixGradient = lichenUvToTile(vec2(own.mixPerU, own.mixPerV), material) / dot(row, row);
 }
 
 /// The top of an impact's frame in the image: of a mix, that of its own place. [texels]
-float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenTexton texton) {
-  if (!lichenIsMix(texton))
+float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenNoise noise) {
+  if (!lichenIsMix(noise))
     return 0.0;
-  vec2 coefficients = vec2(ivec2(texton.coefficientsX, texton.coefficientsY));
-  vec2 tiles = (0.5 * coefficients - texel) / vec2(texton.texelsPerTileX, texton.texelsPerTileY);
+  vec2 coefficients = vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY));
+  vec2 tiles = (0.5 * coefficients - texel) / vec2(noise.tileTexelsX, noise.tileTexelsY);
   float weight = clamp(impacts.mixWeight + dot(impacts.mixGradient, tiles), 0.0, 1.0);
-  return floor(weight * (float(int(texton.steps)) - 1.0) + 0.5) * float(texton.frameY);
+  return floor(weight * (float(int(noise.texton.steps)) - 1.0) + 0.5) * float(noise.texton.frameY);
 }
 
 /// A row of a mix's table at a step, [0, steps - 1], linear between whole ones.
-vec4 lichenMixRow(sampler3D table, float atStep, int row, LichenTexton texton) {
-  vec3 place = vec3((atStep + 0.5) / float(int(texton.steps)), 0.5,
+vec4 lichenMixRow(LICHEN_IMAGE_3D table, float atStep, int row, LichenNoise noise) {
+  vec3 place = vec3((atStep + 0.5) / float(int(noise.texton.steps)), 0.5,
                     (float(row) + 0.5) / float(LICHEN_MIX_ROWS));
-  return textureLod(table, place, 0.0);
+  return LICHEN_SAMPLE_3D(table, place, 0.0);
 }
 
 /// The step of the point itself, [0, steps - 1].
-float lichenMixStep(LichenImpacts impacts, LichenTexton texton) {
-  return clamp(impacts.mixWeight, 0.0, 1.0) * (float(int(texton.steps)) - 1.0);
+float lichenMixStep(LichenImpacts impacts, LichenNoise noise) {
+  return clamp(impacts.mixWeight, 0.0, 1.0) * (float(int(noise.texton.steps)) - 1.0);
 }
 
-/// The map at its place in a mix, but for what mips keep, which lichenTextonMipKept tells; without a
-/// mix, as it is. `table` is that of the map's binding.
-LichenMap lichenMixedMap(sampler3D table, LichenImpacts impacts, LichenMap map,
-                         LichenTexton texton) {
-  if (!lichenIsMix(texton))
+/// The map at its place in a mix, but for what mips keep, which lichenTextonMipKept tells; without
+/// a mix, as it is. `table` is that of the map's binding.
+LichenMap lichenMixedMap(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
+                         LichenMap map) {
+  if (!lichenIsMix(noise))
     return map;
-  float atStep = lichenMixStep(impacts, texton);
-  vec3 mean = lichenMixRow(table, atStep, LICHEN_MIX_MEAN, texton).rgb;
-  vec3 deviation = lichenMixRow(table, atStep, LICHEN_MIX_DEVIATION, texton).rgb; // above 0
+  float atStep = lichenMixStep(impacts, noise);
+  vec3 mean = lichenMixRow(table, atStep, LICHEN_MIX_MEAN, noise).rgb;
+  vec3 deviation = lichenMixRow(table, atStep, LICHEN_MIX_DEVIATION, noise).rgb; // above 0
   map.row0.w += mean.x;
   map.row1.w += mean.y;
   map.row2.w += mean.z;
@@ -65,25 +82,25 @@ LichenMap lichenMixedMap(sampler3D table, LichenImpacts impacts, LichenMap map,
 }
 
 /// The amplitudes that the texels of a mip keep of each channel, at the map's place in a mix.
-vec3 lichenTextonMipKept(sampler3D table, int mip, LichenImpacts impacts, LichenMap map,
-                         LichenTexton texton) {
-  if (!lichenIsMix(texton))
+vec3 lichenTextonMipKept(LICHEN_IMAGE_3D table, int mip, LichenImpacts impacts, LichenNoise noise,
+                         LichenMap map) {
+  if (!lichenIsMix(noise))
     return vec3(lichenMipKept(mip, map.mipKept0), lichenMipKept(mip, map.mipKept1),
                 lichenMipKept(mip, map.mipKept2));
   int row = LICHEN_MIX_KEPT + min(mip, LICHEN_MAX_MIPS - 1);
-  vec3 kept = lichenMixRow(table, lichenMixStep(impacts, texton), row, texton).rgb;
+  vec3 kept = lichenMixRow(table, lichenMixStep(impacts, noise), row, noise).rgb;
   // To the bytes that maps without a mix have: far away exactly nothing is left.
   return floor(255.0 * kept + 0.5) * (1.0 / 255.0);
 }
 
 /// The derivative of the mean of a map's first channel along x and y [1 / tile]: 0 without a mix.
-vec2 lichenMixMeanSlope(sampler3D table, LichenImpacts impacts, LichenTexton texton) {
-  if (!lichenIsMix(texton) || impacts.mixWeight < 0.0 || impacts.mixWeight > 1.0)
+vec2 lichenMixMeanSlope(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise) {
+  if (!lichenIsMix(noise) || impacts.mixWeight < 0.0 || impacts.mixWeight > 1.0)
     return vec2(0.0);
-  float last = float(int(texton.steps)) - 1.0;
-  float below = min(floor(lichenMixStep(impacts, texton)), last - 1.0);
-  float rise = lichenMixRow(table, below + 1.0, LICHEN_MIX_MEAN, texton).x -
-               lichenMixRow(table, below, LICHEN_MIX_MEAN, texton).x;
+  float last = float(int(noise.texton.steps)) - 1.0;
+  float below = min(floor(lichenMixStep(impacts, noise)), last - 1.0);
+  float rise = lichenMixRow(table, below + 1.0, LICHEN_MIX_MEAN, noise).x -
+               lichenMixRow(table, below, LICHEN_MIX_MEAN, noise).x;
   return rise * last * impacts.mixGradient;
 }
 

@@ -8,32 +8,34 @@
 
 #include "../interface/lichen_interface.h"
 #include "hash.glsl"
+#include "material_parts.glsl"
 
 // 0 where no material's tileRotation is above 1. A literal, or the host's specialization constant.
 #ifndef LICHEN_TILE_ROTATION
 #define LICHEN_TILE_ROTATION 1
 #endif
 
-/// Whether tiles are turned; known at compile time where none are.
-bool lichenTurnsTiles(LichenNoise noise) {
-  return bool(LICHEN_TILE_ROTATION) && noise.tileRotation > 1u;
+/// How many steps of a turn tiles lie in; 0 and 1: none is turned, which is known at compile time
+/// where none are.
+uint lichenTileRotation(LichenMaterial material) {
+  return bool(LICHEN_TILE_ROTATION) ? lichenTilingMaterial(material).tileRotation : 0u;
 }
 
 /// Whether turned tiles have their texels where tiles that are not turned have theirs: half turns,
 /// and quarter turns of square exemplars. They are turned about the origin, others about their
 /// vertices.
-bool lichenTurnsKeepTexels(LichenNoise noise) {
-  return noise.tileRotation <= 2u || (noise.tileRotation == 4u && noise.tileAspect == 1.0);
+bool lichenTurnsKeepTexels(uint tileRotation, float tileAspect) {
+  return tileRotation <= 2u || (tileRotation == 4u && tileAspect == 1.0);
 }
 
 /// The (cosine, sine) of a vertex's tile.
-vec2 lichenTileTurn(ivec2 vertex, LichenNoise noise) {
-  int steps = int(noise.tileRotation);
+vec2 lichenTileTurn(ivec2 vertex, uint tileRotation, uint seedWord) {
+  int steps = int(tileRotation);
   // Hashed again: both halves of the vertex's hash are the offset.
-  uint hash = lichenPcg(lichenVertexHash(vertex.x, vertex.y, noise.seedWord));
-  int step = int(((hash >> 16u) * noise.tileRotation) >> 16u);
-  // The nearest quarter turn, which is exact, and the rest of up to an eighth of a turn, by Taylor's
-  // series: a device's own sine may be 2^-11 off, a tenth of a texel.
+  uint hash = lichenPcg(lichenVertexHash(vertex.x, vertex.y, seedWord));
+  int step = int(((hash >> 16u) * tileRotation) >> 16u);
+  // The nearest quarter turn, which is exact, and the rest of up to an eighth of a turn, by
+  // Taylor's series: a device's own sine may be 2^-11 off, a tenth of a texel.
   int quarter = int(floor(4.0 * float(step) / float(steps) + 0.5));
   const float kQuarterTurn = 1.5707963268;
   float x = kQuarterTurn * float(4 * step - quarter * steps) / float(steps);

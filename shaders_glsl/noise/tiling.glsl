@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Histogram-preserving tiling and blending [HN18], from top to bottom: a point on the plane of tiles
-// and its footprint -> three taps and their weights, once for all maps -> the Gaussian value of each
-// map, with the share of its variance that filtering lost. decode.glsl makes the material's value of
-// it. The CPU twin is analysis/tiling/evaluate.
-// [HN18] Heitz and Neyret 2018, Algorithm 1. Deviations, with reasons: docs/decisions/.
+// Histogram-preserving tiling and blending [HN18], from top to bottom: a point on the plane of
+// tiles and its footprint -> three taps and their weights, once for all maps -> the Gaussian value
+// of each map, with the share of its variance that filtering lost. decode.glsl makes the material's
+// value of it. The CPU twin is analysis/tiling/evaluate. [HN18] Heitz and Neyret 2018, Algorithm 1.
+// Deviations, with reasons: docs/decisions/.
 #ifndef LICHEN_TILING_GLSL
 #define LICHEN_TILING_GLSL
 
+#include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "footprint_level.glsl"
 #include "hash.glsl"
@@ -23,6 +24,7 @@ struct LichenTilingPoint {
   vec3 weights;
   float footprintLevel; // [mip levels] of the widest map
   float lossShare; // what a fetch loses here, over its average between texels; of the widest map
+  float contrast;  // the material's
 };
 
 /// [tiles] -> [HN18] section 3's skewed coordinates, in which the triangles halve the unit squares:
@@ -32,13 +34,13 @@ vec2 lichenSkewed(vec2 position) {
 }
 
 /// The triangle that holds a point given in skewed coordinates, relative to the noise's cell.
-LichenTriangle lichenTriangle(vec2 skewed, LichenNoise noise) {
+LichenTriangle lichenTriangle(vec2 skewed, LichenMaterial material) {
   vec2 cell = floor(skewed);
   vec2 inside = skewed - cell;
   float third = 1.0 - inside.x - inside.y;
   bool isUpper = third <= 0.0;
   // Float to int, never to uint: float to uint of a negative is undefined.
-  ivec2 corner = ivec2(cell) + ivec2(noise.cellI, noise.cellJ);
+  ivec2 corner = ivec2(cell) + ivec2(material.cellI, material.cellJ);
   LichenTriangle triangle;
   triangle.vertex0 = corner + (isUpper ? 1 : 0);
   triangle.vertex1 = corner + ivec2(1, 0);
@@ -48,8 +50,8 @@ LichenTriangle lichenTriangle(vec2 skewed, LichenNoise noise) {
 }
 
 /// The random offset of a vertex's tile, a whole number of texels; images repeat. [tiles]
-vec2 lichenTileOffset(ivec2 vertex, LichenNoise noise) {
-  uint hash = lichenVertexHash(vertex.x, vertex.y, noise.seedWord);
+vec2 lichenTileOffset(ivec2 vertex, LichenMaterial material, LichenNoise noise) {
+  uint hash = lichenVertexHash(vertex.x, vertex.y, material.seedWord);
   // Through int: float of uint is slower on devices with only signed conversions.
   ivec2 steps = ivec2(uvec2(hash & 0x7ffu, hash >> 21u));
   return vec2(steps) * vec2(noise.offsetStepX, noise.offsetStepY);
@@ -67,21 +69,30 @@ float lichenLossShare(vec2 texel, vec2 texelsX, vec2 texelsY, float footprintLev
   return mix(1.0, here, squared * squared * (1.0 - min(footprintLevel, 1.0)));
 }
 
-/// Taps and weights at `position` [tiles, relative to the host's integer tile origin]. The gradients
-/// [tiles / pixel] are those of the position; those of the taps jump between triangles.
-LichenTilingPoint lichenTilingPoint(vec2 position, vec2 gradientX, vec2 gradientY,
-                                    LichenNoise noise) {
-  LichenTriangle triangle = lichenTriangle(lichenSkewed(position), noise);
-  LichenTilingPoint point;
-  point.uv0 = position + lichenTileOffset(triangle.vertex0, noise);
-  point.uv1 = position + lichenTileOffset(triangle.vertex1, noise);
-  point.uv2 = position + lichenTileOffset(triangle.vertex2, noise);
-  point.weights = triangle.weights;
+/// What of a point is about its footprint and its blend. The gradients [tiles / pixel] are those of
+/// `position` [tiles]; those of the taps jump between triangles.
+void lichenSetTilingShares(inout LichenTilingPoint point, vec3 weights, vec2 position,
+                           vec2 gradientX, vec2 gradientY, LichenMaterial material,
+                           LichenNoise noise) {
   vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
   vec2 texelsX = gradientX * texels;
   vec2 texelsY = gradientY * texels;
+  point.weights = weights;
   point.footprintLevel = lichenFootprintLevel(texelsX, texelsY);
   point.lossShare = lichenLossShare(position * texels, texelsX, texelsY, point.footprintLevel);
+  point.contrast = material.contrast;
+}
+
+/// Taps and weights at `position` [tiles, relative to the host's integer tile origin] of a pixel
+/// with these gradients.
+LichenTilingPoint lichenTilingPoint(vec2 position, vec2 gradientX, vec2 gradientY,
+                                    LichenMaterial material, LichenNoise noise) {
+  LichenTriangle triangle = lichenTriangle(lichenSkewed(position), material);
+  LichenTilingPoint point;
+  point.uv0 = position + lichenTileOffset(triangle.vertex0, material, noise);
+  point.uv1 = position + lichenTileOffset(triangle.vertex1, material, noise);
+  point.uv2 = position + lichenTileOffset(triangle.vertex2, material, noise);
+  lichenSetTilingShares(point, triangle.weights, position, gradientX, gradientY, material, noise);
   return point;
 }
 
@@ -97,21 +108,20 @@ float lichenTilingLossShare(LichenTilingPoint point, LichenMap map) {
 
 /// Three fetches blended: mean 1/2 and deviation 1/6 where nothing is minified, and in alpha the
 /// share of the variance that filtering lost, which the image holds for each of its mip levels.
-vec4 lichenTilingBlend(vec4 fetch0, vec4 fetch1, vec4 fetch2, vec3 weights, LichenNoise noise) {
+vec4 lichenTilingBlend(vec4 fetch0, vec4 fetch1, vec4 fetch2, vec3 weights, float contrast) {
   // [HN18] eq. 8 on Gaussian values, about their mean. The image holds it as a value of 8 bits.
   const float kStoredMean = 128.0 / 255.0;
   vec4 blend = weights.x * fetch0 + weights.y * fetch1 + weights.z * fetch2;
-  float gain = noise.contrast * inversesqrt(dot(weights, weights));
+  float gain = contrast * inversesqrt(dot(weights, weights));
   return vec4(0.5 + gain * (blend.rgb - kStoredMean), blend.a);
 }
 
 /// The Gaussian value of a map.
-vec4 lichenTilingGaussian(sampler2D gaussian, LichenTilingPoint point, LichenNoise noise,
-                          LichenMap map) {
+vec4 lichenTilingGaussian(LICHEN_IMAGE_2D gaussian, LichenTilingPoint point, LichenMap map) {
   float level = lichenTilingLevel(point, map);
-  vec4 blend = lichenTilingBlend(textureLod(gaussian, point.uv0, level),
-                                 textureLod(gaussian, point.uv1, level),
-                                 textureLod(gaussian, point.uv2, level), point.weights, noise);
+  vec4 blend = lichenTilingBlend(
+      LICHEN_SAMPLE_2D(gaussian, point.uv0, level), LICHEN_SAMPLE_2D(gaussian, point.uv1, level),
+      LICHEN_SAMPLE_2D(gaussian, point.uv2, level), point.weights, point.contrast);
   blend.a *= lichenTilingLossShare(point, map);
   return blend;
 }

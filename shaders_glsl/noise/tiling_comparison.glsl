@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
-// For comparison: tiles decoded one by one and blended as values, without an inverse table after the
-// blend. [HN18] figs. 4 and 5.
+// For comparison: tiles decoded one by one and blended as values, without an inverse table after
+// the blend. [HN18] figs. 4 and 5.
 #ifndef LICHEN_TILING_COMPARISON_GLSL
 #define LICHEN_TILING_COMPARISON_GLSL
 
 #include "tiling_options.glsl"
 
-vec4 lichenTilingBlendDecoded(sampler2D gaussian, sampler3D table, LichenTilingTaps taps,
-                              float gain, LichenNoise noise, LichenMap map) {
-  LichenTiles tiles = lichenTilingTiles(gaussian, taps, noise, map);
+vec4 lichenTilingBlendDecoded(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table,
+                              LichenTilingTaps taps, float gain, LichenMap map) {
+  LichenTiles tiles = lichenTilingTiles(gaussian, taps, map);
   const float kShift = 0.5 - 128.0 / 255.0; // to the mean 1/2
   vec4 value0 = lichenDecode(table, tiles.tile0.rgb + kShift, tiles.tile0.a, 1.0, map);
   vec4 value1 = lichenDecode(table, tiles.tile1.rgb + kShift, tiles.tile1.a, 1.0, map);
   vec4 value2 = lichenDecode(table, tiles.tile2.rgb + kShift, tiles.tile2.a, 1.0, map);
   vec4 middle = map.mean;
-  if (map.encoding == uint(LICHEN_ENCODING_SLOPE) && lichenTurnsTiles(noise)) {
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isTurned) {
     value0.xy = lichenSlopesTurnedBack(value0.xy, taps.turn0);
     value1.xy = lichenSlopesTurnedBack(value1.xy, taps.turn1);
     value2.xy = lichenSlopesTurnedBack(value2.xy, taps.turn2);
@@ -26,17 +26,18 @@ vec4 lichenTilingBlendDecoded(sampler2D gaussian, sampler3D table, LichenTilingT
 }
 
 /// [HN18] eq. 3, fig. 4: linear blending. Contrast is lost between vertices.
-vec4 lichenTilingLinear(sampler2D gaussian, sampler3D table, LichenTilingTaps taps,
-                        LichenNoise noise, LichenMap map) {
-  return lichenTilingBlendDecoded(gaussian, table, taps, noise.contrast, noise, map);
+vec4 lichenTilingLinear(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
+                        LichenMap map) {
+  return lichenTilingBlendDecoded(gaussian, table, taps, taps.point.contrast, map);
 }
 
-/// [HN18] eq. 8, fig. 5: variance, but not the histogram, is kept. Values leave the exemplar's range.
-vec4 lichenTilingVariance(sampler2D gaussian, sampler3D table, LichenTilingTaps taps,
-                          LichenNoise noise, LichenMap map) {
+/// [HN18] eq. 8, fig. 5: variance, but not the histogram, is kept. Values leave the exemplar's
+/// range.
+vec4 lichenTilingVariance(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
+                          LichenMap map) {
   vec3 weights = taps.point.weights;
-  float gain = noise.contrast * inversesqrt(dot(weights, weights));
-  return lichenTilingBlendDecoded(gaussian, table, taps, gain, noise, map);
+  float gain = taps.point.contrast * inversesqrt(dot(weights, weights));
+  return lichenTilingBlendDecoded(gaussian, table, taps, gain, map);
 }
 
 #endif

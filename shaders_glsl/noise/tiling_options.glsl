@@ -23,125 +23,131 @@
 /// What all maps of a noise share at one point.
 struct LichenTilingTaps {
   LichenTilingPoint point;
-  vec2 turn0, turn1, turn2;    // (cosine, sine) of each tile's angle; (1, 0) where none is turned
-  vec2 gradientX, gradientY;   // [tiles / pixel] of the position; read with LICHEN_ANISOTROPIC 1
+  vec2 turn0, turn1, turn2; // (cosine, sine) of each tile's angle; (1, 0) where none is turned
+  bool isTurned;            // whether tiles are
+#if LICHEN_ANISOTROPIC
+  vec2 gradientX, gradientY; // of the position [tiles / pixel]
+  vec2 tileTexels;           // size of the widest map
+  float tileAspect;          // width over height of a tile in space
+  float maxAnisotropy;       // of the images' sampler
+#endif
 };
 
-/// Where the tile of a vertex is fetched. `way`: from the vertex to the point. [tiles]
-vec2 lichenTilingTap(ivec2 vertex, vec2 position, vec2 way, LichenNoise noise, out vec2 turn) {
-  vec2 tap = position - lichenReduceToPeriod(vertex, noise);
-  turn = vec2(1.0, 0.0);
-  if (lichenTurnsTiles(noise)) {
-    turn = lichenTileTurn(vertex, noise);
-    tap = lichenTurned(lichenTurnsKeepTexels(noise) ? tap : way, turn, noise.tileAspect);
-  }
-  return tap + lichenTileOffset(vertex, noise);
-}
-
 /// The way to a point from a vertex that is not reduced to a period. [tiles]
-vec2 lichenWayFromVertex(ivec2 vertex, vec2 skewed, LichenNoise noise) {
+vec2 lichenWayFromVertex(ivec2 vertex, vec2 skewed, LichenMaterial material) {
   // From the cell's corner to the point in cells, and from there to the vertex in whole ones: as
   // exact far from the origin as near it.
   vec2 cell = floor(skewed);
-  vec2 cells = skewed - cell - vec2(vertex - ivec2(cell) - ivec2(noise.cellI, noise.cellJ));
-  return vec2((cells.x + 0.5 * cells.y) / noise.columnsPerTile, cells.y / noise.rowsPerTile);
+  vec2 cells = skewed - cell - vec2(vertex - ivec2(cell) - ivec2(material.cellI, material.cellJ));
+  return vec2((cells.x + 0.5 * cells.y) / material.columnsPerTile, cells.y / material.rowsPerTile);
+}
+
+/// Where the tile of a vertex is fetched [tiles]; its angle.
+vec2 lichenTilingTap(ivec2 vertex, vec2 position, vec2 skewed, LichenMaterial material,
+                     LichenNoise noise, out vec2 turn) {
+  uint rotation = lichenTileRotation(material);
+  vec2 way = lichenWayFromVertex(vertex, skewed, material);
+  vec2 tap = position - lichenReduceToPeriod(vertex, material);
+  turn = vec2(1.0, 0.0);
+  if (rotation > 1u) {
+    turn = lichenTileTurn(vertex, rotation, material.seedWord);
+    tap = lichenTurned(lichenTurnsKeepTexels(rotation, noise.tileAspect) ? tap : way, turn,
+                       noise.tileAspect);
+  }
+  return tap + lichenTileOffset(vertex, material, noise);
 }
 
 /// As lichenTilingPoint.
 LichenTilingTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY,
-                                  LichenNoise noise) {
-  vec2 skewed = lichenSkewedWithin(position, noise);
-  LichenTriangle triangle = lichenTriangle(skewed, noise);
-  if (bool(LICHEN_BLEND_SHARPNESS) && noise.blendSharpness != 1.0) {
-    triangle.weights = pow(triangle.weights, vec3(noise.blendSharpness));
+                                  LichenMaterial material, LichenNoise noise) {
+  vec2 skewed = lichenSkewedWithin(position, material);
+  LichenTriangle triangle = lichenTriangle(skewed, material);
+  float sharpness = lichenTilingMaterial(material).blendSharpness;
+  if (bool(LICHEN_BLEND_SHARPNESS) && sharpness != 1.0) {
+    triangle.weights = pow(triangle.weights, vec3(sharpness));
     triangle.weights /= triangle.weights.x + triangle.weights.y + triangle.weights.z;
   }
   if (lichenHasFewerTaps())
     lichenTakeFewerTaps(triangle, gradientX, gradientY);
   LichenTilingTaps taps;
-  vec2 way0 = lichenWayFromVertex(triangle.vertex0, skewed, noise);
-  vec2 way1 = lichenWayFromVertex(triangle.vertex1, skewed, noise);
-  taps.point.uv0 = lichenTilingTap(triangle.vertex0, position, way0, noise, taps.turn0);
-  taps.point.uv1 = lichenTilingTap(triangle.vertex1, position, way1, noise, taps.turn1);
+  taps.point.uv0 = lichenTilingTap(triangle.vertex0, position, skewed, material, noise, taps.turn0);
+  taps.point.uv1 = lichenTilingTap(triangle.vertex1, position, skewed, material, noise, taps.turn1);
   taps.point.uv2 = taps.point.uv1; // of no weight with two taps
   taps.turn2 = taps.turn1;
-  if (LICHEN_TILING_TAPS > 2) {
-    vec2 way2 = lichenWayFromVertex(triangle.vertex2, skewed, noise);
-    taps.point.uv2 = lichenTilingTap(triangle.vertex2, position, way2, noise, taps.turn2);
-  }
-  taps.point.weights = triangle.weights;
-  vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
-  vec2 texelsX = gradientX * texels;
-  vec2 texelsY = gradientY * texels;
-  taps.point.footprintLevel = lichenFootprintLevel(texelsX, texelsY);
-  taps.point.lossShare =
-      lichenLossShare(position * texels, texelsX, texelsY, taps.point.footprintLevel);
-  if (lichenTurnsTiles(noise) && !lichenTurnsKeepTexels(noise))
+  if (LICHEN_TILING_TAPS > 2)
+    taps.point.uv2 =
+        lichenTilingTap(triangle.vertex2, position, skewed, material, noise, taps.turn2);
+  lichenSetTilingShares(taps.point, triangle.weights, position, gradientX, gradientY, material,
+                        noise);
+  uint rotation = lichenTileRotation(material);
+  taps.isTurned = rotation > 1u;
+  if (taps.isTurned && !lichenTurnsKeepTexels(rotation, noise.tileAspect))
     taps.point.lossShare = 1.0;
+#if LICHEN_ANISOTROPIC
   taps.gradientX = gradientX;
   taps.gradientY = gradientY;
+  taps.tileTexels = vec2(noise.tileTexelsX, noise.tileTexelsY);
+  taps.tileAspect = noise.tileAspect;
+  taps.maxAnisotropy = material.maxAnisotropy;
+#endif
   return taps;
 }
 
 #if LICHEN_ANISOTROPIC
 /// The mip level at which an anisotropic sampler loses what its footprint does: log2 of the side of
 /// the square of texels that loses as much.
-float lichenAnisotropicTilingLevel(LichenTilingTaps taps, LichenNoise noise, LichenMap map) {
-  vec2 size = vec2(noise.tileTexelsX, noise.tileTexelsY) * exp2(map.levelOffset);
+float lichenAnisotropicTilingLevel(LichenTilingTaps taps, LichenMap map) {
+  vec2 size = taps.tileTexels * exp2(map.levelOffset);
   vec2 texelsX = taps.gradientX * size;
   vec2 texelsY = taps.gradientY * size;
   vec2 squared = vec2(dot(texelsX, texelsX), dot(texelsY, texelsY));
   float major = max(max(squared.x, squared.y), 1.0);
   float minor = max(min(squared.x, squared.y), 1.0);
-  float most = noise.maxAnisotropy * noise.maxAnisotropy;
+  float most = taps.maxAnisotropy * taps.maxAnisotropy;
   return 0.5 * log2(major) - 0.25 * log2(min(major / minor, most));
 }
 #endif
 
-/// One tile; any value where it is not taken. An anisotropic sampler does not tell through
-/// alpha what its probes lose together.
-vec4 lichenTilingFetch(sampler2D gaussian, vec2 tap, vec2 turn, float weight,
-                       LichenTilingTaps taps, float level, LichenNoise noise) {
+/// One tile; any value where it is not taken.
+vec4 lichenTilingFetch(LICHEN_IMAGE_2D gaussian, vec2 tap, vec2 turn, float weight,
+                       LichenTilingTaps taps, float level) {
   if (!lichenIsTaken(weight))
     return vec4(0.5);
 #if LICHEN_ANISOTROPIC
   vec2 gradientX = taps.gradientX;
   vec2 gradientY = taps.gradientY;
   if (bool(LICHEN_TILE_ROTATION)) {
-    gradientX = lichenTurned(gradientX, turn, noise.tileAspect);
-    gradientY = lichenTurned(gradientY, turn, noise.tileAspect);
+    gradientX = lichenTurned(gradientX, turn, taps.tileAspect);
+    gradientY = lichenTurned(gradientY, turn, taps.tileAspect);
   }
-  return textureGrad(gaussian, tap, gradientX, gradientY);
+  return LICHEN_SAMPLE_2D_GRAD(gaussian, tap, gradientX, gradientY);
 #else
-  return textureLod(gaussian, tap, level);
+  return LICHEN_SAMPLE_2D(gaussian, tap, level);
 #endif
 }
 
-/// The Gaussian values of the tiles.
+/// The Gaussian values of the tiles, each with the share of its variance that filtering lost.
 struct LichenTiles {
   vec4 tile0, tile1, tile2;
 };
 
-LichenTiles lichenTilingTiles(sampler2D gaussian, LichenTilingTaps taps, LichenNoise noise,
-                              LichenMap map) {
+LichenTiles lichenTilingTiles(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, LichenMap map) {
 #if LICHEN_ANISOTROPIC
-  float level = lichenAnisotropicTilingLevel(taps, noise, map);
+  float level = lichenAnisotropicTilingLevel(taps, map);
 #else
   float level = lichenTilingLevel(taps.point, map);
 #endif
   vec3 weights = taps.point.weights;
   LichenTiles tiles;
-  tiles.tile0 =
-      lichenTilingFetch(gaussian, taps.point.uv0, taps.turn0, weights.x, taps, level, noise);
-  tiles.tile1 =
-      lichenTilingFetch(gaussian, taps.point.uv1, taps.turn1, weights.y, taps, level, noise);
+  tiles.tile0 = lichenTilingFetch(gaussian, taps.point.uv0, taps.turn0, weights.x, taps, level);
+  tiles.tile1 = lichenTilingFetch(gaussian, taps.point.uv1, taps.turn1, weights.y, taps, level);
   tiles.tile2 = vec4(0.5);
   if (LICHEN_TILING_TAPS > 2)
-    tiles.tile2 =
-        lichenTilingFetch(gaussian, taps.point.uv2, taps.turn2, weights.z, taps, level, noise);
+    tiles.tile2 = lichenTilingFetch(gaussian, taps.point.uv2, taps.turn2, weights.z, taps, level);
 #if LICHEN_ANISOTROPIC
+  // Alpha does not tell what an anisotropic sampler's probes lose together.
   tiles.tile0.a = tiles.tile1.a = tiles.tile2.a =
-      textureLod(gaussian, taps.point.uv0, level).a;
+      LICHEN_SAMPLE_2D(gaussian, taps.point.uv0, level).a;
 #else
   float lossShare = lichenTilingLossShare(taps.point, map);
   tiles.tile0.a *= lossShare;
@@ -152,32 +158,32 @@ LichenTiles lichenTilingTiles(sampler2D gaussian, LichenTilingTaps taps, LichenN
 }
 
 /// As lichenTilingGaussian.
-vec4 lichenTilingGaussian(sampler2D gaussian, LichenTilingTaps taps, LichenNoise noise,
-                          LichenMap map) {
-  LichenTiles tiles = lichenTilingTiles(gaussian, taps, noise, map);
-  return lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, taps.point.weights, noise);
+vec4 lichenTilingGaussian(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, LichenMap map) {
+  LichenTiles tiles = lichenTilingTiles(gaussian, taps, map);
+  return lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, taps.point.weights,
+                           taps.point.contrast);
 }
 
 /// The value of one map.
-vec4 lichenTiling(sampler2D gaussian, sampler3D table, LichenTilingTaps taps, LichenNoise noise,
+vec4 lichenTiling(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
                   LichenMap map) {
-  LichenTiles tiles = lichenTilingTiles(gaussian, taps, noise, map);
+  LichenTiles tiles = lichenTilingTiles(gaussian, taps, map);
+  float contrast = taps.point.contrast;
   vec3 weights = taps.point.weights;
-  vec4 blend = lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, weights, noise);
+  vec4 blend = lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, weights, contrast);
   // The slopes of turned tiles are decoded one by one, turned back and blended about 0, where
   // turning leaves their mean: a joint table knows slopes as they lie in the exemplar. One loop for
   // both, tested at both ends, as lichenTriplanarBlend has it: devices that run both sides of a
   // branch leave a loop when no pixel has more.
-  bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && lichenTurnsTiles(noise);
+  bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isTurned;
   vec3 shares = weights * inversesqrt(dot(weights, weights));
   int count = isEach ? (LICHEN_TILING_TAPS > 2 ? 3 : 2) : 1;
   vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
   int tile = 0;
   while (tile < count) {
     vec4 each = tile == 0 ? tiles.tile0 : (tile == 1 ? tiles.tile1 : tiles.tile2);
-    vec3 gaussianValue = isEach ? 0.5 + noise.contrast * (each.rgb - 128.0 / 255.0) : blend.rgb;
-    vec4 value =
-        lichenDecode(table, gaussianValue, isEach ? each.a : blend.a, noise.contrast, map);
+    vec3 gaussianValue = isEach ? 0.5 + contrast * (each.rgb - 128.0 / 255.0) : blend.rgb;
+    vec4 value = lichenDecode(table, gaussianValue, isEach ? each.a : blend.a, contrast, map);
     vec2 turn = tile == 0 ? taps.turn0 : (tile == 1 ? taps.turn1 : taps.turn2);
     float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
     if (isEach)

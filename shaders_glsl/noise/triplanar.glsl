@@ -7,42 +7,36 @@
 #ifndef LICHEN_TRIPLANAR_GLSL
 #define LICHEN_TRIPLANAR_GLSL
 
-#include "method_choice.glsl"
-#include "texton.glsl"
+#include "method.glsl"
 #include "tile_frame.glsl"
-#include "tiling_options.glsl"
 
 /// The noise in one plane at one point.
 struct LichenPlanePlace {
   int axis;     // along which the plane looks: 0 x, 1 y, 2 z
   float weight; // squares of the weights sum to 1
-  LichenTilingTaps taps;
-  LichenImpacts impacts;
+  LichenPoint point;
 };
 
 /// What all maps of a triplanar noise share at one point.
 struct LichenTriplanar {
-  int count;   // of planes that count, [1, 3]
-  vec3 normal; // of unit length
+  int count;                               // of planes that count, [1, 3]
+  vec3 normal;                             // of unit length
   LichenPlanePlace plane0, plane1, plane2; // those that count first
 };
 
-/// Chosen, not indexed: a copied array that is indexed lives in memory on most devices.
-LichenPlane lichenPlane(int axis, LichenNoise noise) {
-  return axis == 0 ? noise.planeX : (axis == 1 ? noise.planeY : noise.planeZ);
-}
-
 float lichenAlongAxis(vec3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
-/// The noise of one plane, as on texture coordinates.
-LichenNoise lichenNoiseOfPlane(int axis, LichenNoise noise) {
-  LichenPlane plane = lichenPlane(axis, noise);
-  noise.cellI = plane.cellI;
-  noise.cellJ = plane.cellJ;
-  noise.offsetX = plane.offsetX;
-  noise.offsetY = plane.offsetY;
-  noise.seedWord = plane.seedWord;
-  return noise;
+/// The material in one plane, as on texture coordinates.
+LichenMaterial lichenMaterialOfPlane(int axis, LichenTriplanarMaterial planes) {
+  LichenMaterial material = planes.material;
+  if (axis == 0)
+    return material;
+  material.cellI = axis == 1 ? planes.planeY.cellI : planes.planeZ.cellI;
+  material.cellJ = axis == 1 ? planes.planeY.cellJ : planes.planeZ.cellJ;
+  material.offsetX = axis == 1 ? planes.planeY.offsetX : planes.planeZ.offsetX;
+  material.offsetY = axis == 1 ? planes.planeY.offsetY : planes.planeZ.offsetY;
+  material.seedWord = axis == 1 ? planes.planeY.seedWord : planes.planeZ.seedWord;
+  return material;
 }
 
 /// Along the right and the down of the plane that looks along an axis, seen from its end.
@@ -51,10 +45,9 @@ vec2 lichenOntoPlane(vec3 v, int axis) {
 }
 
 /// Slopes in the exemplar of that plane -> the gradient in space of the height that it shows.
-vec3 lichenSlopesToSpace(vec2 slopes, int axis, LichenNoise noise) {
-  vec2 s = lichenSlopesToUv(slopes, noise); // to the right and up
-  return axis == 0 ? vec3(0.0, s.y, -s.x)
-                   : (axis == 1 ? vec3(s.x, 0.0, -s.y) : vec3(s, 0.0));
+vec3 lichenSlopesToSpace(vec2 slopes, int axis, LichenMaterial material) {
+  vec2 s = lichenSlopesToUv(slopes, material); // to the right and up
+  return axis == 0 ? vec3(0.0, s.y, -s.x) : (axis == 1 ? vec3(s.x, 0.0, -s.y) : vec3(s, 0.0));
 }
 
 /// The place in the plane of this rank.
@@ -66,55 +59,14 @@ LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank) {
   return at.plane2;
 }
 
-/// The Gaussian value of one plane. `lost`: the shares of its channels' variance that filtering
-/// loses. `here` is the map at its place in a mix, and `table` that of the map's binding.
-vec3 lichenPlaneGaussian(sampler2D image, sampler3D table, LichenPlanePlace plane,
-                         LichenNoise noise, LichenMap map, LichenMap here, LichenTexton texton,
-                         out vec3 lost) {
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise)) {
-    noise.seedWord = lichenPlane(plane.axis, noise).seedWord;
-    LichenKept kept = lichenTextonKept(table, plane.impacts, map, texton);
-    lost = 1.0 - kept.seen;
-    return lichenTextonGaussian(image, plane.impacts, kept, noise, here, texton);
-  }
-#endif
-  vec4 gaussian = lichenTilingGaussian(image, plane.taps, noise, map);
-  lost = gaussian.aaa;
-  return gaussian.rgb;
-}
-
-/// The slopes of one plane; z is the variance of a slope that the footprint hides.
-vec3 lichenPlaneSlopesOf(sampler2D image, sampler3D table, LichenPlanePlace plane,
-                         LichenNoise noise, LichenMap map, LichenMap here, LichenTexton texton) {
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise)) {
-    vec3 lost;
-    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
-    return lichenDecodeGaussian(gaussian, noise.contrast * noise.contrast * lost, here).xyz;
-  }
-#endif
-  return lichenTiling(image, table, plane.taps, noise, map).xyz;
-}
-
-/// The value that the Gaussian value of all planes stands for.
-vec4 lichenTriplanarDecode(sampler3D table, vec3 gaussian, vec3 lost, LichenNoise noise,
-                           LichenMap map, LichenMap here) {
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise)) // contrast scales what is missing with what is there
-    return lichenDecodeGaussian(gaussian, noise.contrast * noise.contrast * lost, here);
-#endif
-  return lichenDecode(table, gaussian, lost.x, noise.contrast, map);
-}
-
 /// What the decoded slopes of one plane add to the gradient in space, and in w to the variance of a
 /// slope that the footprint hides.
-vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePlace plane, vec3 normal, LichenNoise noise) {
+vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePlace plane, vec3 normal, LichenMaterial material) {
   // Of a variance alike along all axes of the plane, what is seen on the surface: all across the
   // slant, and its cosine's square along it.
   float cosine = lichenAlongAxis(normal, plane.axis);
   float seen = 0.5 + 0.5 * cosine * cosine;
-  return vec4(plane.weight * lichenSlopesToSpace(slopes.xy, plane.axis, noise),
+  return vec4(plane.weight * lichenSlopesToSpace(slopes.xy, plane.axis, material),
               plane.weight * plane.weight * seen * slopes.z);
 }
 
@@ -125,10 +77,10 @@ struct LichenPlanesBlend {
   vec4 value;    // decoded
 };
 
-/// All planes that count. `here` as above.
-LichenPlanesBlend lichenTriplanarBlend(sampler2D image, sampler3D table, LichenTriplanar at,
-                                       LichenNoise noise, LichenMap map, LichenMap here,
-                                       LichenTexton texton) {
+/// All planes that count.
+LichenPlanesBlend lichenTriplanarBlend(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                                       LichenTriplanar at, LichenMaterial material,
+                                       LichenNoise noise, LichenMap map) {
   // Slopes are decoded plane by plane: a joint table knows them as they lie in the exemplar, and
   // those of three planes point in other directions.
   bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
@@ -144,7 +96,7 @@ LichenPlanesBlend lichenTriplanarBlend(sampler2D image, sampler3D table, LichenT
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank);
     vec3 lost;
-    vec3 gaussian = lichenPlaneGaussian(image, table, plane, noise, map, here, texton, lost);
+    vec3 gaussian = lichenGaussian(image, table, plane.point, material, noise, map, lost);
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
     sum += plane.weight * (gaussian - 0.5);
@@ -152,11 +104,11 @@ LichenPlanesBlend lichenTriplanarBlend(sampler2D image, sampler3D table, LichenT
     ++rank;
     bool isLast = rank >= at.count; // of what is not a slope, only the whole is decoded
     if (isSlope)
-      blend.value += lichenPlaneSlopes(
-          lichenPlaneSlopesOf(image, table, plane, noise, map, here, texton), plane, at.normal,
-          noise);
+      blend.value +=
+          lichenPlaneSlopes(lichenPointValue(image, table, plane.point, material, noise, map).xyz,
+                            plane, at.normal, material);
     else if (isLast)
-      blend.value = lichenTriplanarDecode(table, 0.5 + sum, blend.lost, noise, map, here);
+      blend.value = lichenDecodeAt(table, 0.5 + sum, blend.lost, plane.point, material, noise, map);
     if (isLast)
       break;
   }
@@ -164,31 +116,21 @@ LichenPlanesBlend lichenTriplanarBlend(sampler2D image, sampler3D table, LichenT
   return blend;
 }
 
-/// The map at the place in a mix that all planes share; without a mix, as it is.
-LichenMap lichenTriplanarMap(sampler3D table, LichenTriplanar at, LichenNoise noise, LichenMap map,
-                             LichenTexton texton) {
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise))
-    return lichenMixedMap(table, at.plane0.impacts, map, texton);
-#endif
-  return map;
-}
-
 /// The place in a mix, of all impacts of all planes.
 void lichenSetTriplanarMix(inout LichenTriplanar at, float mixWeight) {
-  at.plane0.impacts.mixWeight = mixWeight;
-  at.plane1.impacts.mixWeight = mixWeight;
-  at.plane2.impacts.mixWeight = mixWeight;
+  at.plane0.point.impacts.mixWeight = mixWeight;
+  at.plane1.point.impacts.mixWeight = mixWeight;
+  at.plane2.point.impacts.mixWeight = mixWeight;
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, xyz is
 /// their gradient in space, for lichenNormalFromGradient, and w the variance of a slope that the
 /// footprint hides. `mixWeight` is that of the point.
-vec4 lichenTriplanarValue(sampler2D image, sampler3D table, LichenTriplanar at, float mixWeight,
-                          LichenNoise noise, LichenMap map, LichenTexton texton) {
+vec4 lichenTriplanarValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
+                          float mixWeight, LichenMaterial material, LichenNoise noise,
+                          LichenMap map) {
   lichenSetTriplanarMix(at, mixWeight);
-  LichenMap here = lichenTriplanarMap(table, at, noise, map, texton);
-  return lichenTriplanarBlend(image, table, at, noise, map, here, texton).value;
+  return lichenTriplanarBlend(image, table, at, material, noise, map).value;
 }
 
 #endif

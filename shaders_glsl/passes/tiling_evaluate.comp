@@ -1,16 +1,16 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Evaluates the first map of a tiling noise at a list of points:
+// Evaluates one map of a tiling noise at a list of points:
 // points[k] (uv and its gradients) -> values[k] (RGBA of the decoded quantity).
 // For tests and for engines that fill a texture from a noise at run time.
 
 #define LICHEN_TEXTON_NOISES 0
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
-#define LICHEN_MAP_COUNT 1
 #include "../lichen.glsl"
 #include "../noise/tiling_comparison.glsl"
+#include "one_role.glsl"
 
 const int kOperatorHistogram = 0;
 const int kOperatorLinear = 1;
@@ -27,21 +27,24 @@ layout(local_size_x = 64) in;
 layout(std430, set = 1, binding = 0) readonly buffer Points { Point points[]; };
 layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
+vec4 evaluated(texture2D image, texture3D table, Point point) {
+  LichenMap map = lichenMaps[kRole];
+  LichenTilingTaps taps =
+      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy).point.taps;
+  if (kOperator == kOperatorLinear)
+    return lichenTilingLinear(image, table, taps, map);
+  if (kOperator == kOperatorVariance)
+    return lichenTilingVariance(image, table, taps, map);
+  if (kOperator == kOperatorGaussian)
+    return lichenTilingGaussian(image, taps, map);
+  return lichenTiling(image, table, taps, map);
+}
+
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= uint(points.length()))
     return;
-  Point point = points[index];
-  LichenNoise noise = lichenUniforms.noise;
-  LichenMap map = lichenUniforms.maps[0];
-  LichenTilingTaps taps =
-      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy).taps;
-  if (kOperator == kOperatorLinear)
-    values[index] = lichenTilingLinear(lichenImage0, lichenTable0, taps, noise, map);
-  else if (kOperator == kOperatorVariance)
-    values[index] = lichenTilingVariance(lichenImage0, lichenTable0, taps, noise, map);
-  else if (kOperator == kOperatorGaussian)
-    values[index] = lichenTilingGaussian(lichenImage0, taps, noise, map);
-  else
-    values[index] = lichenTiling(lichenImage0, lichenTable0, taps, noise, map);
+  vec4 value = vec4(0.0);
+  LICHEN_EVALUATE(value, points[index]);
+  values[index] = value;
 }

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Evaluates the first map of a noise of either method in three planes at a list of points of
+// Evaluates one map of a noise of either method in three planes at a list of points of
 // surfaces: points[k] (position, its gradients, normal) -> values[k] (RGBA of the decoded quantity,
 // or of slopes their gradient in space and variance).
 // For tests and for engines that bake a noise into the texture or the vertices of a mesh.
@@ -9,8 +9,8 @@
 #define LICHEN_OTHER_MAPPINGS 0
 #define LICHEN_OMIT_SURFACE_TEXTONS
 #define LICHEN_SET 0
-#define LICHEN_MAP_COUNT 1
 #include "../lichen.glsl"
+#include "one_role.glsl"
 
 const int kValue = 0;
 const int kGaussian = 1; // the Gaussian value, the first channel's lost variance in alpha
@@ -27,28 +27,29 @@ layout(local_size_x = 64) in;
 layout(std430, set = 1, binding = 0) readonly buffer Points { Point points[]; };
 layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
+vec4 evaluated(texture2D image, texture3D table, Point point) {
+  LichenMap map = lichenMaps[kRole];
+  LichenPlace place = LICHEN_PLACE_TRIPLANAR(point.position.xyz, point.gradientX.xyz,
+                                             point.gradientY.xyz, point.normal.xyz);
+  if (point.position.w >= 0.0)
+    lichenSetMix(place.point.impacts, point.position.w, vec2(0.0));
+  if (kQuantity == kWeights)
+    return vec4(lichenPlaneWeights(point.normal.xyz, lichenMaterial),
+                float(place.triplanar.count));
+  if (kQuantity == kGaussian) {
+    lichenSetTriplanarMix(place.triplanar, place.point.impacts.mixWeight);
+    LichenPlanesBlend blend =
+        lichenTriplanarBlend(image, table, place.triplanar, lichenMaterial, lichenNoise, map);
+    return vec4(blend.gaussian, blend.lost.x);
+  }
+  return lichenValue(image, table, place, map);
+}
+
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= uint(points.length()))
     return;
-  Point point = points[index];
-  LichenNoise noise = lichenUniforms.noise;
-  LichenTexton texton = lichenUniforms.texton;
-  LichenPlace place = LICHEN_PLACE_TRIPLANAR(point.position.xyz, point.gradientX.xyz,
-                                             point.gradientY.xyz, point.normal.xyz);
-  if (point.position.w >= 0.0)
-    lichenSetMix(place.impacts, point.position.w, vec2(0.0));
-  if (kQuantity == kWeights) {
-    values[index] =
-        vec4(lichenPlaneWeights(point.normal.xyz, noise), float(place.triplanar.count));
-  } else if (kQuantity == kGaussian) {
-    lichenSetTriplanarMix(place.triplanar, place.impacts.mixWeight);
-    LichenMap map = lichenUniforms.maps[0];
-    LichenMap here = lichenTriplanarMap(lichenTable0, place.triplanar, noise, map, texton);
-    LichenPlanesBlend blend = lichenTriplanarBlend(lichenImage0, lichenTable0, place.triplanar,
-                                                   noise, map, here, texton);
-    values[index] = vec4(blend.gaussian, blend.lost.x);
-  } else {
-    values[index] = LICHEN_NOISE(0, place);
-  }
+  vec4 value = vec4(0.0);
+  LICHEN_EVALUATE(value, points[index]);
+  values[index] = value;
 }

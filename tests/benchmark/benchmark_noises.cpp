@@ -63,23 +63,13 @@ std::vector<std::byte> slopeGlb() {
 
 ReadyNoise::ReadyNoise(VulkanDevice& gpu, const std::vector<std::byte>& glb, const NoiseUse& use)
     : host_(gpu, glb) {
-  LichenUniformInfo uniforms;
-  LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
-  uniforms.overrides =
-      LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_TILE_ROTATION;
-  uniforms.mapping = use.mapping;
-  uniforms.blendSharpness = use.blendSharpness;
-  uniforms.tileRotation = use.tileRotation;
+  test::MaterialUse material = host_.use();
+  material.parameters.mapping = use.mapping;
+  material.parameters.blendSharpness = use.blendSharpness;
+  material.parameters.tileRotation = use.tileRotation;
   const std::vector<test::Point> point(1);
   // The first run uploads the noise.
-  (void)host_.evaluate(test::committedShader("tiling_evaluate.comp"), 0, uniforms, point);
-}
-
-VkDescriptorSetLayout ReadyNoise::layout() const {
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  if (lichenVulkanGetSetLayout(host_.assets(), 0, &layout) != LICHEN_SUCCESS)
-    throw std::runtime_error("no set layout");
-  return layout;
+  (void)host_.evaluate(test::committedShader("tiling_evaluate.comp"), 0, material, point);
 }
 
 } // namespace lichen::bench

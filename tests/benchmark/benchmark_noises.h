@@ -28,12 +28,12 @@ struct NoiseUse {
   std::uint32_t tileRotation = 0;
 };
 
-/// A noise on the device, uploaded and with its uniforms written.
+/// A noise on the device, uploaded and with its material's block written.
 class ReadyNoise {
 public:
   ReadyNoise(VulkanDevice& gpu, const std::vector<std::byte>& glb, const NoiseUse& use = {});
 
-  [[nodiscard]] VkDescriptorSetLayout layout() const;
+  [[nodiscard]] VkDescriptorSetLayout layout() const { return host_.context().layout(); }
   [[nodiscard]] VkDescriptorSet set() const { return host_.set(); }
 
 private:

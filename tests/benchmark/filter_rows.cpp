@@ -65,7 +65,7 @@ double texelMiddle(int cell, double cellTiles, std::uint32_t random) {
 }
 
 /// The largest channel difference between a view's mean and the mean of its texels.
-double meanColourError(const TilingEvaluator& evaluator, const shader::LichenNoise& noise,
+double meanColourError(const TilingEvaluator& evaluator, const shader::LichenMaterial& material,
                        double pixelTiles) {
   // Centred on the origin, so that floats resolve half a texel at 25,600 tiles.
   const Colour filtered = gridMean(kViewSide, [&](int x, int y) {
@@ -74,7 +74,7 @@ double meanColourError(const TilingEvaluator& evaluator, const shader::LichenNoi
                    float((y + 0.5 - kViewSide / 2) * pixelTiles)};
     at.dx = {float(pixelTiles), 0.0f};
     at.dy = {0.0f, float(pixelTiles)};
-    return evaluator.evaluate(0, noise, at);
+    return evaluator.evaluate(0, material, at);
   });
   const double cell = pixelTiles * kViewSide / kReferenceSide;
   const Colour reference = gridMean(kReferenceSide, [&](int x, int y) {
@@ -84,21 +84,20 @@ double meanColourError(const TilingEvaluator& evaluator, const shader::LichenNoi
                    float(texelMiddle(y - kReferenceSide / 2, cell, random[1]))};
     at.dx = {1.0f / kExemplarSide, 0.0f};
     at.dy = {0.0f, 1.0f / kExemplarSide};
-    return evaluator.evaluate(0, noise, at);
+    return evaluator.evaluate(0, material, at);
   });
   return largestDifference(filtered, reference);
 }
 
 /// Likewise for textons, which are exact at any point.
 double meanColourError(const TextonEvaluator& evaluator, const Bundle& bundle, double pixelTiles) {
-  const shader::LichenNoise noise = shaderNoise(bundle, MaterialNoise{}, {});
-  const shader::LichenTexton texton = shaderTexton(bundle, MaterialNoise{}, {});
+  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise{}, {}).material;
   const auto seen = [&](double x, double y, double side) {
     TileFootprint at;
     at.position = {float(x), float(y)};
     at.dx = {float(side), 0.0f};
     at.dy = {0.0f, float(side)};
-    return evaluator.evaluate(0, noise, texton, at);
+    return evaluator.evaluate(0, material, at);
   };
   const Colour filtered = gridMean(kTextonViewSide, [&](int x, int y) {
     return seen((x + 0.5 - kTextonViewSide / 2) * pixelTiles,
@@ -148,9 +147,9 @@ std::vector<Row> filterRows() {
     std::array<double, kFootprints.size()> errors{};
     const Bundle tiled = bakedBundle(exemplar.image);
     const auto tiles = created<TilingEvaluator>(tiled);
-    const shader::LichenNoise noise = shaderNoise(tiled, MaterialNoise{}, {});
+    const shader::LichenMaterial material = shaderMaterial(tiled, MaterialNoise{}, {}).material;
     for (std::size_t k = 0; k < errors.size(); ++k)
-      errors[k] = meanColourError(tiles, noise, kFootprints[k]);
+      errors[k] = meanColourError(tiles, material, kFootprints[k]);
     tiling.note(exemplar, errors);
     const Bundle spotted = textonBundle(exemplar.image);
     const auto impacts = created<TextonEvaluator>(spotted);

@@ -13,7 +13,9 @@
 #include <tiling.frag.joint.h>
 #include <tiling.frag.one_tap.h>
 #include <tiling.frag.sharp.h>
+#include <tiling.frag.slopes.h>
 #include <tiling.frag.turned.h>
+#include <tiling.frag.turned_slopes.h>
 #include <tiling.frag.two_taps.h>
 #include <triplanar.frag.h>
 #include <view.vert.h>
@@ -89,15 +91,20 @@ void appendLevelRows(std::vector<Row>& rows, const Glb& colors, const Screen& sc
 
 /// Rotated tiles relative to unrotated ones, for colours and for slopes, which are decoded tile by
 /// tile.
-void appendRotationRows(std::vector<Row>& rows, const Glb& colors, const Screen& screen) {
+void appendRotationRows(std::vector<Row>& rows, const Glb& colorGlb, const Screen& screen) {
   constexpr double kUnusedTarget = 1.0, kColorTarget = 1.05, kSlopeTarget = 1.5;
-  const auto row = [&](const char* what, double target, const Glb& glb, std::uint32_t angles) {
-    const ReadyNoise plain(screen.gpu(), glb);
-    const ReadyNoise rotated(screen.gpu(), glb, {.tileRotation = angles});
-    rows.push_back(ratioRow(what, target, {what, tiling_frag_turned, rotated},
-                            {"not rotated", tiling_frag_joint, plain}, screen, kFlat));
+  struct Kind {
+    Glb glb;
+    std::span<const std::uint32_t> rotated, plain; ///< shaders
   };
-  const Glb slopes = slopeGlb();
+  const auto row = [&](const char* what, double target, const Kind& kind, std::uint32_t angles) {
+    const ReadyNoise plain(screen.gpu(), kind.glb);
+    const ReadyNoise rotated(screen.gpu(), kind.glb, {.tileRotation = angles});
+    rows.push_back(ratioRow(what, target, {what, kind.rotated, rotated},
+                            {"not rotated", kind.plain, plain}, screen, kFlat));
+  };
+  const Kind colors{colorGlb, tiling_frag_turned, tiling_frag_joint};
+  const Kind slopes{slopeGlb(), tiling_frag_turned_slopes, tiling_frag_slopes};
   row("colours, code of tile rotation that is not used, over none", kUnusedTarget, colors, 0);
   row("colours, tiles rotated by 2 angles over not rotated", kColorTarget, colors, 2);
   row("colours, tiles rotated by 4 angles", kColorTarget, colors, 4);

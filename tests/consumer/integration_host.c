@@ -3,8 +3,9 @@
 #include "integration_host.h"
 
 LichenResult createContext(const Host* host, LichenVulkanContext* context,
-                           LichenDiagnostic* diagnostic) {
+                           VkDescriptorSetLayout* setLayout, LichenDiagnostic* diagnostic) {
   LichenVulkanInfo info;
+  LichenResult result;
   LICHEN_INIT(info, LICHEN_STRUCTURE_VULKAN_INFO);
   info.headerVersion = LICHEN_HEADER_VERSION;
   info.flags = LICHEN_VULKAN_DYNAMIC_UNIFORMS; /* one set for all frames in flight */
@@ -12,7 +13,10 @@ LichenResult createContext(const Host* host, LichenVulkanContext* context,
   info.physicalDevice = host->physicalDevice;
   info.device = host->device;
   info.getInstanceProcAddr = host->getInstanceProcAddr; /* or info.functions */
-  return lichenVulkanCreateContext(&info, context, diagnostic);
+  result = lichenVulkanCreateContext(&info, context, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = lichenVulkanGetSetLayout(*context, setLayout); /* for your pipeline layouts */
+  return result;
 }
 
 /* Records the upload into `commands`: submit it before or with the first frame that draws. */
@@ -37,6 +41,13 @@ LichenResult loadBundle(LichenVulkanContext context, const void* file, size_t fi
   return result;
 }
 
+/* When the upload has completed and all materials are added. */
+void finishLoading(NoiseBundle* loaded) {
+  lichenVulkanReleaseStaging(loaded->assets);
+  lichenDestroyBundle(loaded->bundle);
+  loaded->bundle = NULL;
+}
+
 void unloadBundle(NoiseBundle* loaded, uint64_t lastFrame) {
   lichenVulkanRetireAssets(loaded->assets, lastFrame);
   lichenDestroyBundle(loaded->bundle);
@@ -47,13 +58,13 @@ void unloadBundle(NoiseBundle* loaded, uint64_t lastFrame) {
 LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t index, uint32_t slot,
                          NoiseMaterial* material, LichenDiagnostic* diagnostic) {
   /* The dynamic offset of each draw is added to this offset of 0. */
-  const VkDescriptorBufferInfo uniforms = {host->uniformBuffer, 0, LICHEN_UNIFORM_BYTES};
+  const VkDescriptorBufferInfo block = {host->uniformBuffer, 0, LICHEN_MATERIAL_BYTES};
   LichenMaterialProperties properties;
   LichenResult result;
   memset(material, 0, sizeof *material);
-  material->index = index;
   material->slot = slot;
   LICHEN_INIT(properties, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
+  LICHEN_INIT(material->parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
 
   result = lichenGetMaterialProperties(loaded->bundle, index, &properties);
   /* LICHEN_NO_NOISE: draw it as any other material. This host's shader has texture coordinates. */
@@ -61,23 +72,21 @@ LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t i
       (properties.noise == LICHEN_NO_NOISE || properties.mapping != LICHEN_MAPPING_UV))
     result = LICHEN_ERROR_UNSUPPORTED;
   if (result == LICHEN_SUCCESS)
-    result = lichenVulkanGetSetLayout(loaded->assets, properties.noise, &material->setLayout);
+    result = lichenGetMaterialParameters(loaded->bundle, index, &material->parameters);
   if (result == LICHEN_SUCCESS)
-    result = lichenVulkanAllocateSet(loaded->assets, properties.noise, host->pool, &uniforms,
+    result = lichenVulkanAllocateSet(loaded->assets, properties.noise, host->pool, &block,
                                      &material->set, diagnostic);
   return result;
 }
 
-LichenResult updateMaterial(const Host* host, const NoiseBundle* loaded,
-                            const NoiseMaterial* material, uint32_t frameInFlight,
+LichenResult updateMaterial(const Host* host, const NoiseMaterial* material, uint32_t frameInFlight,
                             const int64_t cameraTile[2], uint32_t* dynamicOffset,
                             LichenDiagnostic* diagnostic) {
-  LichenUniformInfo info;
-  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
-  info.material = material->index;
-  info.tileOrigin[0] = cameraTile[0]; /* far from the origin: see below */
-  info.tileOrigin[1] = cameraTile[1];
-  *dynamicOffset = (material->slot * host->framesInFlight + frameInFlight) * LICHEN_UNIFORM_BYTES;
-  return lichenFillUniforms(loaded->bundle, &info, host->mappedUniforms + *dynamicOffset,
-                            diagnostic);
+  LichenPlacement placement;
+  LICHEN_INIT(placement, LICHEN_STRUCTURE_PLACEMENT);
+  placement.tileOrigin[0] = cameraTile[0]; /* far from the origin: see below */
+  placement.tileOrigin[1] = cameraTile[1];
+  *dynamicOffset = (material->slot * host->framesInFlight + frameInFlight) * BLOCK_STRIDE;
+  return lichenFillMaterial(&material->parameters, &placement,
+                            host->mappedUniforms + *dynamicOffset, diagnostic);
 }

@@ -17,34 +17,36 @@ typedef struct Host {
   PFN_vkGetInstanceProcAddr getInstanceProcAddr;
   VkDescriptorPool pool;
   uint32_t framesInFlight;
-  VkBuffer uniformBuffer; /* each slot has framesInFlight blocks of LICHEN_UNIFORM_BYTES */
+  VkBuffer uniformBuffer; /* each slot has framesInFlight blocks of BLOCK_STRIDE bytes */
   unsigned char* mappedUniforms;
 } Host;
 
+/* A multiple of the device's minUniformBufferOffsetAlignment, which is 256 at most. */
+#define BLOCK_STRIDE 256u
+
 /* What it keeps of a bundle. */
 typedef struct NoiseBundle {
-  LichenBundle bundle;
+  LichenBundle bundle; /* NULL after finishLoading() */
   LichenVulkanAssets assets;
 } NoiseBundle;
 
 /* What it keeps of a noise material in a bundle. */
 typedef struct NoiseMaterial {
-  uint32_t index;                  /* of the glTF material */
-  uint32_t slot;                   /* of the uniform buffer */
-  VkDescriptorSetLayout setLayout; /* for the pipeline layout */
+  uint32_t slot; /* of the uniform buffer */
   VkDescriptorSet set;
+  LichenMaterialParameters parameters; /* to change as you like */
 } NoiseMaterial;
 
 LichenResult createContext(const Host* host, LichenVulkanContext* context,
-                           LichenDiagnostic* diagnostic);
+                           VkDescriptorSetLayout* setLayout, LichenDiagnostic* diagnostic);
 LichenResult loadBundle(LichenVulkanContext context, const void* file, size_t fileBytes,
                         VkCommandBuffer commands, NoiseBundle* loaded,
                         LichenDiagnostic* diagnostic);
+void finishLoading(NoiseBundle* loaded);
 void unloadBundle(NoiseBundle* loaded, uint64_t lastFrame);
 LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t index, uint32_t slot,
                          NoiseMaterial* material, LichenDiagnostic* diagnostic);
-LichenResult updateMaterial(const Host* host, const NoiseBundle* loaded,
-                            const NoiseMaterial* material, uint32_t frameInFlight,
+LichenResult updateMaterial(const Host* host, const NoiseMaterial* material, uint32_t frameInFlight,
                             const int64_t cameraTile[2], uint32_t* dynamicOffset,
                             LichenDiagnostic* diagnostic);
 

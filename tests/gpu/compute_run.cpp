@@ -69,8 +69,8 @@ void createBufferSet(BufferSet& objects, VkDescriptorSetLayout setLayout, const 
 /// A pipeline with its inputs, by which it is found again.
 struct ComputePipeline {
   ComputePipeline(VkDevice d, const ComputeRun& run)
-      : device(d), spirv(run.spirv.begin(), run.spirv.end()), constant(run.constant),
-        otherLayout(run.layout), imageSamplers(run.imageSamplers) {
+      : device(d), spirv(run.spirv.begin(), run.spirv.end()), constants(run.constants),
+        otherLayout(run.layout) {
     createSetLayout();
     createPipeline();
   }
@@ -84,9 +84,7 @@ struct ComputePipeline {
   }
 
   [[nodiscard]] bool serves(const ComputeRun& run) const {
-    const bool isAlike =
-        imageSamplers != 0 ? imageSamplers == run.imageSamplers : otherLayout == run.layout;
-    return constant == run.constant && isAlike &&
+    return constants == run.constants && otherLayout == run.layout &&
            std::equal(spirv.begin(), spirv.end(), run.spirv.begin(), run.spirv.end());
   }
 
@@ -111,8 +109,9 @@ struct ComputePipeline {
     layout.setLayoutCount = hasOther ? 2 : 1;
     layout.pSetLayouts = hasOther ? layouts.data() : &setLayout;
     require(vkCreatePipelineLayout(device, &layout, nullptr, &pipelineLayout), "a pipeline layout");
-    const VkSpecializationMapEntry entry{0, 0, sizeof constant};
-    const VkSpecializationInfo specialization{1, &entry, sizeof constant, &constant};
+    constexpr std::uint32_t kBytes = sizeof(std::int32_t);
+    const VkSpecializationMapEntry entries[] = {{0, 0, kBytes}, {1, kBytes, kBytes}};
+    const VkSpecializationInfo specialization{2, entries, sizeof constants, constants.data()};
     VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
@@ -126,9 +125,8 @@ struct ComputePipeline {
 
   VkDevice device;
   std::vector<std::uint32_t> spirv;
-  std::int32_t constant;
+  std::array<std::int32_t, 2> constants;
   VkDescriptorSetLayout otherLayout; // of the caller's set
-  std::uint32_t imageSamplers;
   VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
   VkShaderModule module = VK_NULL_HANDLE;
   VkPipelineLayout pipelineLayout = VK_NULL_HANDLE;

@@ -4,6 +4,7 @@
 
 #include <lichen/vulkan_device.h>
 
+#include <array>
 #include <cstring>
 #include <functional>
 #include <memory>
@@ -21,7 +22,7 @@ class ComputePipelines {
 public:
   explicit ComputePipelines(VkDevice device);
   ~ComputePipelines();
-  /// Returns the pipeline for the run's shader, constant and layout, created on first use.
+  /// Returns the pipeline for the run's shader, constants and layout, created on first use.
   const ComputePipeline& of(const ComputeRun& run);
 
 private:
@@ -31,16 +32,13 @@ private:
 
 struct ComputeRun {
   std::span<const std::uint32_t> spirv;
-  std::span<const std::byte> input; ///< storage buffer, binding 0
-  std::size_t outputBytes = 0;      ///< storage buffer, binding 1
-  std::uint32_t items = 0;          ///< invocations; the shader's workgroup size is 64
-  std::int32_t constant = 0;        ///< specialization constant 0
+  std::span<const std::byte> input;        ///< storage buffer, binding 0
+  std::size_t outputBytes = 0;             ///< storage buffer, binding 1
+  std::uint32_t items = 0;                 ///< invocations; the shader's workgroup size is 64
+  std::array<std::int32_t, 2> constants{}; ///< specialization constants 0 and 1
   /// A set that the caller binds as set 0. The two buffers are then in set 1.
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   VkDescriptorSet set = VK_NULL_HANDLE;
-  /// If not 0, the layout is one of the plugin's, and all of these with the same number of samplers
-  /// share one pipeline.
-  std::uint32_t imageSamplers = 0;
   std::vector<std::uint32_t> dynamicOffsets; ///< of `set`
   /// Records commands before the dispatch, into the same command buffer.
   std::function<void(VkCommandBuffer)> before;

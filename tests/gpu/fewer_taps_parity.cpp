@@ -64,10 +64,10 @@ std::vector<Point> flattened(const std::vector<SpacePoint>& points) {
   return flat;
 }
 
-TileFootprint footprintOf(const Point& point, const shader::LichenNoise& n) {
+TileFootprint footprintOf(const Point& point, const shader::LichenMaterial& m) {
   const auto toTile = [&](const std::array<float, 2>& v) {
-    return std::array{n.uvToTileXX * v[0] + n.uvToTileXY * v[1],
-                      n.uvToTileYX * v[0] + n.uvToTileYY * v[1]};
+    return std::array{m.uvToTileXX * v[0] + m.uvToTileXY * v[1],
+                      m.uvToTileYX * v[0] + m.uvToTileYY * v[1]};
   };
   TileFootprint at{toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
   return at;
@@ -97,8 +97,7 @@ struct Difference {
 struct OnDevice {
   explicit OnDevice(const TilingQuality& quality)
       : bundle(parseBundle(glb, "synthetic").value()),
-        twin(TilingEvaluator::create(bundle, 0, quality).value()),
-        host(*device, glb, sharedPipelines()) {}
+        twin(TilingEvaluator::create(bundle, 0, quality).value()), host(sharedContext(), glb) {}
   ~OnDevice() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
 
   SyntheticMap map{3, int(kTexels), int(kTexels)};
@@ -110,11 +109,10 @@ struct OnDevice {
   std::vector<SpacePoint> points = samplePoints(2000);
 };
 
-LichenUniformInfo sharpUniformInfo() {
-  LichenUniformInfo info = movedUniformInfo();
-  info.overrides |= LICHEN_OVERRIDE_BLEND_SHARPNESS;
-  info.blendSharpness = 2.5;
-  return info;
+MaterialUse movedAndSharp(const MaterialUse& own) {
+  MaterialUse use = moved(own);
+  use.parameters.blendSharpness = 2.5;
+  return use;
 }
 
 } // namespace
@@ -131,15 +129,16 @@ TEST_CASE("the shader with fewer taps matches its CPU twin: 99.9 % within 1/1024
         Level{{2, kOneTapTiles}, tiling_evaluate_comp_fewest_taps}}) {
     OnDevice noise(quality);
     const std::vector<Point> points = flattened(noise.points);
-    for (const LichenUniformInfo& info : {uniformInfo(), movedUniformInfo(), sharpUniformInfo()}) {
-      const auto values = noise.host.evaluate(spirv, 0, info, points);
-      const shader::LichenNoise& parameters = noise.host.uniforms().noise;
+    const MaterialUse own = noise.host.use();
+    for (const MaterialUse& use : {own, moved(own), movedAndSharp(own)}) {
+      const auto values = noise.host.evaluate(spirv, 0, use, points);
+      const shader::LichenMaterial& material = noise.host.material();
       Difference difference;
       for (std::size_t k = 0; k < points.size(); ++k)
         difference.note(values[k],
-                        noise.twin.evaluate(0, parameters, footprintOf(points[k], parameters)));
+                        noise.twin.evaluate(0, material, footprintOf(points[k], material)));
       INFO(quality.taps << " taps, one from " << quality.oneTapTiles << " tiles, sharpness "
-                        << parameters.blendSharpness);
+                        << use.parameters.blendSharpness);
       CHECK(difference.largest <= 1.0 / 255.0);
       CHECK(difference.beyond <= 0.001 * difference.count);
     }
@@ -148,15 +147,14 @@ TEST_CASE("the shader with fewer taps matches its CPU twin: 99.9 % within 1/1024
 
 TEST_CASE("the triplanar shader with fewer taps matches its CPU twin") {
   OnDevice noise({2, kOneTapTiles});
-  LichenUniformInfo info = movedUniformInfo();
-  info.overrides |= LICHEN_OVERRIDE_MAPPING;
-  info.mapping = LICHEN_MAPPING_TRIPLANAR;
+  MaterialUse use = moved(noise.host.use());
+  use.parameters.mapping = LICHEN_MAPPING_TRIPLANAR;
   const auto values =
-      noise.host.evaluate(triplanar_evaluate_comp_fewest_taps, 0, info, noise.points);
+      noise.host.evaluate(triplanar_evaluate_comp_fewest_taps, 0, use, noise.points);
   Difference difference;
   for (std::size_t k = 0; k < noise.points.size(); ++k)
-    difference.note(values[k], noise.twin.evaluate(0, noise.host.uniforms().noise,
-                                                   footprintOf(noise.points[k])));
+    difference.note(values[k],
+                    noise.twin.evaluate(0, noise.host.planes(), footprintOf(noise.points[k])));
   CHECK(difference.largest <= 1.0 / 255.0);
   CHECK(difference.beyond <= 0.001 * difference.count);
 }
@@ -165,8 +163,8 @@ TEST_CASE("the number of taps has the same effect as a specialization constant a
   OnDevice noise({2, 0.0});
   const std::vector<Point> points = flattened(noise.points);
   const auto equals = [&](int taps, std::span<const std::uint32_t> spirv) {
-    const auto values = noise.host.evaluate(tiling_quality_comp, taps, uniformInfo(), points);
-    const auto expected = noise.host.evaluate(spirv, 0, uniformInfo(), points);
+    const auto values = noise.host.evaluate(tiling_quality_comp, taps, noise.host.use(), points);
+    const auto expected = noise.host.evaluate(spirv, 0, noise.host.use(), points);
     Difference difference;
     for (std::size_t k = 0; k < points.size(); ++k)
       difference.note(values[k], expected[k]);
@@ -182,19 +180,18 @@ TEST_CASE("the committed shader uses three taps everywhere") {
   OnDevice noise({3, 0.0});
   const std::vector<Point> points = flattened(noise.points);
   const auto three =
-      noise.host.evaluate(committedShader("tiling_evaluate.comp"), 0, uniformInfo(), points);
+      noise.host.evaluate(committedShader("tiling_evaluate.comp"), 0, noise.host.use(), points);
   const auto differing = [&](std::span<const std::uint32_t> spirv) {
-    const auto values = noise.host.evaluate(spirv, 0, uniformInfo(), points);
+    const auto values = noise.host.evaluate(spirv, 0, noise.host.use(), points);
     int count = 0;
     for (std::size_t k = 0; k < points.size(); ++k)
       count += std::abs(values[k][0] - three[k][0]) > 1.0f / 255.0f ? 1 : 0;
     return double(count) / double(points.size());
   };
-  const shader::LichenNoise& parameters = noise.host.uniforms().noise;
+  const shader::LichenMaterial& material = noise.host.material();
   Difference difference;
   for (std::size_t k = 0; k < points.size(); ++k)
-    difference.note(three[k],
-                    noise.twin.evaluate(0, parameters, footprintOf(points[k], parameters)));
+    difference.note(three[k], noise.twin.evaluate(0, material, footprintOf(points[k], material)));
   CHECK(difference.largest <= 1.0 / 255.0);
   CHECK(differing(tiling_evaluate_comp_two_taps) > 0.2);
   CHECK(differing(tiling_evaluate_comp_one_tap) > 0.1);

@@ -106,7 +106,7 @@ std::vector<float> smoothed(std::vector<float> values, int side, int channels) {
 
 LitPlane::LitPlane(VulkanDevice& device, const BundleFile& file, int texels, double roughnessFactor,
                    double metallicFactor)
-    : device_(device), pipelines_(device.device()),
+    : device_(device), pipelines_(device),
       scene_(planeScene(file, roughnessFactor, metallicFactor)), texels_(texels) {}
 
 LinearImage LitPlane::picture(double halfSide, const Viewpoint& from, std::uint32_t side,

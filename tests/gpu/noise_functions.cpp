@@ -30,7 +30,7 @@ std::vector<Words> ask(Function function, const std::vector<Words>& questions) {
   const auto device = requireDevice();
   ComputeRun run;
   run.spirv = noise_functions_comp;
-  run.constant = function;
+  run.constants[0] = function;
   const std::vector<Words> answers = runCompute<Words>(*device, run, questions, 3);
   CHECK(device->messages().texts().empty());
   return answers;

@@ -21,17 +21,14 @@ TEST_CASE("bindings may start at another number: the values match the oracle") {
   LichenVulkanInfo info = defaultVulkanInfo(*device);
   info.firstBinding = 7;
   PluginHost host(*device, glb, info);
-  LichenUniformInfo uniforms;
-  LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
   std::vector<Point> points(200);
   for (std::size_t k = 0; k < points.size(); ++k)
     points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
-  const auto values = host.evaluate(tiling_maps_comp_rebound, 0, uniforms, points, kMaps.size());
+  const auto values = host.evaluate(tiling_maps_comp_rebound, 0, host.use(), points, kMaps.size());
   for (std::size_t m = 0; m < kMaps.size(); ++m) {
-    const TilingReference reference(bundle, bundle.noises[0].maps[m]);
+    const TilingReference reference(bundle, m);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const auto expected =
-          reference.evaluate(points[k], host.uniforms().noise, host.uniforms().maps[m]);
+      const auto expected = reference.evaluate(points[k], host.material());
       for (std::size_t c = 0; c < 3; ++c)
         REQUIRE(std::abs(double(values[k * kMaps.size() + m][c]) - expected.value[c]) <
                 1.0 / 255.0);

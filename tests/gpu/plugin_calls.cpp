@@ -31,6 +31,7 @@ LichenVulkanFunctions loadedFunctions() {
   f.updateDescriptorSets = vkUpdateDescriptorSets;
   f.cmdPipelineBarrier = vkCmdPipelineBarrier;
   f.cmdCopyBufferToImage = vkCmdCopyBufferToImage;
+  f.cmdCopyBuffer = vkCmdCopyBuffer;
   return f;
 }
 
@@ -61,6 +62,7 @@ LichenVulkanFunctions Proxy::functions() {
   f.updateDescriptorSets = pass<&vkUpdateDescriptorSets>;
   f.cmdPipelineBarrier = pass<&vkCmdPipelineBarrier>;
   f.cmdCopyBufferToImage = pass<&vkCmdCopyBufferToImage>;
+  f.cmdCopyBuffer = pass<&vkCmdCopyBuffer>;
   return f;
 }
 

@@ -25,16 +25,17 @@ constexpr std::array<SyntheticMap, 3> kMaps{
 /// A device and a bundle, with a pool and a buffer for one set.
 struct Fixture {
   Fixture() : device(requireDevice()), bundle(parseOrThrow(syntheticGlb(kMaps))) {
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-                                          {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, 6}};
+    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
+                                          {VK_DESCRIPTOR_TYPE_SAMPLER, 2},
+                                          {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_SET_IMAGES}};
     VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     poolInfo.maxSets = 1;
-    poolInfo.poolSizeCount = 2;
+    poolInfo.poolSizeCount = 3;
     poolInfo.pPoolSizes = sizes;
     REQUIRE(vkCreateDescriptorPool(device->device(), &poolInfo, nullptr, &pool) == VK_SUCCESS);
-    buffer = device->createBuffer(LICHEN_UNIFORM_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
+    buffer = device->createBuffer(LICHEN_MATERIAL_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
                  .value();
-    uniforms = {buffer.handle, 0, LICHEN_UNIFORM_BYTES};
+    material = {buffer.handle, 0, LICHEN_MATERIAL_BYTES};
   }
   Fixture(const Fixture&) = delete;
   Fixture& operator=(const Fixture&) = delete;
@@ -48,7 +49,7 @@ struct Fixture {
   LichenBundle bundle;
   VkDescriptorPool pool = VK_NULL_HANDLE;
   DeviceBuffer buffer;
-  VkDescriptorBufferInfo uniforms{};
+  VkDescriptorBufferInfo material{};
 };
 
 struct Created {
@@ -70,7 +71,7 @@ Created createAndDestroy(const Fixture& fixture, const LichenVulkanInfo& info) {
     CHECK((assets != nullptr) == (result == LICHEN_SUCCESS));
   }
   if (result == LICHEN_SUCCESS) {
-    result = lichenVulkanAllocateSet(assets, 0, fixture.pool, &fixture.uniforms, &set, &diagnostic);
+    result = lichenVulkanAllocateSet(assets, 0, fixture.pool, &fixture.material, &set, &diagnostic);
     CHECK((set != VK_NULL_HANDLE) == (result == LICHEN_SUCCESS));
   }
   lichenVulkanDestroyAssets(assets);
@@ -172,9 +173,9 @@ TEST_CASE("any failing Vulkan call gives a code and a message, and leaks nothing
   }
   Proxy::untilFailure = 0;
   Proxy::exhausted = false;
-  // 2 samplers; format query, image, bind and view for 6 images; 2 blocks, 1 map; buffer and bind;
-  // 1 layout; 1 set.
-  CHECK(failures == 2 + 4 * 6 + 2 + 1 + 2 + 1 + 1);
+  // 2 samplers; 1 layout; format query, image, bind and view for 6 images and 2 placeholders; 3
+  // blocks, 1 map; buffer and bind of the constants and of staging; 1 set.
+  CHECK(failures == 2 + 1 + 4 * 8 + 3 + 1 + 2 * 2 + 1);
   CHECK(ofPool == 1);
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
@@ -199,7 +200,7 @@ TEST_CASE("any failing host allocation in the plugin gives a code and leaks noth
       if (result == LICHEN_SUCCESS)
         result = lichenVulkanCreateAssets(context, fixture.bundle, &assets, nullptr);
       if (result == LICHEN_SUCCESS)
-        result = lichenVulkanAllocateSet(assets, 0, fixture.pool, &fixture.uniforms, &set, nullptr);
+        result = lichenVulkanAllocateSet(assets, 0, fixture.pool, &fixture.material, &set, nullptr);
       reached = memory.reached();
     }
     lichenVulkanDestroyAssets(assets);
@@ -222,12 +223,12 @@ TEST_CASE("a failing host allocator gives a code and gets its memory back") {
   HostMemory memory(*fixture.device);
   LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
   info.deviceAllocator = &memory.callbacks;
-  for (const int n : {1, 2}) {
+  for (const int n : {1, 2, 3}) {
     memory.untilFailure = n;
     CHECK(createAndDestroy(fixture, info).result == LICHEN_ERROR_OUT_OF_DEVICE_MEMORY);
     CHECK(memory.alive == 0);
   }
-  memory.untilFailure = 3;
+  memory.untilFailure = 4;
   CHECK(createAndDestroy(fixture, info).result == LICHEN_SUCCESS);
   CHECK(memory.alive == 0);
   CHECK(fixture.messages() == std::vector<std::string>{});
@@ -314,7 +315,7 @@ TEST_CASE("the plugin allocates ordinary memory only") {
   const Fixture fixture;
   LichenVulkanFunctions functions = ManyMemoryTypes::functions();
   CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
-  CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4});
+  CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4, 4});
   ManyMemoryTypes::requested.clear();
   functions.getPhysicalDeviceMemoryProperties = [](VkPhysicalDevice device,
                                                    VkPhysicalDeviceMemoryProperties* target) {
@@ -334,19 +335,19 @@ TEST_CASE("the plugin tries the next memory type if a heap is full or cannot be 
   SECTION("full") {
     ManyMemoryTypes::full = 4;
     CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
-    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 5, 4, 5});
+    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 5, 4, 5, 4, 5});
   }
   SECTION("cannot be mapped") {
     ManyMemoryTypes::unmappable = 4;
     CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
-    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4, 5});
+    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4, 4, 5});
   }
   SECTION("if all types fail, the error is that of the first") {
     ManyMemoryTypes::unmappable = 4;
     ManyMemoryTypes::full = 5;
     const Created created = createWith(fixture, functions);
     CHECK(created.message.find("cannot map it") != std::string::npos);
-    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4, 5});
+    CHECK(ManyMemoryTypes::requested == std::vector<std::uint32_t>{4, 4, 4, 5});
   }
   CHECK(Proxy::alive == 0);
   CHECK(fixture.messages() == std::vector<std::string>{});
@@ -416,7 +417,9 @@ TEST_CASE("NULL handles and outputs, and indices out of range, are errors") {
   LichenVulkanAssets assets = nullptr;
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
   VkDescriptorSet set = VK_NULL_HANDLE;
-  std::array<VkDescriptorImageInfo, 6> images{};
+  VkSampler sampler = VK_NULL_HANDLE;
+  VkDescriptorBufferInfo constants{};
+  std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> images{};
   CHECK(lichenVulkanCreateContext(&info, nullptr, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenVulkanCreateContext(nullptr, &context, nullptr) == LICHEN_ERROR_USAGE);
   REQUIRE(lichenVulkanCreateContext(&info, &context, nullptr) == LICHEN_SUCCESS);
@@ -424,25 +427,28 @@ TEST_CASE("NULL handles and outputs, and indices out of range, are errors") {
   CHECK(lichenVulkanCreateAssets(context, nullptr, &assets, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenVulkanCreateAssets(context, fixture.bundle, nullptr, nullptr) == LICHEN_ERROR_USAGE);
   REQUIRE(lichenVulkanCreateAssets(context, fixture.bundle, &assets, nullptr) == LICHEN_SUCCESS);
-  CHECK(lichenVulkanGetSetLayout(nullptr, 0, &layout) == LICHEN_ERROR_USAGE);
-  CHECK(lichenVulkanGetSetLayout(assets, 1, &layout) == LICHEN_ERROR_USAGE);
-  CHECK(lichenVulkanGetSetLayout(assets, 0, nullptr) == LICHEN_ERROR_USAGE);
-  CHECK(lichenVulkanGetImageInfos(nullptr, 0, images.data()) == LICHEN_ERROR_USAGE);
-  CHECK(lichenVulkanGetImageInfos(assets, 1, images.data()) == LICHEN_ERROR_USAGE);
-  CHECK(lichenVulkanGetImageInfos(assets, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetSetLayout(nullptr, &layout) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetSetLayout(context, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetSamplers(nullptr, &sampler, &sampler) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetSamplers(context, nullptr, &sampler) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetSamplers(context, &sampler, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetDescriptors(nullptr, 0, &constants, images.data()) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetDescriptors(assets, 1, &constants, images.data()) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetDescriptors(assets, 0, nullptr, images.data()) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanGetDescriptors(assets, 0, &constants, nullptr) == LICHEN_ERROR_USAGE);
   const auto allocate = [&](LichenVulkanAssets a, std::uint32_t noise, VkDescriptorPool pool,
-                            const VkDescriptorBufferInfo* uniforms, VkDescriptorSet* target) {
-    return lichenVulkanAllocateSet(a, noise, pool, uniforms, target, nullptr);
+                            const VkDescriptorBufferInfo* material, VkDescriptorSet* target) {
+    return lichenVulkanAllocateSet(a, noise, pool, material, target, nullptr);
   };
-  const VkDescriptorBufferInfo noBuffer{VK_NULL_HANDLE, 0, LICHEN_UNIFORM_BYTES};
-  const VkDescriptorBufferInfo tooShort{fixture.buffer.handle, 0, LICHEN_UNIFORM_BYTES - 1};
-  CHECK(allocate(nullptr, 0, fixture.pool, &fixture.uniforms, &set) == LICHEN_ERROR_USAGE);
-  CHECK(allocate(assets, 1, fixture.pool, &fixture.uniforms, &set) == LICHEN_ERROR_USAGE);
-  CHECK(allocate(assets, 0, VK_NULL_HANDLE, &fixture.uniforms, &set) == LICHEN_ERROR_USAGE);
+  const VkDescriptorBufferInfo noBuffer{VK_NULL_HANDLE, 0, LICHEN_MATERIAL_BYTES};
+  const VkDescriptorBufferInfo tooShort{fixture.buffer.handle, 0, LICHEN_MATERIAL_BYTES - 1};
+  CHECK(allocate(nullptr, 0, fixture.pool, &fixture.material, &set) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 1, fixture.pool, &fixture.material, &set) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 0, VK_NULL_HANDLE, &fixture.material, &set) == LICHEN_ERROR_USAGE);
   CHECK(allocate(assets, 0, fixture.pool, nullptr, &set) == LICHEN_ERROR_USAGE);
   CHECK(allocate(assets, 0, fixture.pool, &noBuffer, &set) == LICHEN_ERROR_USAGE);
   CHECK(allocate(assets, 0, fixture.pool, &tooShort, &set) == LICHEN_ERROR_USAGE);
-  CHECK(allocate(assets, 0, fixture.pool, &fixture.uniforms, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(allocate(assets, 0, fixture.pool, &fixture.material, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenVulkanRecordUpload(nullptr, VK_NULL_HANDLE) == LICHEN_ERROR_USAGE);
   CHECK(lichenVulkanRecordUpload(assets, VK_NULL_HANDLE) == LICHEN_ERROR_USAGE);
   lichenVulkanReleaseStaging(assets);

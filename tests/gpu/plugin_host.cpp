@@ -11,40 +11,29 @@
 namespace lichen::test {
 namespace {
 
-LichenNoiseProperties firstNoise(LichenBundle bundle) {
-  LichenNoiseProperties noise;
-  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
-  if (lichenGetNoiseProperties(bundle, 0, &noise) != LICHEN_SUCCESS)
-    throw std::runtime_error("the bundle has no noise");
-  return noise;
-}
-
-/// The pool that exactly one set of the noise fits in, without FREE_DESCRIPTOR_SET.
-VkDescriptorPool exactPool(VkDevice device, const LichenNoiseProperties& noise,
-                           VkDescriptorType uniformType) {
-  const VkDescriptorPoolSize sizes[] = {
-      {uniformType, noise.uniformBufferCount},
-      {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, noise.combinedImageSamplerCount}};
-  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  info.maxSets = 1;
-  info.poolSizeCount = 2;
-  info.pPoolSizes = sizes;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  if (vkCreateDescriptorPool(device, &info, nullptr, &pool) != VK_SUCCESS)
-    throw std::runtime_error("no descriptor pool");
-  return pool;
-}
+/// Bytes between material blocks: a multiple of every device's minUniformBufferOffsetAlignment.
+constexpr std::uint32_t kBlockStride = 256;
 
 void require(LichenResult result, const LichenDiagnostic& diagnostic) {
   if (result != LICHEN_SUCCESS)
     throw std::runtime_error(diagnostic.text);
 }
 
+void require(LichenResult result, const char* what) {
+  if (result != LICHEN_SUCCESS)
+    throw std::runtime_error(what);
+}
+
+LichenDiagnostic emptyDiagnostic() {
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  return diagnostic;
+}
+
 } // namespace
 
 LichenBundle parseOrThrow(std::span<const std::byte> glb) {
-  LichenDiagnostic diagnostic;
-  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  LichenDiagnostic diagnostic = emptyDiagnostic();
   LichenParseInfo info;
   LICHEN_INIT(info, LICHEN_STRUCTURE_PARSE_INFO);
   info.headerVersion = LICHEN_HEADER_VERSION;
@@ -66,75 +55,89 @@ LichenVulkanInfo defaultVulkanInfo(const VulkanDevice& device) {
   return info;
 }
 
-PluginHost::PluginHost(VulkanDevice& device, std::span<const std::byte> glb,
-                       const LichenVulkanInfo& info)
-    : device_(device), bundle_(parseOrThrow(glb)), pipelines_(device.device()) {
-  LichenDiagnostic diagnostic;
-  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+MaterialUse moved(MaterialUse use) {
+  use.parameters.scale = 0.8;
+  use.parameters.rotation = 0.6;
+  use.parameters.offset[0] = 0.25;
+  use.parameters.offset[1] = -1.5;
+  use.parameters.seed = 4294967295u;
+  return use;
+}
+
+PluginContext::PluginContext(VulkanDevice& device, const LichenVulkanInfo& info)
+    : device_(device), isDynamic_((info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS) != 0),
+      pipelines_(device.device()) {
+  LichenDiagnostic diagnostic = emptyDiagnostic();
   require(lichenVulkanCreateContext(&info, &context_, &diagnostic), diagnostic);
-  require(lichenVulkanCreateAssets(context_, bundle_, &assets_, &diagnostic), diagnostic);
-  const bool isDynamic = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS) != 0;
-  const LichenNoiseProperties noise = firstNoise(bundle_);
-  imageSamplers_ = noise.combinedImageSamplerCount;
-  pool_ = exactPool(device.device(), noise,
-                    isDynamic ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
-                              : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER);
-  if (isDynamic)
-    dynamicOffsets_ = {LICHEN_UNIFORM_BYTES}; // the second of two blocks
-  uniformBuffer_ =
-      device.createBuffer(2 * LICHEN_UNIFORM_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
-          .value();
-  const VkDescriptorBufferInfo buffer{uniformBuffer_.handle, 0, LICHEN_UNIFORM_BYTES};
+  require(lichenVulkanGetSetLayout(context_, &layout_), "no set layout");
+}
+
+PluginContext::~PluginContext() { lichenVulkanDestroyContext(context_); }
+
+VkDescriptorPool PluginContext::createPool(std::uint32_t sets) const {
+  const VkDescriptorPoolSize sizes[] = {
+      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, isDynamic_ ? sets : 2 * sets},
+      {VK_DESCRIPTOR_TYPE_SAMPLER, 2 * sets},
+      {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_SET_IMAGES * sets},
+      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets}};
+  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  info.maxSets = sets;
+  info.poolSizeCount = isDynamic_ ? 4 : 3;
+  info.pPoolSizes = sizes;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  if (vkCreateDescriptorPool(device_.device(), &info, nullptr, &pool) != VK_SUCCESS)
+    throw std::runtime_error("no descriptor pool");
+  return pool;
+}
+
+PluginHost::PluginHost(PluginContext& context, std::span<const std::byte> glb)
+    : context_(context), bundle_(parseOrThrow(glb)), pool_(context.createPool(1)) {
+  LichenDiagnostic diagnostic = emptyDiagnostic();
+  require(lichenVulkanCreateAssets(context.context(), bundle_, &assets_, &diagnostic), diagnostic);
+  require(lichenGetNoiseConstants(bundle_, 0, &constants_), "no noise");
+  LichenMapProperties map;
+  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
+  require(lichenGetMapProperties(bundle_, 0, 0, &map), "no map");
+  role_ = std::uint32_t(map.target);
+  materialBuffer_ = context.device()
+                        .createBuffer(2 * kBlockStride, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
+                        .value();
+  const VkDescriptorBufferInfo buffer{materialBuffer_.handle, 0, LICHEN_TRIPLANAR_MATERIAL_BYTES};
   require(lichenVulkanAllocateSet(assets_, 0, pool_, &buffer, &set_, &diagnostic), diagnostic);
 }
 
 PluginHost::~PluginHost() {
-  vkDestroyDescriptorPool(device_.device(), pool_, nullptr);
+  vkDestroyDescriptorPool(context_.device().device(), pool_, nullptr);
   lichenVulkanDestroyAssets(assets_);
-  lichenVulkanDestroyContext(context_);
   lichenDestroyBundle(bundle_);
 }
 
-std::vector<std::byte> PluginHost::evaluateRun(ComputeRun run, const LichenUniformInfo& uniforms) {
-  LichenDiagnostic diagnostic;
-  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  std::byte* const block =
-      uniformBuffer_.mapped + (dynamicOffsets_.empty() ? 0 : dynamicOffsets_.front());
-  require(lichenFillUniforms(bundle_, &uniforms, block, &diagnostic), diagnostic);
-  std::memcpy(&uniforms_, block, sizeof uniforms_);
+MaterialUse PluginHost::use(std::uint32_t material) const {
+  MaterialUse use;
+  LICHEN_INIT(use.parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  LICHEN_INIT(use.placement, LICHEN_STRUCTURE_PLACEMENT);
+  require(lichenGetMaterialParameters(bundle_, material, &use.parameters), "no such material");
+  return use;
+}
+
+std::vector<std::byte> PluginHost::evaluateRun(ComputeRun run, const MaterialUse& use) {
+  LichenDiagnostic diagnostic = emptyDiagnostic();
+  if (context_.isDynamic())
+    run.dynamicOffsets = {kBlockStride};
+  std::byte* const block = materialBuffer_.mapped + (context_.isDynamic() ? kBlockStride : 0);
+  require(lichenFillMaterial(&use.parameters, &use.placement, block, &diagnostic), diagnostic);
+  std::memcpy(&planes_, block, sizeof planes_);
+  run.layout = context_.layout();
   run.set = set_;
-  run.pipelines = sharedPipelines_ != nullptr ? sharedPipelines_ : &pipelines_;
-  run.imageSamplers = sharedPipelines_ != nullptr ? imageSamplers_ : 0;
-  run.dynamicOffsets = dynamicOffsets_;
-  if (lichenVulkanGetSetLayout(assets_, 0, &run.layout) != LICHEN_SUCCESS)
-    throw std::runtime_error("no set layout");
+  run.pipelines = &context_.pipelines();
   if (!uploaded_)
     run.before = [&](VkCommandBuffer commands) {
-      if (lichenVulkanRecordUpload(assets_, commands) != LICHEN_SUCCESS)
-        throw std::runtime_error("the upload was not recorded");
+      require(lichenVulkanRecordUpload(assets_, commands), "the upload was not recorded");
     };
-  std::vector<std::byte> values = runCompute(device_, run);
+  std::vector<std::byte> values = runCompute(context_.device(), run);
   uploaded_ = true;
   lichenVulkanReleaseStaging(assets_);
   return values;
-}
-
-LichenUniformInfo uniformInfo() {
-  LichenUniformInfo info;
-  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
-  return info;
-}
-
-LichenUniformInfo movedUniformInfo() {
-  LichenUniformInfo info = uniformInfo();
-  info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
-                   LICHEN_OVERRIDE_SEED;
-  info.scale = 0.8;
-  info.rotation = 0.6;
-  info.offset[0] = 0.25;
-  info.offset[1] = -1.5;
-  info.seed = 4294967295u;
-  return info;
 }
 
 std::vector<std::uint32_t> committedShader(const std::string& name) {

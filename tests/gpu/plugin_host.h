@@ -9,6 +9,7 @@
 #include <lichen/lichen_vulkan.h>
 
 #include <lichen_interface.h>
+#include <memory>
 
 namespace lichen::test {
 
@@ -18,65 +19,105 @@ namespace lichen::test {
 /// The minimal info for this device: only the loader's entry point.
 [[nodiscard]] LichenVulkanInfo defaultVulkanInfo(const VulkanDevice& device);
 
+/// How a material uses a noise, and where.
+struct MaterialUse {
+  LichenMaterialParameters parameters;
+  LichenPlacement placement;
+};
+
+/// The same scaled, rotated, moved and with another seed.
+[[nodiscard]] MaterialUse moved(MaterialUse use);
+
+/// A plugin context with the pipelines of its set layout. Pipelines take most of the time of a
+/// small run on software devices: share a context where the tests do not look at it.
+class PluginContext {
+public:
+  PluginContext(VulkanDevice& device, const LichenVulkanInfo& info);
+  explicit PluginContext(VulkanDevice& device) : PluginContext(device, defaultVulkanInfo(device)) {}
+  ~PluginContext();
+  PluginContext(const PluginContext&) = delete;
+  PluginContext& operator=(const PluginContext&) = delete;
+
+  [[nodiscard]] VulkanDevice& device() const { return device_; }
+  [[nodiscard]] LichenVulkanContext context() const { return context_; }
+  [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_; }
+  [[nodiscard]] ComputePipelines& pipelines() { return pipelines_; }
+  /// Whether material blocks have a dynamic offset.
+  [[nodiscard]] bool isDynamic() const { return isDynamic_; }
+  /// A pool that this many sets fit in, and no more, without FREE_DESCRIPTOR_SET.
+  [[nodiscard]] VkDescriptorPool createPool(std::uint32_t sets) const;
+
+private:
+  VulkanDevice& device_;
+  const bool isDynamic_;
+  LichenVulkanContext context_ = nullptr;
+  VkDescriptorSetLayout layout_ = VK_NULL_HANDLE;
+  ComputePipelines pipelines_;
+};
+
+/// A set of the first noise of a bundle.
 class PluginHost {
 public:
-  PluginHost(VulkanDevice& device, std::span<const std::byte> glb, const LichenVulkanInfo& info);
+  PluginHost(PluginContext& context, std::span<const std::byte> glb);
+  PluginHost(VulkanDevice& device, std::span<const std::byte> glb, const LichenVulkanInfo& info)
+      : PluginHost(std::make_unique<PluginContext>(device, info), glb) {}
   PluginHost(VulkanDevice& device, std::span<const std::byte> glb)
       : PluginHost(device, glb, defaultVulkanInfo(device)) {}
-  /// With pipelines that outlive it.
-  PluginHost(VulkanDevice& device, std::span<const std::byte> glb, ComputePipelines& pipelines)
-      : PluginHost(device, glb) {
-    sharedPipelines_ = &pipelines;
-  }
   ~PluginHost();
   PluginHost(const PluginHost&) = delete;
   PluginHost& operator=(const PluginHost&) = delete;
 
   [[nodiscard]] LichenBundle bundle() const { return bundle_; }
   [[nodiscard]] LichenVulkanAssets assets() const { return assets_; }
+  [[nodiscard]] PluginContext& context() const { return context_; }
   /// Uses another set of the same layout, whose bindings the caller has written.
   void useSet(VkDescriptorSet set) { set_ = set; }
   [[nodiscard]] VkDescriptorSet set() const { return set_; }
-  [[nodiscard]] VkBuffer uniformBuffer() const { return uniformBuffer_.handle; }
+  [[nodiscard]] VkBuffer materialBuffer() const { return materialBuffer_.handle; }
 
-  /// Writes the uniforms and runs `spirv` (set 0: the noise; set 1: points, values) over `points`,
-  /// with `valuesEach` four-component values per point.
+  /// What a material of the bundle says, at the origin.
+  [[nodiscard]] MaterialUse use(std::uint32_t material = 0) const;
+
+  /// Writes the material's block and runs `spirv` (set 0: the noise; set 1: points, values) over
+  /// `points`, with `valuesEach` four-component values per point. The specialization constants are
+  /// `constant` and the role of the noise's first map.
   template <class AnyPoint>
   [[nodiscard]] std::vector<std::array<float, 4>>
-  evaluate(std::span<const std::uint32_t> spirv, std::int32_t constant,
-           const LichenUniformInfo& uniforms, const std::vector<AnyPoint>& points,
-           std::size_t valuesEach = 1) {
+  evaluate(std::span<const std::uint32_t> spirv, std::int32_t constant, const MaterialUse& use,
+           const std::vector<AnyPoint>& points, std::size_t valuesEach = 1) {
     ComputeRun run;
     run.spirv = spirv;
-    run.constant = constant;
+    run.constants = {constant, std::int32_t(role_)};
     setArrays<std::array<float, 4>>(run, points, valuesEach);
-    return asArray<std::array<float, 4>>(evaluateRun(std::move(run), uniforms));
+    return asArray<std::array<float, 4>>(evaluateRun(std::move(run), use));
   }
-  /// The uniforms of the last evaluate().
-  [[nodiscard]] const shader::LichenUniforms& uniforms() const { return uniforms_; }
+  /// The block of the last evaluate(): of triplanar mapping all of it, of others its material.
+  [[nodiscard]] const shader::LichenTriplanarMaterial& planes() const { return planes_; }
+  [[nodiscard]] const shader::LichenMaterial& material() const { return planes_.material; }
+  /// The block of the noise.
+  [[nodiscard]] const shader::LichenNoiseConstants& constants() const { return constants_; }
+  /// The noise's first map.
+  [[nodiscard]] const shader::LichenMap& map() const { return constants_.maps[role_]; }
 
 private:
-  [[nodiscard]] std::vector<std::byte> evaluateRun(ComputeRun run,
-                                                   const LichenUniformInfo& uniforms);
+  PluginHost(std::unique_ptr<PluginContext> own, std::span<const std::byte> glb)
+      : PluginHost(*own, glb) {
+    own_ = std::move(own);
+  }
+  [[nodiscard]] std::vector<std::byte> evaluateRun(ComputeRun run, const MaterialUse& use);
 
-  VulkanDevice& device_;
+  std::unique_ptr<PluginContext> own_;
+  PluginContext& context_;
   LichenBundle bundle_ = nullptr;
-  LichenVulkanContext context_ = nullptr;
   LichenVulkanAssets assets_ = nullptr;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
-  DeviceBuffer uniformBuffer_;
-  std::vector<std::uint32_t> dynamicOffsets_; ///< one with LICHEN_VULKAN_DYNAMIC_UNIFORMS
-  shader::LichenUniforms uniforms_{};
+  DeviceBuffer materialBuffer_; ///< two blocks, of which the second is used where dynamic
+  std::uint32_t role_ = 0;      ///< of the noise's first map
+  shader::LichenTriplanarMaterial planes_{};
+  shader::LichenNoiseConstants constants_{};
   bool uploaded_ = false;
-  std::uint32_t imageSamplers_ = 0; ///< in the set
-  ComputePipelines pipelines_;
-  ComputePipelines* sharedPipelines_ = nullptr;
 };
-
-/// The material's own uniforms, and the same scaled, rotated, moved and with another seed.
-[[nodiscard]] LichenUniformInfo uniformInfo();
-[[nodiscard]] LichenUniformInfo movedUniformInfo();
 
 /// A committed shader, spirv/NAME.spv.
 [[nodiscard]] std::vector<std::uint32_t> committedShader(const std::string& name);

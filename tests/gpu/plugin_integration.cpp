@@ -45,14 +45,16 @@ struct Engine {
   explicit Engine(VulkanDevice& d) : device(d) {
     constexpr std::uint32_t kSets = kGenerations * kMaterials;
     const VkDescriptorPoolSize sizes[] = {
+        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kSets},
         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, kSets},
-        {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, kSets * 2 * std::uint32_t(kMaps.size())}};
+        {VK_DESCRIPTOR_TYPE_SAMPLER, kSets * 2},
+        {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, kSets * LICHEN_SET_IMAGES}};
     VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
     info.maxSets = kSets;
-    info.poolSizeCount = 2;
+    info.poolSizeCount = 4;
     info.pPoolSizes = sizes;
     REQUIRE(vkCreateDescriptorPool(d.device(), &info, nullptr, &host.pool) == VK_SUCCESS);
-    uniforms = d.createBuffer(kMaterials * kFramesInFlight * LICHEN_UNIFORM_BYTES,
+    uniforms = d.createBuffer(kMaterials * kFramesInFlight * BLOCK_STRIDE,
                               VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
                    .value();
     host.instance = d.instance();
@@ -63,7 +65,7 @@ struct Engine {
     host.uniformBuffer = uniforms.handle;
     host.mappedUniforms = reinterpret_cast<unsigned char*>(uniforms.mapped);
     LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-    REQUIRE(createContext(&host, &context, &diagnostic) == LICHEN_SUCCESS);
+    REQUIRE(createContext(&host, &context, &setLayout, &diagnostic) == LICHEN_SUCCESS);
   }
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
@@ -84,27 +86,28 @@ struct Engine {
     return loaded;
   }
 
-  std::array<NoiseMaterial, kMaterials> addMaterials(const NoiseBundle& loaded) {
+  /// The last use of the bundle.
+  std::array<NoiseMaterial, kMaterials> addMaterials(NoiseBundle& loaded) {
     std::array<NoiseMaterial, kMaterials> materials{};
     for (std::uint32_t k = 0; k < kMaterials; ++k)
       REQUIRE(addMaterial(&host, &loaded, k, k, &materials[k], &diagnostic) == LICHEN_SUCCESS);
+    finishLoading(&loaded);
     return materials;
   }
 
   /// Evaluates all materials in one command buffer. The uniforms of all are written before
   /// submission; each draw selects its own by the dynamic offset of its set.
-  std::vector<Values> draw(const NoiseBundle& loaded,
-                           const std::array<NoiseMaterial, kMaterials>& materials,
+  std::vector<Values> draw(const std::array<NoiseMaterial, kMaterials>& materials,
                            std::uint64_t frame, const std::vector<Point>& points) {
     std::array<std::uint32_t, kMaterials> offsets{};
     for (std::uint32_t k = 0; k < kMaterials; ++k)
-      REQUIRE(updateMaterial(&host, &loaded, &materials[k], std::uint32_t(frame % kFramesInFlight),
+      REQUIRE(updateMaterial(&host, &materials[k], std::uint32_t(frame % kFramesInFlight),
                              kCameraTile, &offsets[k], &diagnostic) == LICHEN_SUCCESS);
     std::array<ComputeRun, kMaterials> runs;
     for (std::uint32_t k = 0; k < kMaterials; ++k) {
       setArrays<Values::value_type>(runs[k], points, kMaps.size());
       runs[k].spirv = tiling_maps_comp;
-      runs[k].layout = materials[k].setLayout;
+      runs[k].layout = setLayout;
       runs[k].set = materials[k].set;
       runs[k].dynamicOffsets = {offsets[k]};
     }
@@ -118,6 +121,7 @@ struct Engine {
   DeviceBuffer uniforms;
   Host host{};
   LichenVulkanContext context = nullptr;
+  VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
   LichenDiagnostic diagnostic;
 };
 
@@ -132,11 +136,9 @@ TEST_CASE("the documented host draws two materials like the tests' host, even af
   PluginHost plain(*device, glb);
   std::vector<Values> expected;
   for (std::uint32_t k = 0; k < kMaterials; ++k) {
-    LichenUniformInfo uniforms;
-    LICHEN_INIT(uniforms, LICHEN_STRUCTURE_UNIFORM_INFO);
-    uniforms.material = k;
-    std::copy(std::begin(kCameraTile), std::end(kCameraTile), uniforms.tileOrigin);
-    expected.push_back(plain.evaluate(tiling_maps_comp, 0, uniforms, points, kMaps.size()));
+    MaterialUse use = plain.use(k);
+    std::copy(std::begin(kCameraTile), std::end(kCameraTile), use.placement.tileOrigin);
+    expected.push_back(plain.evaluate(tiling_maps_comp, 0, use, points, kMaps.size()));
   }
   REQUIRE(expected[0] != expected[1]);
   {
@@ -146,7 +148,7 @@ TEST_CASE("the documented host draws two materials like the tests' host, even af
     for (std::uint32_t generation = 0; generation < kGenerations; ++generation) {
       const auto materials = engine.addMaterials(loaded);
       for (std::uint32_t k = 0; k < kFramesInFlight + 1; ++k, ++frame) {
-        CHECK(engine.draw(loaded, materials, frame, points) == expected);
+        CHECK(engine.draw(materials, frame, points) == expected);
         if (frame >= kFramesInFlight)
           lichenVulkanFrameCompleted(engine.context, frame - kFramesInFlight);
       }

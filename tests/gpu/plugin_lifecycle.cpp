@@ -38,6 +38,7 @@ void VKAPI_CALL brokenBarrier(VkCommandBuffer commands, VkPipelineStageFlags sou
     for (VkImageMemoryBarrier& image : changed)
       image.dstAccessMask = 0;
     target = VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT;
+    bufferCount = 0;
   }
   vkCmdPipelineBarrier(commands, source, target, flags, memoryCount, memory, bufferCount, buffers,
                        imageCount, changed.data());
@@ -51,12 +52,11 @@ TEST_CASE("several maps share the taps: each has the values of a noise with that
   const Bundle bundle = parseBundle(glb, "synthetic").value();
   PluginHost host(*device, glb);
   const std::vector<Point> points = somePoints();
-  const auto values = host.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size());
+  const auto values = host.evaluate(tiling_maps_comp, 0, host.use(), points, kMaps.size());
   for (std::size_t m = 0; m < kMaps.size(); ++m) {
-    const TilingReference reference(bundle, bundle.noises[0].maps[m]);
+    const TilingReference reference(bundle, m);
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const auto expected =
-          reference.evaluate(points[k], host.uniforms().noise, host.uniforms().maps[m]);
+      const auto expected = reference.evaluate(points[k], host.material());
       for (std::size_t c = 0; c < 3; ++c) // the last map has 8 bits; see tiling_parity.cpp
         REQUIRE(std::abs(double(values[k * kMaps.size() + m][c]) - expected.value[c]) <
                 (kMaps[m].eightBit ? 0.04 : 1.0 / 255.0));
@@ -70,7 +70,8 @@ TEST_CASE("the loader, a function table and the host's own memory give the same 
   const std::vector<std::byte> glb = syntheticGlb(kMaps);
   const std::vector<Point> points = somePoints();
   PluginHost byLoader(*device, glb);
-  const auto expected = byLoader.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size());
+  const auto expected =
+      byLoader.evaluate(tiling_maps_comp, 0, byLoader.use(), points, kMaps.size());
   const LichenVulkanFunctions functions = loadedFunctions();
   HostMemory memory(*device);
   LichenVulkanInfo info = defaultVulkanInfo(*device);
@@ -80,9 +81,9 @@ TEST_CASE("the loader, a function table and the host's own memory give the same 
   info.deviceAllocator = &memory.callbacks;
   {
     PluginHost byTable(*device, glb, info);
-    CHECK(memory.alive == 2);
-    CHECK(byTable.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()) == expected);
-    CHECK(memory.alive == 1); // the staging buffer is released
+    CHECK(memory.alive == 3); // images, constants and staging
+    CHECK(byTable.evaluate(tiling_maps_comp, 0, byTable.use(), points, kMaps.size()) == expected);
+    CHECK(memory.alive == 2); // the staging buffer is released
   }
   CHECK(memory.alive == 0);
   CHECK(device->messages().texts() == std::vector<std::string>{});
@@ -93,7 +94,7 @@ TEST_CASE("images that exceed one allocation use several, with the same values")
   const std::vector<std::byte> glb = syntheticGlb(kMaps);
   const std::vector<Point> points = somePoints();
   PluginHost plain(*device, glb);
-  const auto expected = plain.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size());
+  const auto expected = plain.evaluate(tiling_maps_comp, 0, plain.use(), points, kMaps.size());
 
   // Two of these images exceed the 1 GiB that every device can allocate at once.
   static std::vector<VkDeviceSize> requested;
@@ -115,55 +116,53 @@ TEST_CASE("images that exceed one allocation use several, with the same values")
   info.functions = &functions;
   {
     PluginHost spread(*device, glb, info);
-    CHECK(requested.size() == 2 * 2 * kMaps.size()); // for each image and its staging buffer
+    CHECK(requested.size() == 2 * (2 * kMaps.size() + 2) + 1); // images, their staging; constants
     CHECK(*std::max_element(requested.begin(), requested.end()) <= VkDeviceSize(1) << 30);
-    CHECK(spread.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()) == expected);
+    CHECK(spread.evaluate(tiling_maps_comp, 0, spread.use(), points, kMaps.size()) == expected);
   }
   CHECK(Proxy::alive == 0);
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("a set that the host writes from plain image infos gives the same values") {
+TEST_CASE("a set that the host writes itself gives the same values") {
   const auto device = requireDevice();
   const std::vector<std::byte> glb = syntheticGlb(kMaps);
   const std::vector<Point> points = somePoints();
   PluginHost host(*device, glb);
-  const auto expected = host.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size());
+  const auto expected = host.evaluate(tiling_maps_comp, 0, host.use(), points, kMaps.size());
 
-  std::array<VkDescriptorImageInfo, 2 * kMaps.size()> images{};
-  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  REQUIRE(lichenVulkanGetImageInfos(host.assets(), 0, images.data()) == LICHEN_SUCCESS);
-  REQUIRE(lichenVulkanGetSetLayout(host.assets(), 0, &layout) == LICHEN_SUCCESS);
-  const std::array<VkDescriptorPoolSize, 2> sizes{
-      {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-       {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, std::uint32_t(images.size())}}};
-  VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  poolInfo.maxSets = 1;
-  poolInfo.poolSizeCount = std::uint32_t(sizes.size());
-  poolInfo.pPoolSizes = sizes.data();
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  REQUIRE(vkCreateDescriptorPool(device->device(), &poolInfo, nullptr, &pool) == VK_SUCCESS);
+  const VkDescriptorSetLayout layout = host.context().layout();
+  const VkDescriptorPool pool = host.context().createPool(1);
   VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   allocation.descriptorPool = pool;
   allocation.descriptorSetCount = 1;
   allocation.pSetLayouts = &layout;
   VkDescriptorSet set = VK_NULL_HANDLE;
   REQUIRE(vkAllocateDescriptorSets(device->device(), &allocation, &set) == VK_SUCCESS);
-  const VkDescriptorBufferInfo buffer{host.uniformBuffer(), 0, LICHEN_UNIFORM_BYTES};
-  std::array<VkWriteDescriptorSet, 1 + images.size()> writes{};
-  for (std::uint32_t i = 0; i < writes.size(); ++i) {
-    writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    writes[i].dstSet = set;
-    writes[i].dstBinding = i;
-    writes[i].descriptorCount = 1;
-    writes[i].descriptorType =
-        i == 0 ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    writes[i].pBufferInfo = i == 0 ? &buffer : nullptr;
-    writes[i].pImageInfo = i == 0 ? nullptr : &images[i - 1];
+  VkDescriptorBufferInfo constants{};
+  std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> images{};
+  REQUIRE(lichenVulkanGetDescriptors(host.assets(), 0, &constants, images.data()) ==
+          LICHEN_SUCCESS);
+  const VkDescriptorBufferInfo material{host.materialBuffer(), 0, LICHEN_MATERIAL_BYTES};
+  // The samplers are the layout's. Images and tables have the bindings behind them.
+  std::array<VkWriteDescriptorSet, 3> writes{};
+  for (VkWriteDescriptorSet& write : writes) {
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   }
+  writes[0].dstBinding = LICHEN_BINDING_NOISE;
+  writes[0].pBufferInfo = &constants;
+  writes[1].dstBinding = LICHEN_BINDING_MATERIAL;
+  writes[1].pBufferInfo = &material;
+  writes[2].dstBinding = LICHEN_BINDING_IMAGE(0);
+  writes[2].descriptorCount = LICHEN_SET_IMAGES;
+  writes[2].descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
+  writes[2].pImageInfo = images.data();
   vkUpdateDescriptorSets(device->device(), std::uint32_t(writes.size()), writes.data(), 0, nullptr);
   host.useSet(set);
-  CHECK(host.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()) == expected);
+  CHECK(host.evaluate(tiling_maps_comp, 0, host.use(), points, kMaps.size()) == expected);
   vkDestroyDescriptorPool(device->device(), pool, nullptr);
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
@@ -176,8 +175,8 @@ TEST_CASE("a dynamic uniform buffer's offset selects the uniforms") {
   LichenVulkanInfo info = defaultVulkanInfo(*device);
   info.flags = LICHEN_VULKAN_DYNAMIC_UNIFORMS;
   PluginHost dynamic(*device, glb, info);
-  CHECK(dynamic.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()) ==
-        plain.evaluate(tiling_maps_comp, 0, uniformInfo(), points, kMaps.size()));
+  CHECK(dynamic.evaluate(tiling_maps_comp, 0, dynamic.use(), points, kMaps.size()) ==
+        plain.evaluate(tiling_maps_comp, 0, plain.use(), points, kMaps.size()));
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
@@ -219,7 +218,7 @@ TEST_CASE("synchronization validation reports a missing barrier of the upload") 
   LichenVulkanInfo info = defaultVulkanInfo(*device);
   info.functions = &functions;
   PluginHost host(*device, syntheticGlb(kMaps), info);
-  (void)host.evaluate(tiling_maps_comp, 0, uniformInfo(), somePoints(), kMaps.size());
+  (void)host.evaluate(tiling_maps_comp, 0, host.use(), somePoints(), kMaps.size());
   REQUIRE(device->messages().errors() > 0);
   CHECK(device->messages().texts().front().find("SYNC-HAZARD") != std::string::npos);
 }

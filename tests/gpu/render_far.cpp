@@ -223,7 +223,7 @@ TEST_CASE("triplanar noise has the pattern of its world position at any distance
   const TilingEvaluator twin = TilingEvaluator::create(file.bundle, 0).value();
   Flight flight(file);
   checkPattern(file, flight, [&](const Tiles& tiles, int x, int y) {
-    return twin.evaluate(0, shaderNoise(file.bundle, *file.bundle.materials[0], tiles.origin),
+    return twin.evaluate(0, shaderMaterial(file.bundle, *file.bundle.materials[0], tiles.origin),
                          footprint<TriplanarFootprint>(tiles.rest, x, y));
   });
   CHECK(flight.renderer().notes().empty());
@@ -243,8 +243,7 @@ TEST_CASE("noise on a surface has the pattern of its world position at any dista
   checkPattern(file, flight, [&](const Tiles& tiles, int x, int y) {
     auto at = footprint<SurfaceFootprint>(tiles.rest, x, y);
     at.tangent = kTangent;
-    return twin.evaluate(0, shaderNoise(file.bundle, use, tiles.origin),
-                         shaderTexton(file.bundle, use, tiles.origin), at);
+    return twin.evaluate(0, shaderMaterial(file.bundle, use, tiles.origin).material, at);
   });
 }
 

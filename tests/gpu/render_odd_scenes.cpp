@@ -2,6 +2,7 @@
 // Scenes that glTF allows and exporters seldom write: each is drawn, the validation layers say
 // nothing, and no value of the picture is NaN.
 #include "gpu_scene.h"
+#include "noise_context.h"
 #include "rendered.h"
 
 #include <lichen/image_io.h>
@@ -336,4 +337,23 @@ TEST_CASE("one note names an unusable camera that is not chosen") {
   CHECK(renderPicture(scene.glb(), settingsOf(8, 8, 1)).notes ==
         std::vector<std::string>{"/cameras/1/perspective/znear: 1e-09 is out of range; expected "
                                  "1e-06 or more; the camera is ignored"});
+}
+
+TEST_CASE("the error for a device with fewer descriptors than the shaders need names the limit") {
+  VkPhysicalDeviceLimits limits{};
+  limits.maxPerStageDescriptorSamplers = 16; // the least that Vulkan allows
+  limits.maxPerStageDescriptorSampledImages = 24;
+  CHECK(renderer::fitsDescriptors(limits).ok());
+  limits.maxPerStageDescriptorSampledImages = 16;
+  const auto images = renderer::fitsDescriptors(limits);
+  REQUIRE_FALSE(images.ok());
+  CHECK(images.error().kind == ErrorKind::environment);
+  CHECK(images.error().message ==
+        "this device has 16 sampled images (maxPerStageDescriptorSampledImages) a shader stage; "
+        "the renderer needs 24");
+  limits.maxPerStageDescriptorSampledImages = 24;
+  limits.maxPerStageDescriptorSamplers = 13;
+  const auto samplers = renderer::fitsDescriptors(limits);
+  REQUIRE_FALSE(samplers.ok());
+  CHECK(samplers.error().message.find("maxPerStageDescriptorSamplers") != std::string::npos);
 }

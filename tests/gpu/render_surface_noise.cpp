@@ -69,8 +69,7 @@ struct Square {
   }
 
   [[nodiscard]] TextonEvaluator::Value twinAt(int x, int y) const {
-    const MaterialNoise& use = *file.bundle.materials[0];
-    return twin.evaluate(0, shaderNoise(file.bundle, use, {}), shaderTexton(file.bundle, use, {}),
+    return twin.evaluate(0, shaderMaterial(file.bundle, *file.bundle.materials[0], {}).material,
                          footprint(x, y));
   }
 

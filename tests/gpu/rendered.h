@@ -19,7 +19,7 @@ inline VulkanDevice& testDevice() {
 
 /// The pipelines of all scenes that are drawn on it.
 inline renderer::PipelineStore& testPipelines() {
-  static renderer::PipelineStore store(testDevice().device());
+  static renderer::PipelineStore store(testDevice());
   return store;
 }
 

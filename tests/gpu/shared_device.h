@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One device for all tests of a program, and the compute pipelines of their noises on it: to make
-// these takes longer than most tests.
+// One device for all tests of a program, and one plugin context on it: to make pipelines takes
+// longer than most tests.
 #pragma once
 
-#include "compute_run.h"
+#include "plugin_host.h"
 #include "require_device.h"
 
 namespace lichen::test {
@@ -15,9 +15,9 @@ inline VulkanDevice* sharedDevice() {
   return device.get();
 }
 
-inline ComputePipelines& sharedPipelines() {
-  static ComputePipelines pipelines(sharedDevice()->device());
-  return pipelines;
+inline PluginContext& sharedContext() {
+  static PluginContext context(*sharedDevice());
+  return context;
 }
 
 } // namespace lichen::test

@@ -94,29 +94,24 @@ std::vector<SurfacePoint> samplePoints(const SyntheticTexton& texton, std::size_
   return points;
 }
 
-LichenUniformInfo surfaceUniformInfo() {
-  LichenUniformInfo info = uniformInfo();
-  info.overrides = LICHEN_OVERRIDE_MAPPING;
-  info.mapping = LICHEN_MAPPING_SURFACE;
-  return info;
+MaterialUse onSurface(MaterialUse use) {
+  use.parameters.mapping = LICHEN_MAPPING_SURFACE;
+  return use;
 }
 
-/// Uniforms that together use every parameter.
-std::vector<LichenUniformInfo> manyUniforms() {
-  std::vector<LichenUniformInfo> all(3, surfaceUniformInfo());
-  all[1].overrides |= LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
-                      LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_POINT_PROCESS;
-  all[1].scale = 0.8;
-  all[1].rotation = 0.6;
-  all[1].offset[0] = 0.25; // has no meaning in space
-  all[1].seed = 4294967295u;
-  all[1].pointProcess = LICHEN_POINT_PROCESS_POISSON;
-  all[2].tileOrigin[0] = -(std::int64_t(1) << 40);
-  all[2].tileOrigin[1] = (std::int64_t(1) << 40) - 1;
-  all[2].tileOriginZ = -77;
-  all[2].overrides |= LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_IMPACTS;
-  all[2].contrast = 1.4;
-  all[2].impacts = 4.0;
+/// Uses that together change every parameter.
+std::vector<MaterialUse> manyUses(const MaterialUse& own) {
+  std::vector<MaterialUse> all(3, onSurface(own));
+  all[1].parameters.scale = 0.8;
+  all[1].parameters.rotation = 0.6;
+  all[1].parameters.offset[0] = 0.25; // has no meaning in space
+  all[1].parameters.seed = 4294967295u;
+  all[1].parameters.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  all[2].placement.tileOrigin[0] = -(std::int64_t(1) << 40);
+  all[2].placement.tileOrigin[1] = (std::int64_t(1) << 40) - 1;
+  all[2].placement.tileOrigin[2] = -77;
+  all[2].parameters.contrast = 1.4;
+  all[2].parameters.impacts = 4.0;
   return all;
 }
 
@@ -144,19 +139,18 @@ TEST_CASE("the surface shader matches its CPU twin: 99.9 % within 1/1024 and all
         SyntheticTexton{.order = 3, .channels = 1}, SyntheticTexton{.steps = 3, .channels = 1}}) {
     TextonTwins twins(kPass, texton);
     const std::vector<SurfacePoint> points = samplePoints(texton, 250);
-    int uniforms = 0;
-    for (const LichenUniformInfo& info : manyUniforms()) {
-      const auto values = twins.shader(kValue, info, points);
-      const auto gaussians = twins.shader(kGaussian, info, points);
-      const auto lost = twins.shader(kLost, info, points);
-      const shader::LichenUniforms& u = twins.host.uniforms();
+    int number = 0;
+    for (const MaterialUse& use : manyUses(twins.host.use())) {
+      const auto values = twins.shader(kValue, use, points);
+      const auto gaussians = twins.shader(kGaussian, use, points);
+      const auto lost = twins.shader(kLost, use, points);
       double largest = 0.0, beyond = 0.0;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const SurfaceFootprint at = footprintOf(points[k]);
-        const auto value = twins.twin.evaluate(0, u.noise, u.texton, at, mixOf(points[k]));
-        const auto gaussian = twins.twin.gaussian(0, u.noise, u.texton, at, mixOf(points[k]));
+        const auto value = twins.twin.evaluate(0, twins.host.material(), at, mixOf(points[k]));
+        const auto gaussian = twins.twin.gaussian(0, twins.host.material(), at, mixOf(points[k]));
         const auto expectedLost =
-            twins.twin.lostVariance(0, u.noise, u.texton, at, mixOf(points[k]));
+            twins.twin.lostVariance(0, twins.host.material(), at, mixOf(points[k]));
         for (std::size_t c = 0; c < 4; ++c) {
           double error = std::abs(double(values[k][c]) - double(value[c]));
           if (c < std::size_t(texton.channels))
@@ -167,7 +161,7 @@ TEST_CASE("the surface shader matches its CPU twin: 99.9 % within 1/1024 and all
         }
       }
       INFO("order " << texton.order << ", channels " << texton.channels << ", steps "
-                    << texton.steps << ", uniforms " << uniforms++);
+                    << texton.steps << ", use " << number++);
       CHECK(largest <= 1.0 / 255.0);
       CHECK(beyond <= 0.001);
     }
@@ -181,34 +175,32 @@ TEST_CASE("the surface shader and its CPU twin match the oracle, which sums over
       const SyntheticTexton texton{.order = order, .steps = steps, .wholeFloats = true};
       TextonTwins twins(kPass, texton);
       std::vector<SurfacePoint> points = samplePoints(texton, 16);
-      LichenUniformInfo info = surfaceUniformInfo();
-      info.overrides |=
-          LICHEN_OVERRIDE_POINT_PROCESS | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_SCALE;
-      info.pointProcess = mip == 1 ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
-      info.rotation = order == 3 ? 0.4 : 0.0;
-      info.scale = mip == 2 ? 1.7 : 1.0;
-      info.tileOrigin[1] = 12;
-      info.tileOriginZ = -5;
+      MaterialUse use = onSurface(twins.host.use());
+      use.parameters.pointProcess =
+          mip == 1 ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
+      use.parameters.rotation = order == 3 ? 0.4 : 0.0;
+      use.parameters.scale = mip == 2 ? 1.7 : 1.0;
+      use.placement.tileOrigin[1] = 12;
+      use.placement.tileOrigin[2] = -5;
       for (SurfacePoint& point : points) {
         const Frame frame = frameOf(point, 0.0);
         // Textons are fetched half a level below the footprint's (docs/decisions/018).
         const double level = mip > 0 ? mip + 0.5 : 0.0;
-        const double pixel = std::exp2(level) / texton.texelsPerTileX * info.scale;
+        const double pixel = std::exp2(level) / texton.texelsPerTileX * use.parameters.scale;
         for (std::size_t k = 0; k < 3; ++k) {
           point.gradientX[k] = float(pixel * frame.right[k]);
           point.gradientY[k] = float(pixel * frame.down[k]);
         }
       }
-      const auto values = twins.shader(kGaussian, info, points);
-      const shader::LichenUniforms& u = twins.host.uniforms();
-      const SurfaceReference reference(twins.bundle, u.noise, u.texton);
+      const auto values = twins.shader(kGaussian, use, points);
+      const SurfaceReference reference(twins.bundle, twins.host.material());
       const NoiseMap& map = twins.bundle.noises[0].maps[0];
       std::size_t strangers = 0;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const SurfacePoint& point = points[k];
-        const Frame frame = frameOf(point, info.rotation);
+        const Frame frame = frameOf(point, use.parameters.rotation);
         const MixPlace mix = mixOf(point);
-        const auto twin = twins.twin.gaussian(0, u.noise, u.texton, footprintOf(point), mix);
+        const auto twin = twins.twin.gaussian(0, twins.host.material(), footprintOf(point), mix);
         const Vec expected = reference.at(
             {double(point.position[0]), double(point.position[1]), double(point.position[2])},
             frame.right, frame.down, frame.outward, mip, double(mix.weight),
@@ -235,21 +227,19 @@ TEST_CASE("surface noise far from the origin uses the cubes of its tile, even if
   TextonTwins twins(
       kPass, SyntheticTexton{.texelsPerTileX = 16384, .texelsPerTileY = 16384, .channels = 1});
   for (const std::int64_t tile : {std::int64_t(1) << 24, -(std::int64_t(1) << 27)}) {
-    LichenUniformInfo near = surfaceUniformInfo();
-    near.overrides |= LICHEN_OVERRIDE_IMPACTS;
-    near.impacts = 1000.0; // some thousands of cubes per tile
-    LichenUniformInfo far = near;
-    far.tileOrigin[0] = tile;
-    far.tileOrigin[1] = -tile;
-    far.tileOriginZ = tile;
+    MaterialUse near = onSurface(twins.host.use());
+    near.parameters.impacts = 1000.0; // some thousands of cubes per tile
+    MaterialUse far = near;
+    far.placement.tileOrigin[0] = tile;
+    far.placement.tileOrigin[1] = -tile;
+    far.placement.tileOrigin[2] = tile;
     std::vector<SurfacePoint> point(1);
     point[0].normal = {0.0f, 0.6f, 0.8f, 0.0f};
     point[0].tangent = {1.0f, 0.0f, 0.0f, 1.0f};
     const auto expected = twins.shader(kGaussian, far, point);
     point[0].position = {float(tile), float(-tile), float(tile), 0.0f};
     const auto found = twins.shader(kGaussian, near, point);
-    const shader::LichenUniforms& u = twins.host.uniforms();
-    const auto twin = twins.twin.gaussian(0, u.noise, u.texton, footprintOf(point[0]));
+    const auto twin = twins.twin.gaussian(0, twins.host.material(), footprintOf(point[0]));
     INFO("tile " << tile);
     CHECK(double(found[0][0]) == Approx(double(expected[0][0])).margin(1e-5));
     CHECK(double(twin[0]) == Approx(double(expected[0][0])).margin(1e-4));
@@ -264,12 +254,11 @@ TEST_CASE("surface mapping uses the material's constant mix weight") {
   std::vector<SurfacePoint> points = samplePoints(texton, 100);
   for (SurfacePoint& point : points)
     point.position[3] = 0.0f; // so that its weight and derivatives are not read
-  const auto gaussians = twins.shader(kGaussian, surfaceUniformInfo(), points);
-  const shader::LichenUniforms& u = twins.host.uniforms();
+  const auto gaussians = twins.shader(kGaussian, onSurface(twins.host.use()), points);
   std::size_t strangers = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto expected =
-        twins.twin.gaussian(0, u.noise, u.texton, footprintOf(points[k]), {0.6f, {}});
+        twins.twin.gaussian(0, twins.host.material(), footprintOf(points[k]), {0.6f, {}});
     strangers += std::abs(double(gaussians[k][0]) - double(expected[0])) > 1.0 / 255.0 ? 1u : 0u;
   }
   CHECK(strangers == 0);
@@ -281,12 +270,12 @@ TEST_CASE("the shader counts as many impacts on a surface as proposition 3 predi
   std::vector<SurfacePoint> points = samplePoints(texton, 400);
   for (SurfacePoint& point : points)
     point.gradientX = point.gradientY = {};
-  const auto counts = twins.shader(kImpacts, surfaceUniformInfo(), points);
+  const auto counts = twins.shader(kImpacts, onSurface(twins.host.use()), points);
   double mean = 0.0;
   for (const auto& count : counts)
     mean += double(count[0]) / double(counts.size());
   // lambda times the box of (22, 19, sqrt(22 * 19)) texels.
-  const double cube = double(twins.host.uniforms().texton.surfaceCubeTexels);
+  const double cube = double(textonPart(twins.host.material()).surfaceCubeTexels);
   const double expected = std::pow(22.0 * 19.0, 1.5) / (cube * cube * cube);
   CHECK(expected == Approx(60.0).epsilon(0.1));
   // 400 points, with a Bernoulli variable for each of some 90 cubes on the border: 5 standard
@@ -296,12 +285,12 @@ TEST_CASE("the shader counts as many impacts on a surface as proposition 3 predi
 
 TEST_CASE("a period is an error for surface mapping") {
   TextonTwins twins(kPass, SyntheticTexton{});
-  LichenUniformInfo info = surfaceUniformInfo();
-  info.periodTiles[0] = info.periodTiles[1] = 2.0;
+  MaterialUse use = onSurface(twins.host.use());
+  use.placement.periodTiles[0] = use.placement.periodTiles[1] = 2.0;
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  shader::LichenUniforms uniforms;
-  CHECK(lichenFillUniforms(twins.host.bundle(), &info, &uniforms, &diagnostic) ==
+  shader::LichenMaterial block;
+  CHECK(lichenFillMaterial(&use.parameters, &use.placement, &block, &diagnostic) ==
         LICHEN_ERROR_USAGE);
   CHECK(std::string(diagnostic.text) ==
         "periodTiles 2 is not supported for surface mapping, which cannot repeat; set it to 0");

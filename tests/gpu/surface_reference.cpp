@@ -5,6 +5,7 @@
 #include "texton_reference.h"
 
 #include <lichen/lattice.h>
+#include <lichen/shader_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +19,8 @@ double dot(const SurfaceReference::Vec& a, const SurfaceReference::Vec& b) {
 
 /// The random words of a cube's impacts.
 std::vector<std::uint32_t> wordsOf(const std::array<std::int64_t, 3>& cube,
-                                   const shader::LichenNoise& noise, bool isPoisson) {
-  const auto column = pcg3d({std::uint32_t(cube[0]), std::uint32_t(cube[1]), noise.seedWord});
+                                   const shader::LichenMaterial& material, bool isPoisson) {
+  const auto column = pcg3d({std::uint32_t(cube[0]), std::uint32_t(cube[1]), material.seedWord});
   const std::uint32_t word = pcg(column[0] + std::uint32_t(cube[2]));
   if (!isPoisson)
     return {word};
@@ -33,9 +34,9 @@ std::vector<std::uint32_t> wordsOf(const std::array<std::int64_t, 3>& cube,
 
 } // namespace
 
-SurfaceReference::SurfaceReference(const Bundle& bundle, const shader::LichenNoise& noise,
-                                   const shader::LichenTexton& texton)
-    : bundle_(bundle), noise_(noise), texton_(texton) {
+SurfaceReference::SurfaceReference(const Bundle& bundle, const shader::LichenMaterial& material)
+    : bundle_(bundle), material_(material), part_(textonPart(material)),
+      noise_(shaderNoise(bundle, 0)), texton_(noise_.texton) {
   const Table& image = bundle.tables[bundle.noises[0].maps[0].as<TextonMap>().image];
   for (std::uint32_t level = 0; level < image.mipLevels; ++level)
     mips_.push_back(decodeLevel(image, level));
@@ -64,13 +65,13 @@ SurfaceReference::Vec SurfaceReference::textonAt(double x, double y, std::uint32
 SurfaceReference::Vec SurfaceReference::at(const Vec& point, const Vec& right, const Vec& down,
                                            const Vec& outward, std::uint32_t mip, double mixWeight,
                                            std::array<double, 2> mixGradient) const {
-  const double tileTexels = double(texton_.texelsPerTileX);
-  const double scale = 1.0 / std::hypot(double(noise_.uvToTileXX), double(noise_.uvToTileXY));
+  const double tileTexels = double(noise_.tileTexelsX);
+  const double scale = 1.0 / std::hypot(double(material_.uvToTileXX), double(material_.uvToTileXY));
   const double texelsPerMetre = tileTexels / (scale * double(noise_.tileSizeMetres));
-  const double cube = tileTexels / double(noise_.columnsPerTile);
+  const double cube = tileTexels / double(material_.columnsPerTile);
   const double thickness = std::sqrt(double(texton_.coefficientsX + int(texton_.order)) *
                                      double(texton_.coefficientsY + int(texton_.order)));
-  const std::array<std::int32_t, 3> origin{noise_.cellI, noise_.cellJ, noise_.cellK};
+  const std::array<std::int32_t, 3> origin{material_.cellI, material_.cellJ, part_.cellK};
   const double far = 1.5 * std::max(texton_.coefficientsX, texton_.coefficientsY) +
                      4.0 * std::exp2(double(mip)) + 4.0;
   std::array<std::int64_t, 3> first{}, last{};
@@ -85,8 +86,8 @@ SurfaceReference::Vec SurfaceReference::at(const Vec& point, const Vec& right, c
     for (std::int64_t j = first[1]; j <= last[1]; ++j)
       for (std::int64_t i = first[0]; i <= last[0]; ++i)
         for (const std::uint32_t word :
-             wordsOf({i + origin[0], j + origin[1], k + origin[2]}, noise_,
-                     texton_.pointProcess == LICHEN_POINTS_POISSON)) {
+             wordsOf({i + origin[0], j + origin[1], k + origin[2]}, material_,
+                     part_.pointProcess == LICHEN_POINTS_POISSON)) {
           const std::array<std::uint32_t, 3> bits{word >> 21, word >> 11, word >> 1};
           const std::array<std::int64_t, 3> corner{i, j, k};
           Vec way{};
@@ -97,10 +98,9 @@ SurfaceReference::Vec SurfaceReference::at(const Vec& point, const Vec& right, c
           if (height >= 1.0)
             continue;
           const double alongX = dot(way, right), alongY = dot(way, down);
-          const double weight =
-              std::clamp(mixWeight - mixGradient[0] * alongX / tileTexels -
-                             mixGradient[1] * alongY / double(texton_.texelsPerTileY),
-                         0.0, 1.0);
+          const double weight = std::clamp(mixWeight - mixGradient[0] * alongX / tileTexels -
+                                               mixGradient[1] * alongY / double(noise_.tileTexelsY),
+                                           0.0, 1.0);
           const int step = int(std::floor(weight * (double(texton_.steps) - 1.0) + 0.5));
           const Vec h = textonAt(alongX + 0.5 * texton_.coefficientsX,
                                  alongY + 0.5 * texton_.coefficientsY, mip, step);

@@ -17,8 +17,7 @@ class SurfaceReference {
 public:
   using Vec = std::array<double, 3>;
 
-  SurfaceReference(const Bundle& bundle, const shader::LichenNoise& noise,
-                   const shader::LichenTexton& texton);
+  SurfaceReference(const Bundle& bundle, const shader::LichenMaterial& material);
 
   /// Returns the sum over impacts, in stored values minus their mean, with the texton fetched at a
   /// whole mip level (0: its own spline). `right`, `down` and `outward` are orthonormal: the
@@ -32,6 +31,8 @@ private:
   [[nodiscard]] Vec textonAt(double x, double y, std::uint32_t mip, int step) const;
 
   const Bundle& bundle_;
+  const shader::LichenMaterial material_;
+  const shader::LichenTextonMaterial part_;
   const shader::LichenNoise noise_;
   const shader::LichenTexton texton_;
   std::vector<std::vector<float>> mips_;

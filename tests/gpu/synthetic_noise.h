@@ -15,7 +15,7 @@ struct SyntheticMap {
   int dimensions = 3; ///< D, 1 to 3; selects the map's target
   std::uint32_t width = 64;
   std::uint32_t height = 64;
-  bool eightBit = false; ///< 8-bit tables instead of 16-bit floats
+  bool eightBit = false;  ///< 8-bit tables instead of 16-bit floats
   std::size_t levels = 5; ///< mip levels of the inverse table, [1, 5]
   SyntheticTable table = SyntheticTable::joint;
 };

@@ -61,30 +61,27 @@ std::vector<MixedPoint> samplePoints(const SyntheticTexton& texton, std::size_t 
   return points;
 }
 
-/// Uniforms that together use every parameter.
-std::vector<LichenUniformInfo> manyUniforms() {
-  std::vector<LichenUniformInfo> all(5, uniformInfo());
-  all[1] = movedUniformInfo();
-  all[1].overrides |= LICHEN_OVERRIDE_POINT_PROCESS;
-  all[1].pointProcess = LICHEN_POINT_PROCESS_POISSON;
-  all[2].tileOrigin[0] = -(std::int64_t(1) << 40);
-  all[2].tileOrigin[1] = std::int64_t(1) << 40;
-  all[2].overrides = LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_IMPACTS;
-  all[2].contrast = 1.4;
-  all[2].impacts = 4.0;
-  all[3].periodTiles[0] = 2.0;
-  all[3].periodTiles[1] = 3.0;
-  all[3].tileOrigin[0] = -7;
-  all[3].overrides = LICHEN_OVERRIDE_POINT_PROCESS;
-  all[3].pointProcess = LICHEN_POINT_PROCESS_POISSON;
-  all[4].periodTiles[0] = all[4].periodTiles[1] = 1.37;
+/// Uses that together change every parameter.
+std::vector<MaterialUse> manyUses(const MaterialUse& own) {
+  std::vector<MaterialUse> all(5, own);
+  all[1] = moved(own);
+  all[1].parameters.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  all[2].placement.tileOrigin[0] = -(std::int64_t(1) << 40);
+  all[2].placement.tileOrigin[1] = std::int64_t(1) << 40;
+  all[2].parameters.contrast = 1.4;
+  all[2].parameters.impacts = 4.0;
+  all[3].placement.periodTiles[0] = 2.0;
+  all[3].placement.periodTiles[1] = 3.0;
+  all[3].placement.tileOrigin[0] = -7;
+  all[3].parameters.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  all[4].placement.periodTiles[0] = all[4].placement.periodTiles[1] = 1.37;
   return all;
 }
 
-TileFootprint footprintOf(const Point& point, const shader::LichenNoise& n) {
+TileFootprint footprintOf(const Point& point, const shader::LichenMaterial& m) {
   const auto toTile = [&](const std::array<float, 2>& v) {
-    return std::array{n.uvToTileXX * v[0] + n.uvToTileXY * v[1],
-                      n.uvToTileYX * v[0] + n.uvToTileYY * v[1]};
+    return std::array{m.uvToTileXX * v[0] + m.uvToTileXY * v[1],
+                      m.uvToTileYX * v[0] + m.uvToTileYY * v[1]};
   };
   TileFootprint at{toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
   return at;
@@ -108,19 +105,18 @@ TEST_CASE("the texton shader matches its CPU twin: 99.9 % within 1/1024 and all 
   for (const SyntheticTexton& texton : kTextons) {
     TextonTwins twins(kPass, texton);
     const std::vector<MixedPoint> points = samplePoints(texton, 400);
-    int uniforms = 0;
-    for (const LichenUniformInfo& info : manyUniforms()) {
-      const auto values = twins.shader(kValue, info, points);
-      const auto gaussians = twins.shader(kGaussian, info, points);
-      const auto lost = twins.shader(kLost, info, points);
-      const shader::LichenUniforms& u = twins.host.uniforms();
+    int number = 0;
+    for (const MaterialUse& use : manyUses(twins.host.use())) {
+      const auto values = twins.shader(kValue, use, points);
+      const auto gaussians = twins.shader(kGaussian, use, points);
+      const auto lost = twins.shader(kLost, use, points);
       Difference value, gaussian, loss;
       for (std::size_t k = 0; k < points.size(); ++k) {
-        const TileFootprint at = footprintOf(points[k].point, u.noise);
-        const auto expected = twins.twin.evaluate(0, u.noise, u.texton, at, mixOf(points[k]));
-        const auto expectedG = twins.twin.gaussian(0, u.noise, u.texton, at, mixOf(points[k]));
+        const TileFootprint at = footprintOf(points[k].point, twins.host.material());
+        const auto expected = twins.twin.evaluate(0, twins.host.material(), at, mixOf(points[k]));
+        const auto expectedG = twins.twin.gaussian(0, twins.host.material(), at, mixOf(points[k]));
         const auto expectedLost =
-            twins.twin.lostVariance(0, u.noise, u.texton, at, mixOf(points[k]));
+            twins.twin.lostVariance(0, twins.host.material(), at, mixOf(points[k]));
         for (std::size_t c = 0; c < 4; ++c) {
           value.note(std::abs(double(values[k][c]) - double(expected[c])));
           if (c < std::size_t(texton.channels)) {
@@ -130,7 +126,7 @@ TEST_CASE("the texton shader matches its CPU twin: 99.9 % within 1/1024 and all 
         }
       }
       INFO("order " << texton.order << ", channels " << texton.channels << ", steps "
-                    << texton.steps << ", uniforms " << uniforms++);
+                    << texton.steps << ", use " << number++);
       CHECK(value.largest <= 1.0 / 255.0);
       CHECK(value.fractionBeyond() <= 0.001);
       CHECK(gaussian.largest <= 1.0 / 255.0);
@@ -145,13 +141,12 @@ TEST_CASE("textons of order 0 match their CPU twin, except at points on the bord
           "coefficient") {
   TextonTwins twins(kPass, SyntheticTexton{.order = 0});
   const std::vector<MixedPoint> points = samplePoints({}, 600);
-  for (const LichenUniformInfo& info : manyUniforms()) {
-    const auto values = twins.shader(kGaussian, info, points);
-    const shader::LichenUniforms& u = twins.host.uniforms();
+  for (const MaterialUse& use : manyUses(twins.host.use())) {
+    const auto values = twins.shader(kGaussian, use, points);
     Difference difference;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const auto expected =
-          twins.twin.gaussian(0, u.noise, u.texton, footprintOf(points[k].point, u.noise));
+      const auto expected = twins.twin.gaussian(
+          0, twins.host.material(), footprintOf(points[k].point, twins.host.material()));
       for (std::size_t c = 0; c < 4; ++c)
         difference.note(std::abs(double(values[k][c]) - double(expected[c])));
     }
@@ -163,28 +158,30 @@ TEST_CASE("textons of order 0 match their CPU twin, except at points on the bord
 
 namespace {
 
-/// Points with the footprint of one mip level, and uniforms of a periodic placement.
+/// Points with the footprint of one mip level.
 struct OracleCase {
   SyntheticTexton texton;
-  LichenUniformInfo info = uniformInfo();
+  bool poisson = false;
   std::uint32_t mip = 0;
+
+  /// A periodic placement.
+  [[nodiscard]] MaterialUse changed(MaterialUse use) const {
+    use.placement.periodTiles[0] = 2.0;
+    use.placement.periodTiles[1] = 1.0;
+    use.placement.tileOrigin[0] = poisson ? 5 : 0;
+    use.parameters.pointProcess =
+        poisson ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
+    return use;
+  }
 };
 
 std::vector<OracleCase> oracleCases() {
   std::vector<OracleCase> all;
   for (const int order : {0, 1, 3})
     for (const bool poisson : {false, true})
-      for (const std::uint32_t mip : {0u, 1u, 2u}) {
-        OracleCase one{{.order = order, .steps = order == 1 ? 3 : 1, .wholeFloats = true}};
-        one.mip = mip;
-        one.info.periodTiles[0] = 2.0;
-        one.info.periodTiles[1] = 1.0;
-        one.info.tileOrigin[0] = poisson ? 5 : 0;
-        one.info.overrides = LICHEN_OVERRIDE_POINT_PROCESS;
-        one.info.pointProcess =
-            poisson ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
-        all.push_back(one);
-      }
+      for (const std::uint32_t mip : {0u, 1u, 2u})
+        all.push_back(
+            {{.order = order, .steps = order == 1 ? 3 : 1, .wholeFloats = true}, poisson, mip});
   return all;
 }
 
@@ -201,15 +198,14 @@ TEST_CASE("the shader and its CPU twin match the oracle, which sums over all imp
       mixed.point.gradientX = {std::exp2(level) / float(one.texton.texelsPerTileX), 0.0f};
       mixed.point.gradientY = {0.0f, std::exp2(level) / float(one.texton.texelsPerTileY)};
     }
-    const auto values = twins.shader(kGaussian, one.info, points);
-    const shader::LichenUniforms& u = twins.host.uniforms();
-    const TextonReference reference(twins.bundle, u.noise, u.texton);
+    const auto values = twins.shader(kGaussian, one.changed(twins.host.use()), points);
+    const TextonReference reference(twins.bundle, twins.host.material());
     const NoiseMap& map = twins.bundle.noises[0].maps[0];
     std::size_t strangers = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      const TileFootprint at = footprintOf(points[k].point, u.noise);
+      const TileFootprint at = footprintOf(points[k].point, twins.host.material());
       const MixPlace mix = mixOf(points[k]);
-      const auto twin = twins.twin.gaussian(0, u.noise, u.texton, at, mix);
+      const auto twin = twins.twin.gaussian(0, twins.host.material(), at, mix);
       const TextonReference::Sum expected =
           reference.at(double(at.position[0]), double(at.position[1]), one.mip, double(mix.weight),
                        {double(mix.gradient[0]), double(mix.gradient[1])});
@@ -225,8 +221,7 @@ TEST_CASE("the shader and its CPU twin match the oracle, which sums over all imp
         strangers += worst > kTolerance ? 1u : 0u;
       }
     }
-    INFO("order " << one.texton.order << ", mip " << one.mip << ", process "
-                  << int(one.info.pointProcess));
+    INFO("order " << one.texton.order << ", mip " << one.mip << ", process " << int(one.poisson));
     CHECK(strangers <= (one.texton.order == 3 ? 0u : 3u)); // one point
   }
 }
@@ -237,17 +232,16 @@ TEST_CASE("derivatives of order 3 match the spline, and only impacts in reach ar
   std::vector<MixedPoint> points = samplePoints(texton, 200);
   for (MixedPoint& mixed : points)
     mixed.point.gradientX = mixed.point.gradientY = {0.0f, 0.0f};
-  LichenUniformInfo info = uniformInfo();
-  info.periodTiles[0] = info.periodTiles[1] = 2.0;
-  const auto gradients = twins.shader(kGradient, info, points);
-  const auto counts = twins.shader(kImpacts, info, points);
-  const shader::LichenUniforms& u = twins.host.uniforms();
-  const TextonReference reference(twins.bundle, u.noise, u.texton);
+  MaterialUse use = twins.host.use();
+  use.placement.periodTiles[0] = use.placement.periodTiles[1] = 2.0;
+  const auto gradients = twins.shader(kGradient, use, points);
+  const auto counts = twins.shader(kImpacts, use, points);
+  const TextonReference reference(twins.bundle, twins.host.material());
   const NoiseMap& map = twins.bundle.noises[0].maps[0];
   double mean = 0.0;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const TileFootprint at = footprintOf(points[k].point, u.noise);
-    const auto twin = twins.twin.gradient(0, u.noise, u.texton, at);
+    const TileFootprint at = footprintOf(points[k].point, twins.host.material());
+    const auto twin = twins.twin.gradient(0, twins.host.material(), at);
     const TextonReference::Sum expected =
         reference.at(double(at.position[0]), double(at.position[1]), 0);
     const double values[] = {map.mean[0] + expected.value[0], expected.gradient[0],
@@ -269,27 +263,24 @@ TEST_CASE("derivatives of order 3 match the spline, and only impacts in reach ar
 
 TEST_CASE("a height's value and differences match the CPU twin at all levels, orders and "
           "parameters, also for a mix") {
-  // Only three of the uniforms: each needs a pipeline, and pipelines take most of the time.
-  std::vector<LichenUniformInfo> infos = manyUniforms();
-  infos = {infos[1], infos[2], infos[3]};
   for (const SyntheticTexton& texton :
        {SyntheticTexton{.order = 0, .channels = 1}, SyntheticTexton{.order = 1, .channels = 1},
         SyntheticTexton{.order = 3, .steps = 3, .channels = 1}}) {
     TextonTwins twins(kPass, texton);
     const std::vector<MixedPoint> points = samplePoints(texton, 300);
-    int uniforms = 0;
-    for (const LichenUniformInfo& info : infos) {
-      const auto gradients = twins.shader(kGradient, info, points);
-      const shader::LichenUniforms& u = twins.host.uniforms();
+    int number = 0;
+    for (const MaterialUse& use : manyUses(twins.host.use())) {
+      const auto gradients = twins.shader(kGradient, use, points);
       Difference difference;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const auto expected = twins.twin.gradient(
-            0, u.noise, u.texton, footprintOf(points[k].point, u.noise), mixOf(points[k]));
+            0, twins.host.material(), footprintOf(points[k].point, twins.host.material()),
+            mixOf(points[k]));
         for (std::size_t c = 0; c < 3; ++c) // per texel, like the values
           difference.note(std::abs(double(gradients[k][c]) - double(expected[c])) /
                           (c == 0 ? 1.0 : double(texton.texelsPerTileX)));
       }
-      INFO("order " << texton.order << ", steps " << texton.steps << ", uniforms " << uniforms++);
+      INFO("order " << texton.order << ", steps " << texton.steps << ", use " << number++);
       // Order 0 and mixes have borders; rounding may move points to either side.
       const bool hasBorders = texton.order == 0 || texton.steps > 1;
       CHECK((hasBorders || difference.largest <= 1.0 / 255.0));
@@ -304,20 +295,18 @@ TEST_CASE("a point far from the origin has the impacts of its tile, even if the 
       kPass, SyntheticTexton{.texelsPerTileX = 16384, .texelsPerTileY = 16384, .channels = 1});
   for (const auto& [period, tile] :
        {std::pair{0.0, std::int64_t(1) << 20}, std::pair{2.0, -(std::int64_t(1) << 24)}}) {
-    LichenUniformInfo near = uniformInfo();
-    near.overrides = LICHEN_OVERRIDE_IMPACTS;
-    near.impacts = 1000.0; // 25,343 cells per tile
-    near.periodTiles[0] = near.periodTiles[1] = period;
-    LichenUniformInfo far = near;
-    far.tileOrigin[0] = tile;
-    far.tileOrigin[1] = -tile;
+    MaterialUse near = twins.host.use();
+    near.parameters.impacts = 1000.0; // 25,343 cells per tile
+    near.placement.periodTiles[0] = near.placement.periodTiles[1] = period;
+    MaterialUse far = near;
+    far.placement.tileOrigin[0] = tile;
+    far.placement.tileOrigin[1] = -tile;
     std::vector<MixedPoint> point(1);
     const auto expected = twins.shader(kGaussian, far, point);
     point[0].point.uv = {float(tile), float(-tile)};
     const auto found = twins.shader(kGaussian, near, point);
-    const shader::LichenUniforms& u = twins.host.uniforms();
-    const auto twin =
-        twins.twin.gaussian(0, u.noise, u.texton, footprintOf(point[0].point, u.noise));
+    const auto twin = twins.twin.gaussian(0, twins.host.material(),
+                                          footprintOf(point[0].point, twins.host.material()));
     INFO("tile " << tile << ", period " << period);
     CHECK(double(found[0][0]) == Approx(double(expected[0][0])).margin(1e-5));
     CHECK(double(twin[0]) == Approx(double(expected[0][0])).margin(kStrict));
@@ -326,14 +315,13 @@ TEST_CASE("a point far from the origin has the impacts of its tile, even if the 
   // the same float.
   for (const auto& [period, tile] :
        {std::pair{0.0, 1234567.0f}, std::pair{3.0, 1234567.0f}, std::pair{1.37, -7654321.0f}}) {
-    LichenUniformInfo info = uniformInfo();
-    info.periodTiles[0] = info.periodTiles[1] = period;
+    MaterialUse use = twins.host.use();
+    use.placement.periodTiles[0] = use.placement.periodTiles[1] = period;
     std::vector<MixedPoint> point(1);
     point[0].point.uv = {tile, 0.3f * tile};
-    const auto value = twins.shader(kGaussian, info, point);
-    const shader::LichenUniforms& u = twins.host.uniforms();
-    const auto twin =
-        twins.twin.gaussian(0, u.noise, u.texton, footprintOf(point[0].point, u.noise));
+    const auto value = twins.shader(kGaussian, use, point);
+    const auto twin = twins.twin.gaussian(0, twins.host.material(),
+                                          footprintOf(point[0].point, twins.host.material()));
     INFO("tile " << tile << ", period " << period);
     CHECK(double(value[0][0]) == Approx(double(twin[0])).margin(kStrict));
   }
@@ -358,8 +346,8 @@ TEST_CASE("a sampler without anisotropy gives the same result from gradients as 
     }
     for (const Quantity quantity : {kGaussian, kGradient}) {
       const auto values =
-          twins.host.evaluate(texton_evaluate_comp_anisotropic, quantity, uniformInfo(), points);
-      const auto trilinear = twins.shader(quantity, uniformInfo(), points);
+          twins.host.evaluate(texton_evaluate_comp_anisotropic, quantity, twins.host.use(), points);
+      const auto trilinear = twins.shader(quantity, twins.host.use(), points);
       Difference difference;
       for (std::size_t k = 0; k < points.size(); ++k)
         for (std::size_t c = 0; c < 3; ++c)
@@ -378,20 +366,19 @@ TEST_CASE("the gradient of a mix includes the mean's slope and matches the oracl
   std::vector<MixedPoint> points = samplePoints(texton, 200);
   for (MixedPoint& mixed : points)
     mixed.point.gradientX = mixed.point.gradientY = {0.0f, 0.0f};
-  LichenUniformInfo info = uniformInfo();
-  info.periodTiles[0] = info.periodTiles[1] = 2.0;
-  const auto gradients = twins.shader(kGradient, info, points);
-  const shader::LichenUniforms& u = twins.host.uniforms();
-  const TextonReference reference(twins.bundle, u.noise, u.texton);
+  MaterialUse use = twins.host.use();
+  use.placement.periodTiles[0] = use.placement.periodTiles[1] = 2.0;
+  const auto gradients = twins.shader(kGradient, use, points);
+  const TextonReference reference(twins.bundle, twins.host.material());
   const NoiseMap& map = twins.bundle.noises[0].maps[0];
   // The means of the three steps lie on a line.
   const double meanSlope = map.as<TextonMap>().laterSteps[1].mean[0] - map.mean[0];
   REQUIRE(map.as<TextonMap>().laterSteps[0].mean[0] == Approx(map.mean[0] + 0.5 * meanSlope));
   REQUIRE(meanSlope == Approx(-0.2)); // a hundred tolerances
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const TileFootprint at = footprintOf(points[k].point, u.noise);
+    const TileFootprint at = footprintOf(points[k].point, twins.host.material());
     const MixPlace mix = mixOf(points[k]);
-    const auto twin = twins.twin.gradient(0, u.noise, u.texton, at, mix);
+    const auto twin = twins.twin.gradient(0, twins.host.material(), at, mix);
     const std::array weightSlope{double(mix.gradient[0]), double(mix.gradient[1])};
     const auto weight = double(mix.weight);
     const TextonReference::Sum sum =
@@ -427,37 +414,38 @@ TEST_CASE("a constant or a direction of the weight follows the material, not the
   std::vector<MixedPoint> points = samplePoints(texton, 200);
   for (MixedPoint& mixed : points)
     mixed.mixPlace = {};
-  LichenUniformInfo info = uniformInfo();
-  info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET;
-  info.scale = 0.8;
-  info.rotation = 0.6;
-  info.offset[0] = 2.25;
-  info.tileOrigin[0] = 2;
-  info.tileOrigin[1] = -1;
-  const auto gaussians = twins.shader(kGaussian, info, points);
-  const shader::LichenUniforms& u = twins.host.uniforms();
+  MaterialUse use = twins.host.use();
+  use.parameters.scale = 0.8;
+  use.parameters.rotation = 0.6;
+  use.parameters.offset[0] = 2.25;
+  use.placement.tileOrigin[0] = 2;
+  use.placement.tileOrigin[1] = -1;
+  const auto gaussians = twins.shader(kGaussian, use, points);
   // Texture coordinates of a tile coordinate: the inverse rotation, divided by the scale.
   const auto weightAt = [&](double tileX, double tileY) {
     if (mix.source == MixSource::constant)
       return mix.weight;
-    const double x = info.scale * (tileX - info.offset[0]), y = info.scale * tileY;
-    const double uv[] = {std::cos(info.rotation) * x - std::sin(info.rotation) * y,
-                         std::sin(info.rotation) * x + std::cos(info.rotation) * y};
+    const double x = use.parameters.scale * (tileX - use.parameters.offset[0]),
+                 y = use.parameters.scale * tileY;
+    const double uv[] = {
+        std::cos(use.parameters.rotation) * x - std::sin(use.parameters.rotation) * y,
+        std::sin(use.parameters.rotation) * x + std::cos(use.parameters.rotation) * y};
     const double way[] = {mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]};
     return ((uv[0] - mix.start[0]) * way[0] + (uv[1] - mix.start[1]) * way[1]) /
            (way[0] * way[0] + way[1] * way[1]);
   };
   Difference difference;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const TileFootprint at = footprintOf(points[k].point, u.noise);
+    const TileFootprint at = footprintOf(points[k].point, twins.host.material());
     // Relative to the host's origin, except for the whole tiles of the offset.
-    const double x =
-        double(at.position[0]) + double(u.noise.offsetX) + double(info.tileOrigin[0]) + 2.0;
-    const double y = double(at.position[1]) + double(u.noise.offsetY) + double(info.tileOrigin[1]);
+    const double x = double(at.position[0]) + double(twins.host.material().offsetX) +
+                     double(use.placement.tileOrigin[0]) + 2.0;
+    const double y = double(at.position[1]) + double(twins.host.material().offsetY) +
+                     double(use.placement.tileOrigin[1]);
     const MixPlace place{float(weightAt(x, y)),
                          {float(weightAt(x + 1.0, y) - weightAt(x, y)),
                           float(weightAt(x, y + 1.0) - weightAt(x, y))}};
-    const auto expected = twins.twin.gaussian(0, u.noise, u.texton, at, place);
+    const auto expected = twins.twin.gaussian(0, twins.host.material(), at, place);
     for (std::size_t c = 0; c < 3; ++c)
       difference.note(std::abs(double(gaussians[k][c]) - double(expected[c])));
   }

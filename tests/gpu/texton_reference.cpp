@@ -3,6 +3,7 @@
 #include "texton_reference.h"
 
 #include <lichen/lattice.h>
+#include <lichen/shader_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -47,22 +48,22 @@ double deviationAt(const NoiseMap& map, double weight, std::size_t channel) {
              : ofStep(below) + (at - double(below)) * (ofStep(below + 1) - ofStep(below));
 }
 
-TextonReference::TextonReference(const Bundle& bundle, const shader::LichenNoise& noise,
-                                 const shader::LichenTexton& texton)
-    : bundle_(bundle), noise_(noise), texton_(texton) {
-  const double cellX = double(texton.texelsPerTileX) / double(noise.columnsPerTile);
-  const double offsetX = double(noise.offsetX) * double(texton.texelsPerTileX);
-  const double offsetY = double(noise.offsetY) * double(texton.texelsPerTileY);
-  const double cellY = double(texton.texelsPerTileY) / double(noise.rowsPerTile);
-  for (std::int32_t j = 0; j < noise.periodRows; ++j)
-    for (std::int32_t i = 0; i < noise.periodColumns; ++i) {
-      const auto hash = pcg3d({std::uint32_t(i), std::uint32_t(j), noise.seedWord});
-      const bool poisson = texton.pointProcess == LICHEN_POINTS_POISSON;
+TextonReference::TextonReference(const Bundle& bundle, const shader::LichenMaterial& material)
+    : bundle_(bundle), material_(material), part_(textonPart(material)),
+      noise_(shaderNoise(bundle, 0)), texton_(noise_.texton) {
+  const double cellX = double(noise_.tileTexelsX) / double(material_.columnsPerTile);
+  const double offsetX = double(material_.offsetX) * double(noise_.tileTexelsX);
+  const double offsetY = double(material_.offsetY) * double(noise_.tileTexelsY);
+  const double cellY = double(noise_.tileTexelsY) / double(material_.rowsPerTile);
+  for (std::int32_t j = 0; j < material_.periodRows; ++j)
+    for (std::int32_t i = 0; i < material_.periodColumns; ++i) {
+      const auto hash = pcg3d({std::uint32_t(i), std::uint32_t(j), material_.seedWord});
+      const bool poisson = part_.pointProcess == LICHEN_POINTS_POISSON;
       const int count = poisson ? poissonQuantile(double(hash[1]) / std::exp2(32.0)) : 1;
       for (int k = 0; k < count; ++k) {
         const std::uint32_t word = poisson ? pcg(hash[0] + std::uint32_t(k)) : hash[0];
-        const double x = i - noise.cellI + ((word >> 16 & 32767) + 0.5) / 32768.0;
-        const double y = j - noise.cellJ + ((word >> 1 & 32767) + 0.5) / 32768.0;
+        const double x = i - material_.cellI + ((word >> 16 & 32767) + 0.5) / 32768.0;
+        const double y = j - material_.cellJ + ((word >> 1 & 32767) + 0.5) / 32768.0;
         impacts_.push_back(
             {x * cellX - offsetX, y * cellY - offsetY, (word >> 31) != 0 ? -1.0 : 1.0});
       }
@@ -83,10 +84,10 @@ TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32
   const int width = int(image.width >> mip);
   const int columns = int(std::ceil(texton_.coefficientsX / side));
   const int rows = int(std::ceil(texton_.coefficientsY / side));
-  const double pointX = tileX * double(texton_.texelsPerTileX);
-  const double pointY = tileY * double(texton_.texelsPerTileY);
-  const double periodX = double(noise_.periodTilesX) * double(texton_.texelsPerTileX);
-  const double periodY = double(noise_.periodTilesY) * double(texton_.texelsPerTileY);
+  const double pointX = tileX * double(noise_.tileTexelsX);
+  const double pointY = tileY * double(noise_.tileTexelsY);
+  const double periodX = double(material_.periodTilesX) * double(noise_.tileTexelsX);
+  const double periodY = double(material_.periodTilesY) * double(noise_.tileTexelsY);
   Sum sum;
   for (const Impact& impact : impacts_) {
     // Includes all copies within twice the reach of the texton and its mips.
@@ -99,8 +100,8 @@ TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32
         const double atX = pointX - x + 0.5 * texton_.coefficientsX;
         const double atY = pointY - y + 0.5 * texton_.coefficientsY;
         const double weight =
-            std::clamp(mixWeight + mixGradient[0] * (x - pointX) / double(texton_.texelsPerTileX) +
-                           mixGradient[1] * (y - pointY) / double(texton_.texelsPerTileY),
+            std::clamp(mixWeight + mixGradient[0] * (x - pointX) / double(noise_.tileTexelsX) +
+                           mixGradient[1] * (y - pointY) / double(noise_.tileTexelsY),
                        0.0, 1.0);
         const int step = int(std::floor(weight * (double(texton_.steps) - 1.0) + 0.5));
         const int top = step * (texton_.frameY >> mip);
@@ -125,12 +126,12 @@ TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32
         }
       }
   }
-  const double cellArea = double(texton_.texelsPerTileX) / double(noise_.columnsPerTile) *
-                          double(texton_.texelsPerTileY) / double(noise_.rowsPerTile);
+  const double cellArea = double(noise_.tileTexelsX) / double(material_.columnsPerTile) *
+                          double(noise_.tileTexelsY) / double(material_.rowsPerTile);
   for (double& value : sum.value)
     value *= std::sqrt(cellArea);
-  sum.gradient[0] *= std::sqrt(cellArea) * double(texton_.texelsPerTileX) / side;
-  sum.gradient[1] *= std::sqrt(cellArea) * double(texton_.texelsPerTileY) / side;
+  sum.gradient[0] *= std::sqrt(cellArea) * double(noise_.tileTexelsX) / side;
+  sum.gradient[1] *= std::sqrt(cellArea) * double(noise_.tileTexelsY) / side;
   return sum;
 }
 

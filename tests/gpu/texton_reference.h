@@ -23,9 +23,8 @@ namespace lichen::test {
 
 class TextonReference {
 public:
-  /// `noise` must be periodic.
-  TextonReference(const Bundle& bundle, const shader::LichenNoise& noise,
-                  const shader::LichenTexton& texton);
+  /// Of the bundle's first noise. `material` must be periodic.
+  TextonReference(const Bundle& bundle, const shader::LichenMaterial& material);
 
   struct Impact {
     double x = 0.0, y = 0.0; ///< texels of the exemplar
@@ -46,6 +45,8 @@ public:
 
 private:
   const Bundle& bundle_;
+  const shader::LichenMaterial material_;
+  const shader::LichenTextonMaterial part_;
   const shader::LichenNoise noise_;
   const shader::LichenTexton texton_;
   std::vector<Impact> impacts_;

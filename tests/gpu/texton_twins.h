@@ -18,7 +18,7 @@ namespace lichen::test {
 struct TextonTwins {
   /// `pass` is a file name in shaders_glsl/passes.
   TextonTwins(const std::string& pass, std::span<const std::byte> glb)
-      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb, sharedPipelines()),
+      : bundle(parseBundle(glb, "synthetic").value()), host(sharedContext(), glb),
         twin(TextonEvaluator::create(bundle, 0).value()), committed(committedShader(pass)) {}
   TextonTwins(const std::string& pass, const SyntheticTexton& texton)
       : TextonTwins(pass, syntheticTextonGlb(texton)) {}
@@ -28,14 +28,14 @@ struct TextonTwins {
 
   /// Runs the pass at these points; `quantity` uses the pass's numbering.
   template <class AnyPoint>
-  [[nodiscard]] std::vector<std::array<float, 4>>
-  shader(int quantity, const LichenUniformInfo& info, const std::vector<AnyPoint>& points) {
-    return host.evaluate(committed, quantity, info, points);
+  [[nodiscard]] std::vector<std::array<float, 4>> shader(int quantity, const MaterialUse& use,
+                                                         const std::vector<AnyPoint>& points) {
+    return host.evaluate(committed, quantity, use, points);
   }
 
   VulkanDevice* const device = sharedDevice();
   const Bundle bundle;
-  PluginHost host; ///< and the uniforms of the last shader()
+  PluginHost host; ///< and the block of the last shader()
   const TextonEvaluator twin;
   const std::vector<std::uint32_t> committed; ///< the pass
 };

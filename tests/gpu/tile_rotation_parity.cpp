@@ -68,12 +68,11 @@ TriplanarFootprint footprintOf(const SpacePoint& point) {
           three(point.normal)};
 }
 
-LichenUniformInfo turned(std::uint32_t steps, LichenMapping mapping = LICHEN_MAPPING_UV) {
-  LichenUniformInfo info = uniformInfo();
-  info.overrides = LICHEN_OVERRIDE_TILE_ROTATION | LICHEN_OVERRIDE_MAPPING;
-  info.tileRotation = steps;
-  info.mapping = mapping;
-  return info;
+MaterialUse turned(MaterialUse use, std::uint32_t steps,
+                   LichenMapping mapping = LICHEN_MAPPING_UV) {
+  use.parameters.tileRotation = steps;
+  use.parameters.mapping = mapping;
+  return use;
 }
 
 /// The fraction of values that differ by more than 1/1024, and the greatest difference.
@@ -102,15 +101,17 @@ TEST_CASE("rotated tiles with fewer taps match the CPU twin, with uv and with tr
     const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
     const Bundle bundle = parseBundle(glb, "synthetic").value();
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, kFewest).value();
-    PluginHost host(*device, glb, sharedPipelines());
+    PluginHost host(sharedContext(), glb);
+    const MaterialUse own = host.use();
     const std::vector<SpacePoint> points = samplePoints(1000);
     const std::vector<Point> flat = flattened(points);
     for (const std::uint32_t steps : {2u, 4u, 5u, 65536u}) {
-      const auto inPlane = host.evaluate(tiling_evaluate_comp_fewest_taps, 0, turned(steps), flat);
-      const shader::LichenNoise plane = host.uniforms().noise;
+      const auto inPlane =
+          host.evaluate(tiling_evaluate_comp_fewest_taps, 0, turned(own, steps), flat);
+      const shader::LichenMaterial plane = host.material();
       const auto inThree = host.evaluate(triplanar_evaluate_comp_fewest_taps, 0,
-                                         turned(steps, LICHEN_MAPPING_TRIPLANAR), points);
-      const shader::LichenNoise three = host.uniforms().noise;
+                                         turned(own, steps, LICHEN_MAPPING_TRIPLANAR), points);
+      const shader::LichenTriplanarMaterial three = host.planes();
       Difference difference, differenceInThree;
       for (std::size_t k = 0; k < points.size(); ++k) {
         difference.note(inPlane[k], twin.evaluate(0, plane, footprintOf(flat[k])));
@@ -131,7 +132,8 @@ TEST_CASE("a shader without the code of tile rotation does not rotate tiles, and
   VulkanDevice* const device = sharedDevice();
   for (const SyntheticMap& map : kMaps) {
     const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
-    PluginHost host(*device, glb, sharedPipelines());
+    PluginHost host(sharedContext(), glb);
+    const MaterialUse own = host.use();
     const std::vector<SpacePoint> points = samplePoints(500);
     const std::vector<Point> flat = flattened(points);
     const auto differing = [&](const auto& a, const auto& b) {
@@ -142,19 +144,20 @@ TEST_CASE("a shader without the code of tile rotation does not rotate tiles, and
     };
     const auto whole = committedShader("tiling_evaluate.comp");
     const std::span<const std::uint32_t> without = tiling_evaluate_comp_no_rotation;
-    const auto plain = host.evaluate(whole, 0, turned(0), flat);
-    CHECK(differing(host.evaluate(without, 0, turned(0), flat), plain) == 0.0);
-    CHECK(differing(host.evaluate(without, 0, turned(4), flat), plain) == 0.0);
-    CHECK(differing(host.evaluate(whole, 0, turned(1), flat), plain) == 0.0);
-    CHECK(differing(host.evaluate(whole, 0, turned(4), flat), plain) > 0.2);
+    const auto plain = host.evaluate(whole, 0, turned(own, 0), flat);
+    CHECK(differing(host.evaluate(without, 0, turned(own, 0), flat), plain) == 0.0);
+    CHECK(differing(host.evaluate(without, 0, turned(own, 4), flat), plain) == 0.0);
+    CHECK(differing(host.evaluate(whole, 0, turned(own, 1), flat), plain) == 0.0);
+    CHECK(differing(host.evaluate(whole, 0, turned(own, 4), flat), plain) > 0.2);
     const auto wholeInThree = committedShader("triplanar_evaluate.comp");
     const auto inThree =
-        host.evaluate(wholeInThree, 0, turned(0, LICHEN_MAPPING_TRIPLANAR), points);
+        host.evaluate(wholeInThree, 0, turned(own, 0, LICHEN_MAPPING_TRIPLANAR), points);
     CHECK(differing(host.evaluate(triplanar_evaluate_comp_no_rotation, 0,
-                                  turned(4, LICHEN_MAPPING_TRIPLANAR), points),
+                                  turned(own, 4, LICHEN_MAPPING_TRIPLANAR), points),
                     inThree) == 0.0);
-    CHECK(differing(host.evaluate(wholeInThree, 0, turned(4, LICHEN_MAPPING_TRIPLANAR), points),
-                    inThree) > 0.2);
+    CHECK(
+        differing(host.evaluate(wholeInThree, 0, turned(own, 4, LICHEN_MAPPING_TRIPLANAR), points),
+                  inThree) > 0.2);
   }
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }

@@ -71,15 +71,13 @@ struct Parity {
 };
 
 Parity compare(PluginHost& host, const TilingReference& reference,
-               std::span<const std::uint32_t> spirv, const LichenUniformInfo& info,
+               std::span<const std::uint32_t> spirv, const MaterialUse& use,
                const std::vector<Point>& points, std::size_t components) {
-  const auto values = host.evaluate(spirv, kHistogram, info, points);
-  const auto gaussians = host.evaluate(spirv, kGaussian, info, points);
-  const shader::LichenUniforms& uniforms = host.uniforms();
+  const auto values = host.evaluate(spirv, kHistogram, use, points);
+  const auto gaussians = host.evaluate(spirv, kGaussian, use, points);
   Parity parity;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const TilingReference::Sample expected =
-        reference.evaluate(points[k], uniforms.noise, uniforms.maps[0]);
+    const TilingReference::Sample expected = reference.evaluate(points[k], host.material());
     for (std::size_t c = 0; c < 3; ++c)
       note(parity.value, std::abs(double(values[k][c]) - expected.value[c]),
            1.0 / double(3 * points.size()));
@@ -91,29 +89,26 @@ Parity compare(PluginHost& host, const TilingReference& reference,
   return parity;
 }
 
-/// Uniforms that together use every parameter.
-std::vector<LichenUniformInfo> manyUniforms() {
-  std::vector<LichenUniformInfo> all(6, uniformInfo());
-  all[1] = movedUniformInfo();
-  all[2].tileOrigin[0] = 10000000;
-  all[2].tileOrigin[1] = -9999999;
-  all[3].tileOrigin[0] = -(std::int64_t(1) << 40);
-  all[3].tileOrigin[1] = std::int64_t(1) << 40;
-  all[3].overrides = LICHEN_OVERRIDE_BLEND_SHARPNESS;
-  all[3].blendSharpness = 3.0;
-  all[4].periodTiles[0] = 2.0;
-  all[4].periodTiles[1] = 3.0;
-  all[4].tileOrigin[0] = -7;
-  all[5].periodTiles[0] = all[5].periodTiles[1] = 1.37;
-  all[5].overrides = LICHEN_OVERRIDE_CONTRAST;
-  all[5].contrast = 1.4;
+/// Uses that together change every parameter.
+std::vector<MaterialUse> manyUses(const MaterialUse& own) {
+  std::vector<MaterialUse> all(6, own);
+  all[1] = moved(own);
+  all[2].placement.tileOrigin[0] = 10000000;
+  all[2].placement.tileOrigin[1] = -9999999;
+  all[3].placement.tileOrigin[0] = -(std::int64_t(1) << 40);
+  all[3].placement.tileOrigin[1] = std::int64_t(1) << 40;
+  all[3].parameters.blendSharpness = 3.0;
+  all[4].placement.periodTiles[0] = 2.0;
+  all[4].placement.periodTiles[1] = 3.0;
+  all[4].placement.tileOrigin[0] = -7;
+  all[5].placement.periodTiles[0] = all[5].placement.periodTiles[1] = 1.37;
+  all[5].parameters.contrast = 1.4;
   // Each of them also rotates its tiles.
   constexpr std::array<std::uint32_t, 6> kSteps{4, 65536, 2, 7, 4, 65536};
   for (std::size_t k = 0; k < kSteps.size(); ++k) {
-    LichenUniformInfo info = all[k];
-    info.overrides |= LICHEN_OVERRIDE_TILE_ROTATION;
-    info.tileRotation = kSteps[k];
-    all.push_back(info);
+    MaterialUse use = all[k];
+    use.parameters.tileRotation = kSteps[k];
+    all.push_back(use);
   }
   return all;
 }
@@ -122,19 +117,27 @@ std::vector<LichenUniformInfo> manyUniforms() {
 
 namespace {
 
-/// Parity for every set of uniforms, for one noise of one map.
+/// What the method itself has: no blend sharpness, period or rotation.
+std::vector<MaterialUse> plainUses(const MaterialUse& own) {
+  const std::vector<MaterialUse> all = manyUses(own);
+  std::vector<MaterialUse> plain{all[0], all[1], all[2], own};
+  plain[3].parameters.contrast = 0.7;
+  return plain;
+}
+
+/// Parity for every use, for one noise of one map.
 std::vector<Parity> parities(const SyntheticMap& map, std::span<const std::uint32_t> spirv,
                              FetchedBy fetchedBy = FetchedBy::level,
-                             const std::vector<LichenUniformInfo>& uniforms = manyUniforms()) {
+                             std::vector<MaterialUse> (&uses)(const MaterialUse&) = manyUses) {
   VulkanDevice* const device = sharedDevice();
   const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
   const Bundle bundle = parseBundle(glb, "synthetic").value();
-  const TilingReference reference(bundle, bundle.noises[0].maps[0], fetchedBy);
-  PluginHost host(*device, glb, sharedPipelines());
+  const TilingReference reference(bundle, 0, fetchedBy);
+  PluginHost host(sharedContext(), glb);
   const std::vector<Point> points = samplePoints(float(map.width), 2000);
   std::vector<Parity> all;
-  for (const LichenUniformInfo& info : uniforms)
-    all.push_back(compare(host, reference, spirv, info, points, std::size_t(map.dimensions)));
+  for (const MaterialUse& use : uses(host.use()))
+    all.push_back(compare(host, reference, spirv, use, points, std::size_t(map.dimensions)));
   CHECK(device->messages().texts() == std::vector<std::string>{});
   return all;
 }
@@ -154,9 +157,9 @@ const std::vector<SyntheticMap> kSixteenBits = {{3, 64, 64},
 TEST_CASE("16-bit tiling matches the oracle: 99.9 % within 1/1024 and all within 1/255") {
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
   for (const SyntheticMap& map : kSixteenBits) {
-    int uniforms = 0;
+    int use = 0;
     for (const Parity& parity : parities(map, committed)) {
-      INFO("D = " << map.dimensions << ", table " << int(map.table) << ", uniforms " << uniforms++);
+      INFO("D = " << map.dimensions << ", table " << int(map.table) << ", use " << use++);
       CHECK(parity.value.largest <= 1.0 / 255.0);
       CHECK(parity.value.fractionBeyond <= 0.001);
       CHECK(parity.gaussian.largest <= 1.0 / 255.0);
@@ -167,15 +170,10 @@ TEST_CASE("16-bit tiling matches the oracle: 99.9 % within 1/1024 and all within
 
 TEST_CASE("tiling without its options matches the oracle: 99.9 % within 1/1024 and all within "
           "1/255") {
-  // What the method itself has: no blend sharpness, period or rotation.
-  const std::vector<LichenUniformInfo> all = manyUniforms();
-  std::vector<LichenUniformInfo> plain{all[0], all[1], all[2], uniformInfo()};
-  plain[3].overrides = LICHEN_OVERRIDE_CONTRAST;
-  plain[3].contrast = 0.7;
   for (const SyntheticMap& map : kSixteenBits) {
-    int uniforms = 0;
-    for (const Parity& parity : parities(map, tiling_lean_comp, FetchedBy::level, plain)) {
-      INFO("D = " << map.dimensions << ", table " << int(map.table) << ", uniforms " << uniforms++);
+    int use = 0;
+    for (const Parity& parity : parities(map, tiling_lean_comp, FetchedBy::level, plainUses)) {
+      INFO("D = " << map.dimensions << ", table " << int(map.table) << ", use " << use++);
       CHECK(parity.value.largest <= 1.0 / 255.0);
       CHECK(parity.value.fractionBeyond <= 0.001);
       CHECK(parity.gaussian.largest <= 1.0 / 255.0);
@@ -194,9 +192,9 @@ TEST_CASE("a shader without the code of the other kind of table decodes like the
     for (const SyntheticMap& map : kSixteenBits) {
       if (map.table != table)
         continue;
-      int uniforms = 0;
+      int use = 0;
       for (const Parity& parity : parities(map, spirv)) {
-        INFO("D = " << map.dimensions << ", table " << int(table) << ", uniforms " << uniforms++);
+        INFO("D = " << map.dimensions << ", table " << int(table) << ", use " << use++);
         CHECK(parity.value.largest <= 1.0 / 255.0);
         CHECK(parity.value.fractionBeyond <= 0.001);
       }
@@ -259,24 +257,35 @@ std::array<double, 4> valueDeviation(const TilingReference& reference, const Syn
   return variance;
 }
 
-FilterErrors filterErrors(const SyntheticMap& map, const LichenUniformInfo& info,
-                          double tableLevelError) {
+/// A noise of one map on a device.
+struct OnDevice {
+  explicit OnDevice(const SyntheticMap& m)
+      : map(m), glb(syntheticGlb(std::span(&map, 1))),
+        bundle(parseBundle(glb, "synthetic").value()), host(sharedContext(), glb) {}
+  ~OnDevice() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
+  OnDevice(const OnDevice&) = delete;
+  OnDevice& operator=(const OnDevice&) = delete;
+
   VulkanDevice* const device = sharedDevice();
-  const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
-  const Bundle bundle = parseBundle(glb, "synthetic").value();
-  const TilingReference reference(bundle, bundle.noises[0].maps[0], FetchedBy::level,
-                                  tableLevelError);
-  PluginHost host(*device, glb, sharedPipelines());
+  const SyntheticMap map;
+  const std::vector<std::byte> glb;
+  const Bundle bundle;
+  PluginHost host;
+};
+
+FilterErrors filterErrors(OnDevice& noise, const MaterialUse& use, double tableLevelError) {
+  const SyntheticMap& map = noise.map;
+  PluginHost& host = noise.host;
+  const TilingReference reference(noise.bundle, 0, FetchedBy::level, tableLevelError);
   const std::vector<Point> points = samplePoints(float(map.width), 2000);
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
-  const auto values = host.evaluate(committed, kHistogram, info, points);
-  const auto gaussians = host.evaluate(committed, kGaussian, info, points);
-  const shader::LichenUniforms& uniforms = host.uniforms();
-  const auto contrast = double(uniforms.noise.contrast);
+  const auto values = host.evaluate(committed, kHistogram, use, points);
+  const auto gaussians = host.evaluate(committed, kGaussian, use, points);
+  const auto contrast = use.parameters.contrast;
   const std::size_t channels = map.dimensions == 1 ? 1 : 3;
   FilterErrors errors;
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto expected = reference.evaluate(points[k], uniforms.noise, uniforms.maps[0]);
+    const auto expected = reference.evaluate(points[k], host.material());
     const auto deviation = valueDeviation(reference, map, expected, contrast);
     for (std::size_t c = 0; c < channels; ++c)
       errors.value.push_back(std::abs(double(values[k][c]) - expected.value[c]) /
@@ -287,7 +296,6 @@ FilterErrors filterErrors(const SyntheticMap& map, const LichenUniformInfo& info
       errors.largestGaussian = std::max(errors.largestGaussian, error);
     }
   }
-  CHECK(device->messages().texts() == std::vector<std::string>{});
   return errors;
 }
 
@@ -304,36 +312,39 @@ const std::vector<SyntheticMap> kEightBits = {
     {3, 64, 64, true}, {2, 64, 32, true, 3}, {1, 48, 80, true, 5}, {3, 64, 64, true, 0, none}};
 
 /// Slopes of rotated tiles are decoded tile by tile: valueDeviation() does not fit.
-bool isDecodedAsOne(const SyntheticMap& map, const LichenUniformInfo& info) {
-  return map.dimensions != 2 || (info.overrides & LICHEN_OVERRIDE_TILE_ROTATION) == 0;
+bool isDecodedAsOne(const SyntheticMap& map, const MaterialUse& use) {
+  return map.dimensions != 2 || use.parameters.tileRotation <= 1;
 }
 
 } // namespace
 
 TEST_CASE("8-bit tiling differs from the oracle by no more than 8-bit filtering explains") {
-  for (const SyntheticMap& map : kEightBits)
-    for (const LichenUniformInfo& info : manyUniforms()) {
-      const FilterErrors errors = filterErrors(map, info, 0.0);
+  for (const SyntheticMap& map : kEightBits) {
+    OnDevice noise(map);
+    for (const MaterialUse& use : manyUses(noise.host.use())) {
+      const FilterErrors errors = filterErrors(noise, use, 0.0);
       INFO("D = " << map.dimensions << ", table " << int(map.table));
       CHECK(quantile99(errors.gaussian) <= kQuantile99);
       // Three interpolations of 1/2 code, and 1/512 of a difference of up to 1 in each, times the
       // sum of the weights over their root sum of squares, sqrt(3), and the contrast.
       constexpr double kMost = 3.0 * (0.5 + 255.0 / 512.0) / 255.0;
-      const bool hasContrast = (info.overrides & LICHEN_OVERRIDE_CONTRAST) != 0;
-      CHECK(errors.largestGaussian <= kMost * std::sqrt(3.0) * (hasContrast ? 1.4 : 1.0));
-      if (!isDecodedAsOne(map, info))
+      CHECK(errors.largestGaussian <= kMost * std::sqrt(3.0) * use.parameters.contrast);
+      if (!isDecodedAsOne(map, use))
         continue;
       CHECK(quantile99(errors.value) <= kQuantile99);
       // Of 6,000 Gaussian values, the greatest is beyond 5 once in 300 times.
       CHECK(*std::max_element(errors.value.begin(), errors.value.end()) <= 5.0);
     }
+  }
 }
 
 TEST_CASE("a table level that is wrong by 0.1 differs by more than 8-bit filtering explains") {
-  for (const SyntheticMap& map : kEightBits)
-    for (const LichenUniformInfo& info : manyUniforms())
-      if (map.table == joint && isDecodedAsOne(map, info))
-        CHECK(quantile99(filterErrors(map, info, 0.1).value) > kQuantile99);
+  for (const SyntheticMap& map : kEightBits) {
+    OnDevice noise(map);
+    for (const MaterialUse& use : manyUses(noise.host.use()))
+      if (map.table == joint && isDecodedAsOne(map, use))
+        CHECK(quantile99(filterErrors(noise, use, 0.1).value) > kQuantile99);
+  }
 }
 
 TEST_CASE("the shader matches its CPU twin in every operator") {
@@ -347,24 +358,24 @@ TEST_CASE("the shader matches its CPU twin in every operator") {
     const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
     const Bundle bundle = parseBundle(glb, "synthetic").value();
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
-    PluginHost host(*device, glb, sharedPipelines());
+    PluginHost host(sharedContext(), glb);
     const std::vector<Point> points = samplePoints(float(map.width), 1000);
-    std::vector<LichenUniformInfo> uniforms = manyUniforms();
+    std::vector<MaterialUse> uses = manyUses(host.use());
     if (map.table != joint) // same lattice and taps: one table kind is enough, plus contrast
-      uniforms = {uniforms[1], uniforms[5], uniforms[6], uniforms[7], uniforms[11]};
-    for (const LichenUniformInfo& info : uniforms)
+      uses = {uses[1], uses[5], uses[6], uses[7], uses[11]};
+    for (const MaterialUse& use : uses)
       for (const auto& [constant, blend] : operators) {
-        const auto values = host.evaluate(committed, constant, info, points);
-        const shader::LichenNoise& n = host.uniforms().noise;
+        const auto values = host.evaluate(committed, constant, use, points);
+        const shader::LichenMaterial& m = host.material();
         const auto toTile = [&](const std::array<float, 2>& v) {
-          return std::array{n.uvToTileXX * v[0] + n.uvToTileXY * v[1],
-                            n.uvToTileYX * v[0] + n.uvToTileYY * v[1]};
+          return std::array{m.uvToTileXX * v[0] + m.uvToTileXY * v[1],
+                            m.uvToTileYX * v[0] + m.uvToTileYY * v[1]};
         };
         Difference difference;
         for (std::size_t k = 0; k < points.size(); ++k) {
           TileFootprint at{toTile(points[k].uv), toTile(points[k].gradientX),
                            toTile(points[k].gradientY)};
-          const TilingEvaluator::Value expected = twin.evaluate(0, n, at, blend);
+          const TilingEvaluator::Value expected = twin.evaluate(0, m, at, blend);
           for (std::size_t c = 0; c < 3; ++c)
             note(difference, std::abs(double(values[k][c]) - double(expected[c])),
                  1.0 / double(3 * points.size()));
@@ -381,18 +392,18 @@ TEST_CASE("the comparison operators blend the decoded tiles linearly, and about 
   VulkanDevice* const device = sharedDevice();
   const SyntheticMap map{3, 64, 64};
   const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
-  PluginHost host(*device, glb, sharedPipelines());
+  PluginHost host(sharedContext(), glb);
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
   std::vector<Point> points = samplePoints(64.0f, 4000);
   for (Point& point : points) { // one pixel per texel: filtering loses nothing
     point.gradientX = {1.0f / 64.0f, 0.0f};
     point.gradientY = {0.0f, 1.0f / 64.0f};
   }
-  const LichenUniformInfo info = uniformInfo();
-  const auto linear = host.evaluate(committed, kLinear, info, points);
-  const auto variance = host.evaluate(committed, kVariance, info, points);
-  const auto full = host.evaluate(committed, kHistogram, info, points);
-  const double mean = double(host.uniforms().maps[0].mean.x);
+  const MaterialUse use = host.use();
+  const auto linear = host.evaluate(committed, kLinear, use, points);
+  const auto variance = host.evaluate(committed, kVariance, use, points);
+  const auto full = host.evaluate(committed, kHistogram, use, points);
+  const double mean = double(host.map().mean.x);
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double stretch = (double(variance[k][0]) - mean) / (double(linear[k][0]) - mean);
     // 1 / W is between 1 (at a vertex) and sqrt(3) (at the centre of a triangle).
@@ -430,20 +441,19 @@ TEST_CASE("with an anisotropic sampler, the lost variance is that of the square 
   const SyntheticMap map{3, 64, 64};
   const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
   const Bundle bundle = parseBundle(glb, "synthetic").value();
-  const TilingReference reference(bundle, bundle.noises[0].maps[0], FetchedBy::gradients);
-  PluginHost host(*device, glb, sharedPipelines());
+  const TilingReference reference(bundle, 0, FetchedBy::gradients);
+  PluginHost host(sharedContext(), glb);
   const std::vector<Point> points = samplePoints(float(map.width), 2000);
   for (const float anisotropy : {1.0f, 4.0f, 16.0f})
-    for (LichenUniformInfo info : manyUniforms()) {
-      info.maxAnisotropy = anisotropy;
+    for (MaterialUse use : manyUses(host.use())) {
+      use.placement.maxAnisotropy = anisotropy;
       const auto gaussians =
-          host.evaluate(tiling_evaluate_comp_anisotropic, kGaussian, info, points);
-      const shader::LichenUniforms& u = host.uniforms();
+          host.evaluate(tiling_evaluate_comp_anisotropic, kGaussian, use, points);
       double largest = 0.0;
       for (std::size_t k = 0; k < points.size(); ++k)
-        largest = std::max(largest,
-                           std::abs(double(gaussians[k][3]) -
-                                    reference.evaluate(points[k], u.noise, u.maps[0]).gaussian[3]));
+        largest =
+            std::max(largest, std::abs(double(gaussians[k][3]) -
+                                       reference.evaluate(points[k], host.material()).gaussian[3]));
       INFO("anisotropy " << anisotropy);
       // Samplers have 8 bits of a level, between which the loss differs by up to 0.54.
       CHECK(largest <= 1.0 / 255.0);

@@ -4,6 +4,7 @@
 #include "tiling_reference.h"
 
 #include <lichen/lattice.h>
+#include <lichen/shader_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,12 @@ Vec4 sampleClamp(const Volume& v, std::array<double, 3> at) {
   return result;
 }
 
+struct Parameters {
+  const shader::LichenMaterial& material;
+  const shader::LichenTilingMaterial tiling;
+  const shader::LichenNoise& noise;
+};
+
 struct Vertex {
   int i = 0, j = 0;
   double weight = 0.0;
@@ -70,12 +77,13 @@ struct Vertex {
 };
 
 /// Steps 1 and 2.
-std::array<Vertex, 3> triangleAt(Vec2 p, const shader::LichenNoise& n) {
-  const double a = p[0] * double(n.columnsPerTile) - 0.5 * p[1] * double(n.rowsPerTile);
-  const double b = p[1] * double(n.rowsPerTile);
+std::array<Vertex, 3> triangleAt(Vec2 p, const Parameters& u) {
+  const double a =
+      p[0] * double(u.material.columnsPerTile) - 0.5 * p[1] * double(u.material.rowsPerTile);
+  const double b = p[1] * double(u.material.rowsPerTile);
   const double f = a - std::floor(a), g = b - std::floor(b);
-  const int i = int(std::uint32_t(int(std::floor(a))) + std::uint32_t(n.cellI));
-  const int j = int(std::uint32_t(int(std::floor(b))) + std::uint32_t(n.cellJ));
+  const int i = int(std::uint32_t(int(std::floor(a))) + std::uint32_t(u.material.cellI));
+  const int j = int(std::uint32_t(int(std::floor(b))) + std::uint32_t(u.material.cellJ));
   const auto next = [](int value) { return int(std::uint32_t(value) + 1u); };
   std::array<Vertex, 3> vertices;
   if (f + g < 1.0)
@@ -85,11 +93,12 @@ std::array<Vertex, 3> triangleAt(Vec2 p, const shader::LichenNoise& n) {
   for (Vertex& v : vertices) {
     const double column = std::floor(a) + double(v.i != i);
     const double row = std::floor(b) + double(v.j != j);
-    v.place = {(column + 0.5 * row) / double(n.columnsPerTile), row / double(n.rowsPerTile)};
+    v.place = {(column + 0.5 * row) / double(u.material.columnsPerTile),
+               row / double(u.material.rowsPerTile)};
   }
   double sum = 0.0;
   for (Vertex& v : vertices)
-    sum += v.weight = std::pow(v.weight, double(n.blendSharpness));
+    sum += v.weight = std::pow(v.weight, double(u.tiling.blendSharpness));
   for (Vertex& v : vertices)
     v.weight /= sum;
   return vertices;
@@ -100,39 +109,41 @@ struct Tap {
   std::complex<double> turn;
 };
 
-bool turnsTiles(const shader::LichenNoise& n) { return n.tileRotation > 1; }
-bool turnsAboutVertices(const shader::LichenNoise& n) {
-  return turnsTiles(n) && n.tileRotation != 2 && !(n.tileRotation == 4 && n.tileAspect == 1.0f);
+bool turnsTiles(const Parameters& u) { return u.tiling.tileRotation > 1; }
+bool turnsAboutVertices(const Parameters& u) {
+  return turnsTiles(u) && u.tiling.tileRotation != 2 &&
+         !(u.tiling.tileRotation == 4 && u.noise.tileAspect == 1.0f);
 }
 
 /// Step 3.
-Tap tapOf(Vec2 p, Vertex v, const shader::LichenNoise& n) {
+Tap tapOf(Vec2 p, Vertex v, const Parameters& u) {
   const Vec2 fromVertex{p[0] - v.place[0], p[1] - v.place[1]};
-  if (n.periodRows > 0) {
+  if (u.material.periodRows > 0) {
     const auto floorDivide = [](std::int64_t value, std::int64_t by) {
       return value >= 0 ? value / by : -((-value + by - 1) / by);
     };
-    const std::int64_t k = floorDivide(v.j, n.periodRows);
-    std::int64_t i = v.i + k * (n.periodRows / 2);
-    const std::int64_t q = floorDivide(i, n.periodColumns);
-    v.j = int(v.j - k * n.periodRows);
-    v.i = int(i - q * n.periodColumns);
-    p[0] -= double(q) * double(n.periodTilesX);
-    p[1] -= double(k) * double(n.periodTilesY);
+    const std::int64_t k = floorDivide(v.j, u.material.periodRows);
+    std::int64_t i = v.i + k * (u.material.periodRows / 2);
+    const std::int64_t q = floorDivide(i, u.material.periodColumns);
+    v.j = int(v.j - k * u.material.periodRows);
+    v.i = int(i - q * u.material.periodColumns);
+    p[0] -= double(q) * double(u.material.periodTilesX);
+    p[1] -= double(k) * double(u.material.periodTilesY);
   }
-  const auto steps = tileOffsetSteps(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord);
+  const auto steps = tileOffsetSteps(std::uint32_t(v.i), std::uint32_t(v.j), u.material.seedWord);
   Tap tap{p, 1.0};
-  if (turnsTiles(n)) {
-    const std::uint32_t step =
-        tileRotationStep(std::uint32_t(v.i), std::uint32_t(v.j), n.seedWord, n.tileRotation);
-    tap.turn = std::polar(1.0, 2.0 * std::numbers::pi * double(step) / double(n.tileRotation));
-    const Vec2 way = turnsAboutVertices(n) ? fromVertex : p;
-    const auto aspect = double(n.tileAspect);
+  if (turnsTiles(u)) {
+    const std::uint32_t step = tileRotationStep(std::uint32_t(v.i), std::uint32_t(v.j),
+                                                u.material.seedWord, u.tiling.tileRotation);
+    tap.turn =
+        std::polar(1.0, 2.0 * std::numbers::pi * double(step) / double(u.tiling.tileRotation));
+    const Vec2 way = turnsAboutVertices(u) ? fromVertex : p;
+    const auto aspect = double(u.noise.tileAspect);
     const std::complex<double> there = tap.turn * std::complex<double>(way[0] * aspect, way[1]);
     tap.place = {there.real() / aspect, there.imag()};
   }
-  tap.place[0] += double(steps[0]) * double(n.offsetStepX);
-  tap.place[1] += double(steps[1]) * double(n.offsetStepY);
+  tap.place[0] += double(steps[0]) * double(u.noise.offsetStepX);
+  tap.place[1] += double(steps[1]) * double(u.noise.offsetStepY);
   return tap;
 }
 
@@ -195,9 +206,10 @@ double lossShareOf(Vec2 t, Vec2 x, Vec2 y, double side) {
 
 } // namespace
 
-TilingReference::TilingReference(const Bundle& bundle, const NoiseMap& map, FetchedBy fetchedBy,
+TilingReference::TilingReference(const Bundle& bundle, std::size_t map, FetchedBy fetchedBy,
                                  double tableLevelError)
-    : map_(map), tiling_(map.as<TilingMap>()), fetchedBy_(fetchedBy),
+    : noise_(shaderNoise(bundle, 0)), shaderMap_(shaderMap(bundle, bundle.noises[0], map)),
+      map_(bundle.noises[0].maps[map]), tiling_(map_.as<TilingMap>()), fetchedBy_(fetchedBy),
       tableLevelError_(tableLevelError) {
   const Table& gaussian = bundle.tables[tiling_.gaussian];
   for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level)
@@ -291,26 +303,29 @@ TilingReference::Decoded TilingReference::decoded(const Decoded& gaussian, doubl
   return value;
 }
 
-TilingReference::Sample TilingReference::evaluate(const Point& point, const shader::LichenNoise& n,
-                                                  const shader::LichenMap& m) const {
+TilingReference::Sample TilingReference::evaluate(const Point& point,
+                                                  const shader::LichenMaterial& material) const {
+  const Parameters u{material, tilingPart(material), noise_};
   const auto toTile = [&](std::array<float, 2> v) {
-    return Vec2{double(n.uvToTileXX) * double(v[0]) + double(n.uvToTileXY) * double(v[1]),
-                double(n.uvToTileYX) * double(v[0]) + double(n.uvToTileYY) * double(v[1])};
+    return Vec2{double(u.material.uvToTileXX) * double(v[0]) +
+                    double(u.material.uvToTileXY) * double(v[1]),
+                double(u.material.uvToTileYX) * double(v[0]) +
+                    double(u.material.uvToTileYY) * double(v[1])};
   };
   Vec2 p = toTile(point.uv);
-  p = {p[0] + double(n.offsetX), p[1] + double(n.offsetY)};
+  p = {p[0] + double(u.material.offsetX), p[1] + double(u.material.offsetY)};
   const auto texels = [&](Vec2 tiles) {
-    return Vec2{tiles[0] * double(n.tileTexelsX), tiles[1] * double(n.tileTexelsY)};
+    return Vec2{tiles[0] * double(u.noise.tileTexelsX), tiles[1] * double(u.noise.tileTexelsY)};
   };
   const Vec2 texelsX = texels(toTile(point.gradientX)), texelsY = texels(toTile(point.gradientY));
   const double widest = fetchedBy_ == FetchedBy::gradients
-                            ? sideOfProbes(texelsX, texelsY, double(n.maxAnisotropy))
+                            ? sideOfProbes(texelsX, texelsY, double(u.material.maxAnisotropy))
                             : sideOf(texelsX, texelsY);
-  const double side = widest + double(m.levelOffset);
+  const double side = widest + double(shaderMap_.levelOffset);
   const double lambda =
       fetchedBy_ == FetchedBy::gradients ? side : (side < 1.0 ? side / 2.0 : side - 0.5);
   const bool sharesTexels =
-      m.levelOffset == 0.0f && !turnsAboutVertices(n) && fetchedBy_ == FetchedBy::level;
+      shaderMap_.levelOffset == 0.0f && !turnsAboutVertices(u) && fetchedBy_ == FetchedBy::level;
   const double lossShare = sharesTexels ? lossShareOf(texels(p), texelsX, texelsY, widest) : 1.0;
 
   // Step 4.
@@ -321,8 +336,8 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
   double squares = 0.0;
   std::vector<std::pair<Decoded, Tap>> taps;
   std::vector<double> weights;
-  for (const Vertex& vertex : triangleAt(p, n)) {
-    const Tap tap = tapOf(p, vertex, n);
+  for (const Vertex& vertex : triangleAt(p, u)) {
+    const Tap tap = tapOf(p, vertex, u);
     const Vec4 low = sampleRepeat(levels_[lower], tap.place);
     const Vec4 high = sampleRepeat(levels_[upper], tap.place);
     const double t = lod - double(lower);
@@ -339,16 +354,17 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
     squares += vertex.weight * vertex.weight;
   }
   for (std::size_t c = 0; c < 3; ++c)
-    sample.gaussian[c] = 0.5 + double(n.contrast) * sample.gaussian[c] / std::sqrt(squares);
+    sample.gaussian[c] =
+        0.5 + double(u.material.contrast) * sample.gaussian[c] / std::sqrt(squares);
   const double lost = sample.gaussian[3];
 
-  if (m.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(n))
+  if (shaderMap_.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(u))
     // Step 8, with rotated tiles.
     for (std::size_t k = 0; k < taps.size(); ++k) {
       Decoded& gaussian = taps[k].first;
       for (std::size_t c = 0; c < 3; ++c)
-        gaussian[c] = 0.5 + double(n.contrast) * (gaussian[c] - 0.5);
-      const Decoded slopes = decoded(gaussian, lost, double(n.contrast));
+        gaussian[c] = 0.5 + double(u.material.contrast) * (gaussian[c] - 0.5);
+      const Decoded slopes = decoded(gaussian, lost, double(u.material.contrast));
       const double share = weights[k] / std::sqrt(squares);
       const std::complex<double> turned =
           taps[k].second.turn * std::complex<double>(slopes[0], slopes[1]);
@@ -357,7 +373,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point, const shad
       sample.value[2] += share * share * slopes[2];
     }
   else
-    sample.value = decoded(sample.gaussian, lost, double(n.contrast));
+    sample.value = decoded(sample.gaussian, lost, double(u.material.contrast));
   return sample;
 }
 

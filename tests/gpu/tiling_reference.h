@@ -34,20 +34,19 @@ enum class FetchedBy {
              ///< others the lost variance is
 };
 
-/// One map of a noise, decoded.
+/// One map of a bundle's first noise, decoded.
 class TilingReference {
 public:
   /// `tableLevelError` is added to the level of the inverse table, to show that a test notices it.
-  TilingReference(const Bundle& bundle, const NoiseMap& map, FetchedBy fetchedBy = FetchedBy::level,
-                  double tableLevelError = 0.0);
+  explicit TilingReference(const Bundle& bundle, std::size_t map = 0,
+                           FetchedBy fetchedBy = FetchedBy::level, double tableLevelError = 0.0);
 
   /// The map's value, and the blended Gaussian value with the lost variance as its last component.
   struct Sample {
     std::array<double, 4> value{};
     std::array<double, 4> gaussian{};
   };
-  [[nodiscard]] Sample evaluate(const Point& point, const shader::LichenNoise& noise,
-                                const shader::LichenMap& map) const;
+  [[nodiscard]] Sample evaluate(const Point& point, const shader::LichenMaterial& material) const;
 
   using Decoded = std::array<double, 4>;
   /// Steps 6 and 8: the value of a Gaussian value, `lost` being the lost variance.
@@ -59,6 +58,8 @@ private:
 
   std::vector<Volume> levels_;
   std::vector<Volume> table_; ///< by mip level; empty without one
+  const shader::LichenNoise noise_;
+  const shader::LichenMap shaderMap_;
   const NoiseMap map_;
   const TilingMap tiling_;
   const FetchedBy fetchedBy_;

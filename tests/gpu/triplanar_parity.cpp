@@ -54,39 +54,32 @@ std::vector<SpacePoint> samplePoints(float sizeTexels, std::size_t count) {
   return points;
 }
 
-LichenUniformInfo triplanarUniformInfo() {
-  LichenUniformInfo info = uniformInfo();
-  info.overrides = LICHEN_OVERRIDE_MAPPING;
-  info.mapping = LICHEN_MAPPING_TRIPLANAR;
-  return info;
+MaterialUse inPlanes(MaterialUse use) {
+  use.parameters.mapping = LICHEN_MAPPING_TRIPLANAR;
+  return use;
 }
 
-/// Uniforms that together use every parameter.
-std::vector<LichenUniformInfo> manyUniforms() {
-  std::vector<LichenUniformInfo> all(4, triplanarUniformInfo());
-  all[1].overrides |= LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_OFFSET |
-                      LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_POINT_PROCESS;
-  all[1].scale = 0.8;
-  all[1].rotation = 0.6;
-  all[1].offset[0] = 0.25;
-  all[1].offset[1] = -7.5;
-  all[1].seed = 4294967295u;
-  all[1].pointProcess = LICHEN_POINT_PROCESS_POISSON;
-  all[2].tileOrigin[0] = -(std::int64_t(1) << 40);
-  all[2].tileOrigin[1] = 10000000;
-  all[2].tileOriginZ = -77;
-  all[2].overrides |= LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_PLANE_SHARPNESS;
-  all[2].contrast = 1.4;
-  all[2].planeSharpness = 2.0;
-  all[3].overrides |= LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_PLANE_SHARPNESS;
-  all[3].blendSharpness = 3.0;
-  all[3].planeSharpness = 64.0;
+/// Uses that together change every parameter.
+std::vector<MaterialUse> manyUses(const MaterialUse& own) {
+  std::vector<MaterialUse> all(4, inPlanes(own));
+  all[1].parameters.scale = 0.8;
+  all[1].parameters.rotation = 0.6;
+  all[1].parameters.offset[0] = 0.25;
+  all[1].parameters.offset[1] = -7.5;
+  all[1].parameters.seed = 4294967295u;
+  all[1].parameters.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  all[2].placement.tileOrigin[0] = -(std::int64_t(1) << 40);
+  all[2].placement.tileOrigin[1] = 10000000;
+  all[2].placement.tileOrigin[2] = -77;
+  all[2].parameters.contrast = 1.4;
+  all[2].parameters.planeSharpness = 2.0;
+  all[3].parameters.blendSharpness = 3.0;
+  all[3].parameters.planeSharpness = 64.0;
   // Two of them also rotate their tiles.
   for (const auto& [k, steps] : {std::pair<std::size_t, std::uint32_t>{1, 4}, {2, 65536}}) {
-    LichenUniformInfo info = all[k];
-    info.overrides |= LICHEN_OVERRIDE_TILE_ROTATION;
-    info.tileRotation = steps;
-    all.push_back(info);
+    MaterialUse use = all[k];
+    use.parameters.tileRotation = steps;
+    all.push_back(use);
   }
   return all;
 }
@@ -103,8 +96,9 @@ TriplanarFootprint footprintOf(const SpacePoint& point) {
 /// The format's steps in double precision, built on the oracle of one plane.
 class TriplanarReference {
 public:
-  TriplanarReference(const Bundle& bundle, const shader::LichenUniforms& uniforms)
-      : plane_(bundle, bundle.noises[0].maps[0]), noise_(uniforms.noise), map_(uniforms.maps[0]) {}
+  TriplanarReference(const Bundle& bundle, const shader::LichenTriplanarMaterial& material)
+      : plane_(bundle), material_(material), noise_(shaderNoise(bundle, 0)),
+        map_(shaderMap(bundle, bundle.noises[0], 0)) {}
 
   /// The Gaussian value and the lost variance; for slopes, their gradient and its lost variance.
   [[nodiscard]] std::array<double, 4> at(const SpacePoint& point) const {
@@ -115,8 +109,8 @@ public:
       length2 += double(point.normal[k]) * double(point.normal[k]);
     }
     for (std::size_t k = 0; k < 3; ++k) {
-      const double share =
-          std::pow(std::abs(double(point.normal[k])) / most, double(noise_.planeSharpness));
+      const double share = std::pow(std::abs(double(point.normal[k])) / most,
+                                    double(material_.material.planeSharpness));
       weights[k] = std::max(0.0, share - 1.0 / 64.0);
       squares += weights[k] * weights[k];
     }
@@ -149,28 +143,30 @@ private:
   }
 
   [[nodiscard]] TilingReference::Sample sampleOf(const SpacePoint& point, std::size_t axis) const {
-    const shader::LichenPlane own =
-        axis == 0 ? noise_.planeX : (axis == 1 ? noise_.planeY : noise_.planeZ);
-    shader::LichenNoise noise = noise_;
-    noise.cellI = own.cellI;
-    noise.cellJ = own.cellJ;
-    noise.offsetX = own.offsetX;
-    noise.offsetY = own.offsetY;
-    noise.seedWord = own.seedWord;
+    shader::LichenMaterial material = material_.material;
+    if (axis > 0) {
+      const shader::LichenPlane& own = axis == 1 ? material_.planeY : material_.planeZ;
+      material.cellI = own.cellI;
+      material.cellJ = own.cellJ;
+      material.offsetX = own.offsetX;
+      material.offsetY = own.offsetY;
+      material.seedWord = own.seedWord;
+    }
     // A tile is tileSizeMetres wide; its height is that over its aspect.
-    noise.uvToTileXX /= noise.tileSizeMetres;
-    noise.uvToTileXY /= noise.tileSizeMetres;
-    noise.uvToTileYX *= noise.tileAspect / noise.tileSizeMetres;
-    noise.uvToTileYY *= noise.tileAspect / noise.tileSizeMetres;
+    material.uvToTileXX /= noise_.tileSizeMetres;
+    material.uvToTileXY /= noise_.tileSizeMetres;
+    material.uvToTileYX *= noise_.tileAspect / noise_.tileSizeMetres;
+    material.uvToTileYY *= noise_.tileAspect / noise_.tileSizeMetres;
     return plane_.evaluate(
         {onto(point.position, axis), onto(point.gradientX, axis), onto(point.gradientY, axis), {}},
-        noise, map_);
+        material);
   }
 
   /// The rotation applies to the exemplar; its slopes are to the right and up.
   void addSlopes(std::array<double, 4>& sum, const std::array<double, 4>& slopes, double weight,
                  std::size_t axis) const {
-    const double angle = std::atan2(double(noise_.uvToTileXY), double(noise_.uvToTileXX));
+    const double angle =
+        std::atan2(double(material_.material.uvToTileXY), double(material_.material.uvToTileXX));
     const double right = std::cos(angle) * slopes[0] + std::sin(angle) * slopes[1];
     const double up = std::cos(angle) * slopes[1] - std::sin(angle) * slopes[0];
     const std::array<std::array<double, 3>, 3> all{
@@ -180,6 +176,7 @@ private:
   }
 
   TilingReference plane_;
+  shader::LichenTriplanarMaterial material_;
   shader::LichenNoise noise_;
   shader::LichenMap map_;
 };
@@ -203,13 +200,13 @@ struct Difference {
 /// A noise on a device.
 struct OnDevice {
   explicit OnDevice(const std::vector<std::byte>& glb)
-      : bundle(parseBundle(glb, "synthetic").value()), host(*device, glb, sharedPipelines()) {}
+      : bundle(parseBundle(glb, "synthetic").value()), host(sharedContext(), glb) {}
   ~OnDevice() { CHECK(device->messages().texts() == std::vector<std::string>{}); }
 
-  std::vector<std::array<float, 4>> shader(Quantity quantity, const LichenUniformInfo& info,
+  std::vector<std::array<float, 4>> shader(Quantity quantity, const MaterialUse& use,
                                            const std::vector<SpacePoint>& points) {
     static const std::vector<std::uint32_t> committed = committedShader("triplanar_evaluate.comp");
-    return host.evaluate(committed, quantity, info, points);
+    return host.evaluate(committed, quantity, use, points);
   }
 
   VulkanDevice* device = sharedDevice();
@@ -227,30 +224,28 @@ const std::vector<SyntheticMap> kMaps = {{3, 64, 64},
 
 TEST_CASE("triplanar tiling matches the CPU twin and the oracle: 99.9 % within 1/1024 and all "
           "within 1/255") {
-  const std::vector<LichenUniformInfo> uniforms = manyUniforms();
   for (std::size_t m = 0; m < kMaps.size(); ++m) {
     const SyntheticMap& map = kMaps[m];
     OnDevice noise(syntheticGlb(std::span(&map, 1)));
     const TilingEvaluator twin = TilingEvaluator::create(noise.bundle, 0).value();
     const std::vector<SpacePoint> points = samplePoints(float(map.width), 500);
-    // All uniforms with the first map, and one of them with each other map: a pipeline takes half a
-    // second.
-    for (std::size_t i = 0; i < uniforms.size(); ++i) {
-      if (m > 0 && i != m % uniforms.size())
+    // All uses with the first map, and one of them with each other map.
+    const std::vector<MaterialUse> uses = manyUses(noise.host.use());
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      if (m > 0 && i != m % uses.size())
         continue;
-      const LichenUniformInfo& info = uniforms[i];
-      const auto values = noise.shader(kValue, info, points);
-      const auto gaussians = noise.shader(kGaussian, info, points);
-      const shader::LichenUniforms& u = noise.host.uniforms();
-      const TriplanarReference reference(noise.bundle, u);
+      const MaterialUse& use = uses[i];
+      const auto values = noise.shader(kValue, use, points);
+      const auto gaussians = noise.shader(kGaussian, use, points);
+      const TriplanarReference reference(noise.bundle, noise.host.planes());
       std::vector<std::array<float, 4>> twinValues, twinGaussians;
       std::vector<std::array<double, 4>> expected;
       for (const SpacePoint& point : points) {
-        twinValues.push_back(twin.evaluate(0, u.noise, footprintOf(point)));
-        twinGaussians.push_back(twin.gaussian(0, u.noise, footprintOf(point)));
+        twinValues.push_back(twin.evaluate(0, noise.host.planes(), footprintOf(point)));
+        twinGaussians.push_back(twin.gaussian(0, noise.host.planes(), footprintOf(point)));
         expected.push_back(reference.at(point));
       }
-      const bool isSlope = u.maps[0].encoding == LICHEN_ENCODING_SLOPE;
+      const bool isSlope = noise.host.map().encoding == LICHEN_ENCODING_SLOPE;
       const auto channels = std::size_t(map.dimensions);
       Difference toTwin, toOracle;
       toTwin.note(values, twinValues, 0, isSlope ? 4 : 3);
@@ -258,7 +253,7 @@ TEST_CASE("triplanar tiling matches the CPU twin and the oracle: 99.9 % within 1
       toTwin.note(gaussians, twinGaussians, 3, 4);
       toOracle.note(isSlope ? values : gaussians, expected, 0, isSlope ? 3 : channels);
       toOracle.note(isSlope ? values : gaussians, expected, 3, 4);
-      INFO("D = " << map.dimensions << ", table " << int(map.table) << ", uniforms " << i);
+      INFO("D = " << map.dimensions << ", table " << int(map.table) << ", use " << i);
       for (const Difference& difference : {toTwin, toOracle}) {
         CHECK(difference.largest <= 1.0 / 255.0);
         CHECK(difference.fractionBeyond <= 0.001);
@@ -268,7 +263,6 @@ TEST_CASE("triplanar tiling matches the CPU twin and the oracle: 99.9 % within 1
 }
 
 TEST_CASE("triplanar textons match the CPU twin: 99.9 % within 1/1024 and all within 1/255") {
-  const std::vector<LichenUniformInfo> uniforms = manyUniforms();
   const SyntheticTexton textons[] = {{},
                                      {.mipLevels = 2, .channels = 2},
                                      {.order = 3, .channels = 1},
@@ -278,12 +272,11 @@ TEST_CASE("triplanar textons match the CPU twin: 99.9 % within 1/1024 and all wi
     OnDevice noise(syntheticTextonGlb(texton));
     const TextonEvaluator twin = TextonEvaluator::create(noise.bundle, 0).value();
     const std::vector<SpacePoint> points = samplePoints(float(texton.texelsPerTileX), 250);
-    const auto values = noise.shader(kValue, uniforms[t], points);
-    const shader::LichenUniforms& u = noise.host.uniforms();
+    const auto values = noise.shader(kValue, manyUses(noise.host.use())[t], points);
     std::vector<std::array<float, 4>> expected;
     for (const SpacePoint& point : points)
       expected.push_back(
-          twin.evaluate(0, u.noise, u.texton, footprintOf(point), {point.position[3], {}}));
+          twin.evaluate(0, noise.host.planes(), footprintOf(point), {point.position[3], {}}));
     Difference difference;
     difference.note(values, expected, 0, 4);
     INFO("order " << texton.order << ", channels " << texton.channels << ", steps "
@@ -298,10 +291,9 @@ TEST_CASE("planes with a small weight are dropped, and the squares of the other 
   OnDevice noise(syntheticGlb(std::span(kMaps.data(), 1)));
   const std::vector<SpacePoint> points = samplePoints(64.0f, 2000);
   for (const double sharpness : {1.0, 8.0, 64.0}) {
-    LichenUniformInfo info = triplanarUniformInfo();
-    info.overrides |= LICHEN_OVERRIDE_PLANE_SHARPNESS;
-    info.planeSharpness = sharpness;
-    const auto weights = noise.shader(kWeights, info, points);
+    MaterialUse use = inPlanes(noise.host.use());
+    use.parameters.planeSharpness = sharpness;
+    const auto weights = noise.shader(kWeights, use, points);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const auto& n = points[k].normal;
       const float most = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});

@@ -42,7 +42,9 @@ const Bundle& exampleBundle() {
   return bundle;
 }
 
-shader::LichenNoise parameters() { return shaderNoise(exampleBundle(), MaterialNoise{}, {}); }
+shader::LichenMaterial parameters() {
+  return shaderMaterial(exampleBundle(), MaterialNoise{}, {}).material;
+}
 
 /// The point (f, g) in the cell (i, j) of the lattice, with a square pixel of this side [tiles].
 TileFootprint placeIn(double i, double j, double f, double g, double side = 0.0) {
@@ -55,7 +57,7 @@ TileFootprint placeIn(double i, double j, double f, double g, double side = 0.0)
 }
 
 Taps tapsOf(const TileFootprint& at, const TilingQuality& quality) {
-  Taps taps = tapsAt(parameters(), at.position);
+  Taps taps = tapsAt(parameters(), shaderNoise(exampleBundle(), 0), at.position);
   takeFewerTaps(taps, at, quality);
   return taps;
 }
@@ -102,7 +104,7 @@ TEST_CASE("two taps use the two greatest weights minus the third, and sum to 1")
     const auto random = pcg3d({k, 3u, 4u});
     const TileFootprint at =
         placeIn(double(random[2] % 16u), 2.0, random[0] * 0x1p-32, random[1] * 0x1p-32);
-    Taps three = tapsAt(parameters(), at.position);
+    Taps three = tapsAt(parameters(), shaderNoise(exampleBundle(), 0), at.position);
     const Taps two = tapsOf(at, {2, 0.0});
     // The order of taps differs; the tile identifies each tap.
     const auto of = [&](const std::array<float, 2>& position) {
@@ -126,7 +128,7 @@ TEST_CASE("on the edges of triangles two taps have the weights that three have")
     for (const auto& [f, g] :
          {std::pair{k / 20.0, 0.0}, {0.0, k / 20.0}, {k / 20.0, 1 - k / 20.0}}) {
       const TileFootprint at = placeIn(3.0, -2.0, f, g);
-      Taps three = tapsAt(parameters(), at.position);
+      Taps three = tapsAt(parameters(), shaderNoise(exampleBundle(), 0), at.position);
       std::sort(three.weight.begin(), three.weight.end(), std::greater<>());
       const Taps two = tapsOf(at, {2, 0.0});
       for (std::size_t t = 0; t < 3; ++t)
@@ -147,7 +149,7 @@ TEST_CASE("pixels at the limit take one tap, pixels at half of it take all, and 
       REQUIRE(takenOf(tapsOf(at(0.0), {most, kLimit})) == most);
       REQUIRE(takenOf(tapsOf(at(1.0), {most, kLimit})) == 1);
       REQUIRE(takenOf(tapsOf(at(5.0), {most, kLimit})) == 1);
-      const Taps all = tapsAt(parameters(), at(0.0).position);
+      const Taps all = tapsAt(parameters(), shaderNoise(exampleBundle(), 0), at(0.0).position);
       const double greatest = *std::max_element(all.weight.begin(), all.weight.end());
       double before = double(tapsOf(at(0.0), {most, kLimit}).weight[0]);
       constexpr int kSteps = 200;

@@ -96,21 +96,24 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
   MaterialNoise material;
   material.contrast = contrast;
   material.mapping = mapping;
-  const shader::LichenNoise noise = shaderNoise(bundle, material, placement);
-  const shader::LichenTexton texton = shaderTexton(bundle, material, placement);
+  const shader::LichenTriplanarMaterial planes = shaderMaterial(bundle, material, placement);
   const auto withEvaluator = [&](const auto& evaluate) -> Plane {
     if (mapping != Mapping::triplanar)
-      return [evaluate](const TileFootprint& at) { return lightOf(evaluate(at)); };
+      return [evaluate, material = planes.material](const TileFootprint& at) {
+        return lightOf(evaluate(material, at));
+      };
     const auto metres = float(bundle.noises[0].tileSizeMetres);
-    return [evaluate, metres](const TileFootprint& at) {
-      return lightOf(evaluate(askew(at, metres)));
+    return [evaluate, planes, metres](const TileFootprint& at) {
+      return lightOf(evaluate(planes, askew(at, metres)));
     };
   };
   if (bundle.noises[0].method() == Method::texton)
-    return withEvaluator([twin = TextonEvaluator::create(bundle, 0).value(), noise,
-                          texton](const auto& at) { return twin.evaluate(0, noise, texton, at); });
-  return withEvaluator([twin = TilingEvaluator::create(bundle, 0, quality).value(),
-                        noise](const auto& at) { return twin.evaluate(0, noise, at); });
+    return withEvaluator(
+        [twin = TextonEvaluator::create(bundle, 0).value()](const auto& use, const auto& at) {
+          return twin.evaluate(0, use, at);
+        });
+  return withEvaluator([twin = TilingEvaluator::create(bundle, 0, quality).value()](
+                           const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
 }
 
 FilteredView filteredView(const Plane& plane, double width, double height, int pixels,

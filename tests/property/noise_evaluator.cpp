@@ -71,10 +71,9 @@ TEST_CASE(
     const UvFootprint at{{float(u), float(v)}, {}, {}};
     const TileFootprint tile = onTiles(material, u, v);
     checkSame(tilingNoise->evaluateUv(0, at),
-              tilingTwin.evaluate(0, shaderNoise(tiling, material, {}), tile));
+              tilingTwin.evaluate(0, shaderMaterial(tiling, material, {}).material, tile));
     checkSame(textonNoise->evaluateUv(0, at),
-              textonTwin.evaluate(0, shaderNoise(texton, material, {}),
-                                  shaderTexton(texton, material, {}), tile));
+              textonTwin.evaluate(0, shaderMaterial(texton, material, {}).material, tile));
   }
 }
 

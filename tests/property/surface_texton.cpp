@@ -45,16 +45,17 @@ MaterialNoise onSurface(MaterialNoise material) {
 
 /// For a material with surface mapping.
 struct Evaluation : TextonEvaluation {
-  Evaluation(const SyntheticTexton& source, const MaterialNoise& material,
+  Evaluation(const SyntheticTexton& source, const MaterialNoise& materialNoise,
              const Placement& placement = {})
-      : TextonEvaluation(source, onSurface(material), placement) {}
+      : TextonEvaluation(source, onSurface(materialNoise), placement) {}
 
   /// A pixel that fetches textons at this mip level, at a position in texels on a plane.
   [[nodiscard]] SurfaceFootprint footprint(const Vec& place, const Plane& plane,
                                            double level = 0.0) const {
-    const double metresPerTexel = double(noise.tileSizeMetres) /
-                                  std::hypot(double(noise.uvToTileXX), double(noise.uvToTileXY)) /
-                                  double(texton.texelsPerTileX);
+    const double metresPerTexel =
+        double(constants.tileSizeMetres) /
+        std::hypot(double(material.uvToTileXX), double(material.uvToTileXY)) /
+        double(constants.tileTexelsX);
     // Textons are fetched half a level below the footprint's (docs/decisions/018).
     const double pixel = std::exp2(level > 0.0 ? level + 0.5 : 0.0) * metresPerTexel;
     SurfaceFootprint at;
@@ -176,20 +177,20 @@ TEST_CASE("the sums of impacts, weights and squared weights follow proposition 3
   for (const PointProcess process : {PointProcess::stratified, PointProcess::poisson})
     for (const Vec& normal : {Vec{0.0, 1.0, 0.0}, Vec{1.0, 2.0, 3.0}}) {
       const Evaluation noise(kColour, materialOf(process, 30.0, 8));
-      const double lambda = std::pow(double(noise.texton.surfaceCubeTexels), -3.0);
+      const double lambda = std::pow(double(noise.part.surfaceCubeTexels), -3.0);
       CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // whole cells
       const Vec expected{lambda * area * thickness, lambda * area * thickness / 2.0,
                          lambda * area * thickness / 3.0};
-      CHECK(double(noise.texton.amplitude) * double(noise.texton.amplitude) * expected[2] ==
+      CHECK(double(noise.part.amplitude) * double(noise.part.amplitude) * expected[2] ==
             Approx(area).epsilon(1e-5));
       const Plane plane(normal);
       constexpr int kPlaces = 2000;
       Vec mean{}, square{};
       atIndependentPlaces(kPlaces, [&](const Vec& place) {
-        const texton::SurfaceImpacts surface =
-            texton::surfaceImpactsAt(noise.footprint(place, plane), noise.noise, noise.texton);
+        const texton::SurfaceImpacts surface = texton::surfaceImpactsAt(
+            noise.footprint(place, plane), noise.material, noise.constants);
         Vec sums{};
-        texton::forEachSurfaceImpact(surface, noise.noise, noise.texton,
+        texton::forEachSurfaceImpact(surface, noise.material,
                                      [&](const texton::Vec2&, float weight) {
                                        const double w = std::abs(double(weight));
                                        sums = sum(1.0, sums, 1.0, {1.0, w, w * w});
@@ -215,7 +216,7 @@ TEST_CASE("the kurtosis of the Poisson process on a surface matches its closed f
     fourths += std::pow(alpha, 4);
   }
   const Evaluation noise(kSteps, materialOf(PointProcess::poisson, 4.0, 9));
-  const double lambda = std::pow(double(noise.texton.surfaceCubeTexels), -3.0);
+  const double lambda = std::pow(double(noise.part.surfaceCubeTexels), -3.0);
   const double excess = 9.0 / 5.0 * fourths / (squares * squares) / (lambda * thicknessOf(kSteps));
   const Plane plane({2.0, -1.0, 1.0});
   constexpr int kPlaces = 20000;
@@ -346,9 +347,9 @@ TEST_CASE("the direction of a mix is in texture coordinates, whatever the tile o
   const SyntheticTexton mixed{.steps = 3, .channels = 1};
   const Evaluation moved(mixed, material, placement);
   // The path is (2.5, 3), with squared length 15.25. From (0.5, -2) to (0, 0) is 4.75 of that.
-  CHECK(double(moved.texton.mixWeight) == Approx(4.75 / 15.25));
-  CHECK(double(moved.texton.mixPerU) == Approx(2.5 / 15.25));
-  CHECK(double(moved.texton.mixPerV) == Approx(3.0 / 15.25));
+  CHECK(double(moved.part.mixWeight) == Approx(4.75 / 15.25));
+  CHECK(double(moved.part.mixPerU) == Approx(2.5 / 15.25));
+  CHECK(double(moved.part.mixPerV) == Approx(3.0 / 15.25));
 }
 
 TEST_CASE("noise rotates with the tangent, is mirrored by its w, and works without a tangent") {
@@ -364,14 +365,14 @@ TEST_CASE("noise rotates with the tangent, is mirrored by its w, and works witho
   const Vec along = sum(std::cos(0.7), plane.right, std::sin(0.7), plane.down);
   for (std::size_t k = 0; k < 3; ++k)
     rotatedAt.tangent[k] = float(along[k]);
-  const auto expected = plain.twin.gaussian(0, plain.noise, plain.texton, rotatedAt);
-  const auto value = rotated.twin.gaussian(0, rotated.noise, rotated.texton, at);
+  const auto expected = plain.twin.gaussian(0, plain.material, rotatedAt);
+  const auto value = rotated.twin.gaussian(0, rotated.material, at);
   for (std::size_t c = 0; c < 3; ++c)
     CHECK(value[c] == Approx(expected[c]).margin(1e-5));
 
   // Flipping the bitangent and the direction rotates the exemplar by 180 degrees.
   const auto gaussianAt = [&](const SurfaceFootprint& footprint) {
-    return plain.twin.gaussian(0, plain.noise, plain.texton, footprint)[0];
+    return plain.twin.gaussian(0, plain.material, footprint)[0];
   };
   SurfaceFootprint mirrored = at, halfTurn = at, behind = at;
   mirrored.tangent[3] = halfTurn.tangent[3] = -1.0f;
@@ -395,11 +396,12 @@ TEST_CASE("impacts in space and their grid match the specification's test vector
   const nlohmann::json vectors = nlohmann::json::parse(file);
   std::size_t count = 0;
   for (const nlohmann::json& v : vectors["surfaceImpacts"]) {
-    shader::LichenNoise noise{};
-    noise.seedWord = latticeSeed(v["seed"], 3);
-    shader::LichenTexton texton{};
-    texton.pointProcess =
+    shader::LichenMaterial material{};
+    material.seedWord = latticeSeed(v["seed"], 3);
+    shader::LichenTextonMaterial part{};
+    part.pointProcess =
         v["process"] == "poisson" ? LICHEN_POINTS_POISSON : LICHEN_POINTS_STRATIFIED;
+    setPart(material, part);
     texton::SurfaceImpacts one; // one cube, with every position in reach
     for (std::size_t k = 0; k < 3; ++k) {
       one.cell[k] = std::uint32_t(std::int64_t(v["cell"][k]));
@@ -407,7 +409,7 @@ TEST_CASE("impacts in space and their grid match the specification's test vector
       one.radius[k] = 2.0f;
     }
     std::size_t k = 0;
-    texton::forEachSurfaceImpact(one, noise, texton, [&](const texton::Vec2& place, float weight) {
+    texton::forEachSurfaceImpact(one, material, [&](const texton::Vec2& place, float weight) {
       REQUIRE(k < v["impacts"].size());
       const nlohmann::json& expected = v["impacts"][k++];
       CHECK(-place[0] == float(expected["place"][0]));
@@ -430,9 +432,10 @@ TEST_CASE("impacts in space and their grid match the specification's test vector
     MaterialNoise material = materialOf(PointProcess::stratified, v["impacts"], 1);
     material.mapping = Mapping::surface;
     const double cells = v["cells"];
-    CHECK(double(shaderNoise(bundle, material, {}).columnsPerTile) == cells);
-    const shader::LichenTexton texton = shaderTexton(bundle, material, {});
-    CHECK(texton.surfaceCubeTexels == float(double(shape.texelsPerTileX) / cells));
-    CHECK(double(texton.amplitude) == Approx(double(v["amplitude"])).epsilon(1e-6));
+    const shader::LichenMaterial block = shaderMaterial(bundle, material, {}).material;
+    CHECK(double(block.columnsPerTile) == cells);
+    const shader::LichenTextonMaterial part = textonPart(block);
+    CHECK(part.surfaceCubeTexels == float(double(shape.texelsPerTileX) / cells));
+    CHECK(double(part.amplitude) == Approx(double(v["amplitude"])).epsilon(1e-6));
   }
 }

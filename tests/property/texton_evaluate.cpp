@@ -29,10 +29,10 @@ struct Evaluation : TextonEvaluation {
   /// Stored values minus their mean, at a position in texels with the footprint of this mip level.
   [[nodiscard]] std::array<double, 3> at(double x, double y, double level = 0.0) const {
     const float side = std::exp2(float(level > 0.0 ? level + 0.5 : 0.0));
-    const float pixelX = side / texton.texelsPerTileX;
-    const float pixelY = side / texton.texelsPerTileY;
+    const float pixelX = side / constants.tileTexelsX;
+    const float pixelY = side / constants.tileTexelsY;
     TileFootprint place;
-    place.position = {float(x) / texton.texelsPerTileX, float(y) / texton.texelsPerTileY};
+    place.position = {float(x) / constants.tileTexelsX, float(y) / constants.tileTexelsY};
     place.dx = {pixelX, 0.0f};
     place.dy = {0.0f, pixelY};
     return storedAt(place);
@@ -91,8 +91,8 @@ private:
 double excessKurtosis(const Evaluation& noise, PointProcess process) {
   const SampledTexton h(kHeight);
   const double area = 1.0 / (SampledTexton::kPerTexel * SampledTexton::kPerTexel);
-  const double cellX = double(noise.texton.texelsPerTileX) / double(noise.noise.columnsPerTile);
-  const double cellY = double(noise.texton.texelsPerTileY) / double(noise.noise.rowsPerTile);
+  const double cellX = double(noise.constants.tileTexelsX) / double(noise.material.columnsPerTile);
+  const double cellY = double(noise.constants.tileTexelsY) / double(noise.material.rowsPerTile);
   double squares = 0.0, fourths = 0.0;
   for (int row = 0; row < h.height(); ++row)
     for (int column = 0; column < h.width(); ++column) {
@@ -163,8 +163,9 @@ TEST_CASE("the kurtosis of each process matches its closed form, and the varianc
   const double variance = covarianceAt(kHeight, syntheticCoefficients(kHeight, 0), 0, 0)[0];
   for (const PointProcess process : kProcesses) {
     const Evaluation noise(kHeight, process, 4.0, 9);
-    const double cellX = double(noise.texton.texelsPerTileX) / double(noise.noise.columnsPerTile);
-    const double cellY = double(noise.texton.texelsPerTileY) / double(noise.noise.rowsPerTile);
+    const double cellX =
+        double(noise.constants.tileTexelsX) / double(noise.material.columnsPerTile);
+    const double cellY = double(noise.constants.tileTexelsY) / double(noise.material.rowsPerTile);
     constexpr int kSide = 260, kBins = 6;
     constexpr double kCount = double(kSide) * kSide;
     double fourth = 0.0, eighth = 0.0;
@@ -258,11 +259,12 @@ TEST_CASE("impacts and their grid match the specification's test vectors") {
     CHECK(texton::poissonCount(v["word"]) == int(v["count"]));
   std::size_t count = 0;
   for (const nlohmann::json& v : vectors["impacts"]) {
-    shader::LichenNoise noise{};
-    noise.seedWord = latticeSeed(v["seed"], v["plane"]);
-    shader::LichenTexton texton{};
-    texton.pointProcess =
+    shader::LichenMaterial material{};
+    material.seedWord = latticeSeed(v["seed"], v["plane"]);
+    shader::LichenTextonMaterial part{};
+    part.pointProcess =
         v["process"] == "poisson" ? LICHEN_POINTS_POISSON : LICHEN_POINTS_STRATIFIED;
+    setPart(material, part);
     texton::Impacts one; // the window of one cell, with every position in reach
     one.firstCell = {std::uint32_t(std::int64_t(v["cell"][0])),
                      std::uint32_t(std::int64_t(v["cell"][1]))};
@@ -270,7 +272,7 @@ TEST_CASE("impacts and their grid match the specification's test vectors") {
     one.end = {-0.5f, -0.5f};
     one.radius = {2.0f, 2.0f};
     std::size_t k = 0;
-    texton::forEachImpact(one, noise, texton, [&](const texton::Vec2& place, float sign) {
+    texton::forEachImpact(one, material, [&](const texton::Vec2& place, float sign) {
       REQUIRE(k < v["impacts"].size());
       const nlohmann::json& expected = v["impacts"][k++];
       CHECK(-place[0] == float(expected["place"][0]));

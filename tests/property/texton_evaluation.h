@@ -20,17 +20,17 @@ namespace lichen::test {
 }
 
 struct TextonEvaluation {
-  TextonEvaluation(const SyntheticTexton& source, const MaterialNoise& material,
+  TextonEvaluation(const SyntheticTexton& source, const MaterialNoise& materialNoise,
                    const Placement& placement = {})
       : bundle(syntheticTextonBundle(source).bundle),
         twin(TextonEvaluator::create(bundle, 0).value()),
-        noise(shaderNoise(bundle, material, placement)),
-        texton(shaderTexton(bundle, material, placement)) {}
+        material(shaderMaterial(bundle, materialNoise, placement).material),
+        part(textonPart(material)), constants(shaderNoise(bundle, 0)) {}
 
   /// Stored values minus their mean at a position in the plane or on a surface.
   template <class Footprint>
   [[nodiscard]] std::array<double, 3> storedAt(const Footprint& place) const {
-    const TextonEvaluator::Value gaussian = twin.gaussian(0, noise, texton, place);
+    const TextonEvaluator::Value gaussian = twin.gaussian(0, material, place);
     const std::vector<double>& scale = bundle.noises[0].maps[0].as<TextonMap>().scale;
     std::array<double, 3> stored{};
     for (std::size_t c = 0; c < scale.size(); ++c)
@@ -40,8 +40,9 @@ struct TextonEvaluation {
 
   Bundle bundle;
   TextonEvaluator twin;
-  shader::LichenNoise noise;
-  shader::LichenTexton texton;
+  shader::LichenMaterial material;
+  shader::LichenTextonMaterial part;
+  shader::LichenNoise constants;
 };
 
 } // namespace lichen::test

@@ -76,16 +76,16 @@ struct Evaluation {
   Evaluation(Noise noise, std::vector<Table> tables, std::uint32_t seed = 1)
       : bundle{std::move(tables), {std::move(noise)}, {}, {}, {}},
         twin(TextonEvaluator::create(bundle, 0).value()) {
-    MaterialNoise material;
-    material.seed = seed;
-    parameters = shaderNoise(bundle, material, {});
-    texton = shaderTexton(bundle, material, {});
+    MaterialNoise materialNoise;
+    materialNoise.seed = seed;
+    material = shaderMaterial(bundle, materialNoise, {}).material;
+    constants = shaderNoise(bundle, 0);
   }
 
   Bundle bundle;
   TextonEvaluator twin;
-  shader::LichenNoise parameters{};
-  shader::LichenTexton texton{};
+  shader::LichenMaterial material{};
+  shader::LichenNoise constants{};
 };
 
 } // namespace
@@ -174,16 +174,14 @@ TEST_CASE("the variance of filtered noise at each step of a mix is that of its l
       double sum = 0.0, squares = 0.0, lost = 0.0;
       for (int k = 0; k < kSide * kSide; ++k) {
         TileFootprint at;
-        at.position = {(float(k % kSide) * 40.0f + 0.5f) / noise.texton.texelsPerTileX,
-                       (float(k / kSide) * 40.0f + 0.5f) / noise.texton.texelsPerTileY};
-        at.dx = {side / noise.texton.texelsPerTileX, 0.0f};
-        at.dy = {0.0f, side / noise.texton.texelsPerTileY};
-        const auto value =
-            noise.twin.gaussian(0, noise.parameters, noise.texton, at, {float(step) / 2.0f, {}});
+        at.position = {(float(k % kSide) * 40.0f + 0.5f) / noise.constants.tileTexelsX,
+                       (float(k / kSide) * 40.0f + 0.5f) / noise.constants.tileTexelsY};
+        at.dx = {side / noise.constants.tileTexelsX, 0.0f};
+        at.dy = {0.0f, side / noise.constants.tileTexelsY};
+        const auto value = noise.twin.gaussian(0, noise.material, at, {float(step) / 2.0f, {}});
         sum += double(value[0]) - 0.5;
         squares += std::pow(double(value[0]) - 0.5, 2);
-        lost = double(noise.twin.lostVariance(0, noise.parameters, noise.texton, at,
-                                              {float(step) / 2.0f, {}})[0]);
+        lost = double(noise.twin.lostVariance(0, noise.material, at, {float(step) / 2.0f, {}})[0]);
       }
       INFO("step " << step << ", level " << level);
       const double count = kSide * kSide;
@@ -216,7 +214,7 @@ TEST_CASE("along a ramp local mean and variance interpolate between the steps") 
         at.dx = {1.0f / kTexels, 0.0f};
         at.dy = {0.0f, 1.0f / kTexels};
         const MixPlace mix{(float(x) + 0.5f) / float(kColumns), {kTexels / float(kColumns), 0.0f}};
-        const auto value = noise.twin.gaussian(0, noise.parameters, noise.texton, at, mix);
+        const auto value = noise.twin.gaussian(0, noise.material, at, mix);
         const auto window = std::size_t(x / kWindow);
         for (std::size_t c = 0; c < 3; ++c) {
           sums[window] += double(value[c]) - 0.5;

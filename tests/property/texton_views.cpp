@@ -46,10 +46,9 @@ Bundle bakedBundle(const SrgbImage& image, int order = 1) {
 struct View {
   explicit View(Bundle of, double contrast = 1.0)
       : bundle(std::move(of)), twin(TextonEvaluator::create(bundle, 0).value()) {
-    MaterialNoise material;
-    material.contrast = contrast;
-    noise = shaderNoise(bundle, material, {});
-    texton = shaderTexton(bundle, material, {});
+    MaterialNoise materialNoise;
+    materialNoise.contrast = contrast;
+    material = shaderMaterial(bundle, materialNoise, {}).material;
   }
 
   /// A pixel's footprint with these sides. [tiles]
@@ -58,14 +57,13 @@ struct View {
   }
   /// The light of such a pixel.
   [[nodiscard]] Colour at(double x, double y, double width, double height) const {
-    const auto value = twin.evaluate(0, noise, texton, place(x, y, width, height));
+    const auto value = twin.evaluate(0, material, place(x, y, width, height));
     return {double(value[0]), double(value[1]), double(value[2])};
   }
 
   Bundle bundle;
   TextonEvaluator twin;
-  shader::LichenNoise noise;
-  shader::LichenTexton texton;
+  shader::LichenMaterial material;
 };
 
 /// Mean of sample(x, y) over a square grid. Rows run in parallel and are summed in order.
@@ -268,8 +266,7 @@ TEST_CASE(
     return view.at(x, y, width, height);
   };
   const auto gaussianAt = [&](double x, double y, double width, double height) {
-    const auto value =
-        view.twin.gaussian(0, view.noise, view.texton, View::place(x, y, width, height));
+    const auto value = view.twin.gaussian(0, view.material, View::place(x, y, width, height));
     return Colour{double(value[0]), double(value[1]), double(value[2])};
   };
   const double points = seenThrough(gaussianAt, 0.0, 0.0, kSide).sampledVariance;
@@ -340,7 +337,7 @@ TEST_CASE(
       at.position = {1.37f * float(k % kPlaces), 1.61f * float(k / kPlaces)};
       at.dx = {pixel, 0.0f};
       at.dy = {0.0f, pixel};
-      const auto value = view.twin.gaussian(0, view.noise, view.texton, at);
+      const auto value = view.twin.gaussian(0, view.material, at);
       for (std::size_t c = 0; c < 3; ++c)
         variance[c] += 36.0 * std::pow(double(value[c]) - 0.5, 2) / (kPlaces * kPlaces);
     }
@@ -356,21 +353,21 @@ TEST_CASE(
 
 TEST_CASE("the index of a distant cell is exact, modulo 2^32 or the period") {
   shader::LichenNoise noise{};
-  shader::LichenTexton texton{};
-  texton.texelsPerTileX = texton.texelsPerTileY = 16384.0f;
-  texton.coefficientsX = texton.coefficientsY = 1;
-  texton.frameX = texton.frameY = 2;
-  texton.mipCount = 1;
-  noise.columnsPerTile = noise.rowsPerTile = 49152.0f; // 3 cells per texel
+  noise.tileTexelsX = noise.tileTexelsY = 16384.0f;
+  noise.texton.coefficientsX = noise.texton.coefficientsY = 1;
+  noise.texton.frameX = noise.texton.frameY = 2;
+  noise.texton.mipCount = 1;
+  shader::LichenMaterial material{};
+  material.columnsPerTile = material.rowsPerTile = 49152.0f; // 3 cells per texel
   for (const std::int32_t period : {0, 7, 49152 * 5, 1 << 29})
     for (const std::int64_t tiles : {0ll, 1ll, -1ll, 43691ll, -65537ll, 1ll << 27, -(1ll << 27)}) {
-      noise.periodColumns = noise.periodRows = period;
-      noise.cellI = noise.cellJ = period == 0 ? 0x7fffffff : 3;
+      material.periodColumns = material.periodRows = period;
+      material.cellI = material.cellJ = period == 0 ? 0x7fffffff : 3;
       TileFootprint at;
       at.position = {float(tiles), float(-tiles)};
-      const texton::Impacts here = texton::impactsWithin(0.0f, at, noise, texton);
+      const texton::Impacts here = texton::impactsWithin(0.0f, at, material, noise);
       at.position = {0.0f, 0.0f};
-      const texton::Impacts origin = texton::impactsWithin(0.0f, at, noise, texton);
+      const texton::Impacts origin = texton::impactsWithin(0.0f, at, material, noise);
       for (std::size_t k = 0; k < 2; ++k) {
         const std::int64_t moved =
             std::int64_t(origin.firstCell[k]) + (k == 0 ? tiles : -tiles) * 49152;
@@ -392,7 +389,7 @@ TEST_CASE("the spectrum of texton noise with 30 impacts is that of its Gaussian 
       for (int x = 0; x < kSide; ++x) {
         TileFootprint at;
         at.position = {float(x + 0.5) / kSide, float(y + 0.5) / kSide};
-        const auto value = view.twin.gaussian(0, view.noise, view.texton, at);
+        const auto value = view.twin.gaussian(0, view.material, at);
         for (std::size_t c = 0; c < 3; ++c)
           result.pixel(x, y)[c] =
               float(map.mean[c] + map.as<TextonMap>().scale[c] * (double(value[c]) - 0.5));

@@ -253,7 +253,7 @@ TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {
     const Bundle bundle = waveBundle(slanted, width, height);
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, kOneTap).value();
     for (const std::uint32_t steps : kSteps) {
-      const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
+      const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(steps), {}).material;
       int compared = 0;
       double largest = 0.0;
       for (std::uint32_t k = 0; k < 2000; ++k) {
@@ -270,8 +270,8 @@ TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {
           continue;
         std::array<double, 4> heights{};
         for (std::size_t n = 0; n < 4; ++n)
-          heights[n] = kHeightPerValue * double(twin.evaluate(1, noise, neighbours[n])[0]);
-        const auto slopes = twin.evaluate(0, noise, at);
+          heights[n] = kHeightPerValue * double(twin.evaluate(1, material, neighbours[n])[0]);
+        const auto slopes = twin.evaluate(0, material, at);
         const double alongX = (heights[0] - heights[1]) / 4.0;
         const double alongDown = (heights[2] - heights[3]) / 4.0;
         largest = std::max(largest, std::hypot(double(slopes[0]) - alongX,
@@ -294,7 +294,7 @@ TEST_CASE("rotated colours have the same mean, variance and histogram everywhere
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
   constexpr double kTexels = 128.0;
   const auto samples = [&](std::uint32_t steps, double f, double g) {
-    const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
+    const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(steps), {}).material;
     std::vector<double> values;
     for (int j = 0; j < 90; ++j)
       for (int i = 0; i < 90; ++i) {
@@ -302,7 +302,7 @@ TEST_CASE("rotated colours have the same mean, variance and histogram everywhere
                                    (j + g) / kLatticeRowsPerTile, 1.0 / kTexels);
         for (float& coordinate : at.position) // at texel centres, where a fetch loses nothing
           coordinate = float((std::floor(double(coordinate) * kTexels) + 0.5) / kTexels);
-        values.push_back(double(twin.evaluate(0, noise, at)[0]));
+        values.push_back(double(twin.evaluate(0, material, at)[0]));
       }
     return values;
   };
@@ -334,7 +334,7 @@ TEST_CASE(
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
   constexpr double kHalfWave = 1.0 / 16.0; // tiles
   const auto differenceOf = [&](std::uint32_t steps) {
-    const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
+    const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(steps), {}).material;
     double alongX = 0.0, alongY = 0.0, squares = 0.0;
     for (std::uint32_t k = 0; k < 20000; ++k) {
       const TileFootprint at = randomPoint(k, 200.0);
@@ -342,7 +342,7 @@ TEST_CASE(
         TileFootprint there = at;
         there.position[0] += float(dx);
         there.position[1] += float(dy);
-        return double(twin.evaluate(1, noise, there)[0]) - 0.5;
+        return double(twin.evaluate(1, material, there)[0]) - 0.5;
       };
       const double here = value(0.0, 0.0);
       squares += here * here;
@@ -364,11 +364,11 @@ TEST_CASE("rotated slopes have the same second moment and a mean of 0") {
   const Bundle bundle = waveBundle(slanted, 256, 256, kMeanSlope);
   const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
   const auto measure = [&](std::uint32_t steps) {
-    const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
+    const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(steps), {}).material;
     std::array<double, 3> sums{};
     constexpr int kPoints = 20000;
     for (std::uint32_t k = 0; k < kPoints; ++k) {
-      const auto slopes = twin.evaluate(0, noise, randomPoint(k, 400.0));
+      const auto slopes = twin.evaluate(0, material, randomPoint(k, 400.0));
       sums[0] += double(slopes[0]) / kPoints;
       sums[1] += double(slopes[1]) / kPoints;
       sums[2] += double(slopes[0] * slopes[0] + slopes[1] * slopes[1]) / kPoints;
@@ -402,8 +402,8 @@ TEST_CASE("rotated tiles do not depend on the host's origin") {
         Placement here, there;
         here.tileOriginX = far, here.tileOriginY = -far;
         there.tileOriginX = far - 3, there.tileOriginY = 5 - far;
-        const shader::LichenNoise a = shaderNoise(bundle, rotatedBy(steps), here);
-        const shader::LichenNoise b = shaderNoise(bundle, rotatedBy(steps), there);
+        const shader::LichenMaterial a = shaderMaterial(bundle, rotatedBy(steps), here).material;
+        const shader::LichenMaterial b = shaderMaterial(bundle, rotatedBy(steps), there).material;
         for (std::uint32_t k = 0; k < 300; ++k) {
           const TileFootprint at = randomPoint(k, 4.0);
           TileFootprint moved = at;
@@ -431,7 +431,8 @@ TEST_CASE("rotated tiles repeat with the period of the lattice") {
       placement.periodic = true;
       placement.periodTilesX = x;
       placement.periodTilesY = y;
-      const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), placement);
+      const shader::LichenMaterial material =
+          shaderMaterial(bundle, rotatedBy(steps), placement).material;
       for (std::uint32_t k = 0; k < 500; ++k) {
         const TileFootprint at = randomPoint(k, 3.0);
         for (const auto& [columns, rows] : {std::pair{1, 0}, {0, 1}, {-2, 1}}) {
@@ -440,8 +441,8 @@ TEST_CASE("rotated tiles repeat with the period of the lattice") {
           there.position[1] += float(rows * y);
           for (std::size_t map = 0; map < 2; ++map)
             for (std::size_t c = 0; c < 2; ++c)
-              REQUIRE(std::abs(twin.evaluate(map, noise, at)[c] -
-                               twin.evaluate(map, noise, there)[c]) < 1e-4f);
+              REQUIRE(std::abs(twin.evaluate(map, material, at)[c] -
+                               twin.evaluate(map, material, there)[c]) < 1e-4f);
         }
       }
     }
@@ -452,15 +453,15 @@ TEST_CASE("rotated tiles are continuous across triangle borders") {
   for (const TilingQuality& quality : {TilingQuality{}, TilingQuality{2, 0.0}}) {
     const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, quality).value();
     for (const std::uint32_t steps : kSteps) {
-      const shader::LichenNoise noise = shaderNoise(bundle, rotatedBy(steps), {});
+      const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(steps), {}).material;
       // A jump keeps its height at any step size; a continuous change is proportional to the step
       // size.
       const auto largestStep = [&](std::size_t map, double texels) {
         double largest = 0.0;
         for (int line = 0; line < 3; ++line) {
-          auto before = twin.evaluate(map, noise, pointAt(0.0, 0.3 + line));
+          auto before = twin.evaluate(map, material, pointAt(0.0, 0.3 + line));
           for (int k = 1; k * texels < 512.0; ++k) {
-            const auto now = twin.evaluate(map, noise, pointAt(k * texels / 256.0, 0.3 + line));
+            const auto now = twin.evaluate(map, material, pointAt(k * texels / 256.0, 0.3 + line));
             for (std::size_t c = 0; c < 2; ++c)
               largest = std::max(largest, double(std::abs(now[c] - before[c])));
             before = now;

@@ -62,11 +62,12 @@ SynthesisOptions sized(int width, int height) {
 } // namespace
 
 TEST_CASE("the blend weights sum to 1 and the three vertices surround the point") {
-  const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
+  const shader::LichenMaterial material =
+      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
   for (std::uint64_t k = 0; k < 20000; ++k) {
     const std::array<float, 2> p{float(40.0 * (transport::randomUniform(1, 2 * k) - 0.5)),
                                  float(40.0 * (transport::randomUniform(1, 2 * k + 1) - 0.5))};
-    const Taps taps = tapsAt(noise, p);
+    const Taps taps = tapsAt(material, shaderNoise(exampleBundle(), 0), p);
     float sum = 0.0f;
     float squares = 0.0f;
     for (const float weight : taps.weight) {
@@ -81,10 +82,12 @@ TEST_CASE("the blend weights sum to 1 and the three vertices surround the point"
 }
 
 TEST_CASE("taps are offset by whole texels, so that the texel grid stays aligned") {
-  const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
+  const shader::LichenMaterial material =
+      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
   for (int k = 0; k < 500; ++k) {
     const std::array<float, 2> p{(float(k) + 0.5f) / 128.0f, (float(3 * k) + 0.5f) / 128.0f};
-    for (const std::array<float, 2>& tap : tapsAt(noise, p).position)
+    for (const std::array<float, 2>& tap :
+         tapsAt(material, shaderNoise(exampleBundle(), 0), p).position)
       for (const float coordinate : tap) {
         const float texel = coordinate * 128.0f - 0.5f;
         REQUIRE(texel == std::round(texel));
@@ -95,7 +98,8 @@ TEST_CASE("taps are offset by whole texels, so that the texel grid stays aligned
 TEST_CASE("the noise is continuous across the lattice's edges of all three directions", "[large]") {
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
   REQUIRE(evaluator);
-  const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
+  const shader::LichenMaterial material =
+      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
   // Two points 2e-7 tiles to each side of an edge are 5e-5 texels apart. Float rounding of the
   // coordinates, here below 1/2, moves each by at most 3e-8 tiles more. Texels differ by at most 1,
   // blending amplifies by at most 1 / W <= sqrt(3), and dU/dG <= 2.4. A unit of U has 32 cells,
@@ -107,7 +111,7 @@ TEST_CASE("the noise is continuous across the lattice's edges of all three direc
   const auto valueAt = [&](double x, double y, double dx, double dy, float side) {
     TileFootprint at;
     at.position = {float(x) + side * kStep * float(dx), float(y) + side * kStep * float(dy)};
-    return evaluator.value().evaluate(0, noise, at);
+    return evaluator.value().evaluate(0, material, at);
   };
   double jumps = 0.0;
   for (int j = -1; j < 2; ++j)
@@ -155,7 +159,8 @@ TEST_CASE("variance does not depend on where in a triangle a point lies", "[larg
   // a third of the variance, and the method all of it.
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
   REQUIRE(evaluator);
-  const shader::LichenNoise noise = shaderNoise(exampleBundle(), MaterialNoise{}, Placement{});
+  const shader::LichenMaterial material =
+      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
   const auto varianceAt = [&](double f, double g, BlendOperator blend) {
     double sum = 0.0;
     double squares = 0.0;
@@ -168,7 +173,7 @@ TEST_CASE("variance does not depend on where in a triangle a point lies", "[larg
         // Texel centres, where a fetch loses nothing.
         for (float& coordinate : at.position)
           coordinate = (std::floor(coordinate * 128.0f) + 0.5f) / 128.0f;
-        const double value = double(evaluator.value().evaluate(0, noise, at, blend)[0]);
+        const double value = double(evaluator.value().evaluate(0, material, at, blend)[0]);
         sum += value;
         squares += value * value;
       }
@@ -268,14 +273,17 @@ TEST_CASE("large offsets of the material are exact") {
   periodic.periodic = true;
   periodic.periodTilesX = periodic.periodTilesY = 2.0;
   const Bundle& bundle = exampleBundle();
-  const auto same = [](const shader::LichenNoise& a, const shader::LichenNoise& b) {
+  const auto same = [](const shader::LichenMaterial& a, const shader::LichenMaterial& b) {
     CHECK(a.offsetX == b.offsetX);
     CHECK(a.offsetY == b.offsetY);
     CHECK(a.cellI == b.cellI);
     CHECK(a.cellJ == b.cellJ);
   };
-  same(shaderNoise(bundle, far, {}), shaderNoise(bundle, near, origin));
-  same(shaderNoise(bundle, far, periodic), shaderNoise(bundle, near, periodic));
+  const auto block = [&](const MaterialNoise& material, const Placement& placement) {
+    return shaderMaterial(bundle, material, placement).material;
+  };
+  same(block(far, {}), block(near, origin));
+  same(block(far, periodic), block(near, periodic));
 }
 
 TEST_CASE("a tileable image continues across all its borders as it does inside", "[large]") {

@@ -155,7 +155,8 @@ TEST_CASE(
   bundle.noises = {std::move(bake.value().noise)};
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle, 0);
   REQUIRE(evaluator);
-  const shader::LichenNoise noise = shaderNoise(bundle, MaterialNoise{}, Placement{});
+  const shader::LichenMaterial material =
+      shaderMaterial(bundle, MaterialNoise{}, Placement{}).material;
   const double whole = exemplar::momentsOf(map.values, 2).covariance.trace() / 2.0;
   const double interpolation = double(shaderMap(bundle, bundle.noises[0], 0).interpolationLoss);
   double half = 0.0;
@@ -164,17 +165,17 @@ TEST_CASE(
     TileFootprint at;
     at.position = {0.0137f * float(k), 0.0291f * float(k)};
     at.dx[0] = at.dy[1] = 0.001f / 96.0f;
-    REQUIRE(double(evaluator.value().evaluate(0, noise, at)[2]) < 1e-6 * whole);
+    REQUIRE(double(evaluator.value().evaluate(0, material, at)[2]) < 1e-6 * whole);
     // Towards one texel a pixel, a fetch between texels is known to lose up to half as much again
     // as the average: the fourth power of the side of that, which counts as the footprint's.
     at.dx[0] = at.dy[1] = 0.3f / 96.0f;
-    REQUIRE(double(evaluator.value().evaluate(0, noise, at)[2]) <
+    REQUIRE(double(evaluator.value().evaluate(0, material, at)[2]) <
             0.5 * std::pow(0.3, 4) / (1.0 - interpolation) * whole);
     at.dx[0] = at.dy[1] = 8.0f / 96.0f;
-    half += double(evaluator.value().evaluate(0, noise, at)[2]) / kPlaces;
+    half += double(evaluator.value().evaluate(0, material, at)[2]) / kPlaces;
     at.dx[0] = at.dy[1] = 8.0f;
     // The last level is prefiltered for what keeps a fifth of the amplitude: 0.04 of the variance.
-    const auto hidden = double(evaluator.value().evaluate(0, noise, at)[2]);
+    const auto hidden = double(evaluator.value().evaluate(0, material, at)[2]);
     REQUIRE(hidden < 1.01 * whole);
     REQUIRE(hidden > (1.0 - std::pow(keptAmplitude(kTableLevels - 1), 2)) * whole);
   }

@@ -28,9 +28,7 @@ using Vec3 = std::array<float, 3>;
 
 /// A tiling noise and its CPU twin, for a material with any mapping.
 struct Tiling {
-  Tiling() : bundle(baked()), twin(TilingEvaluator::create(bundle, 0).value()) {
-    bundle.noises[0].tileSizeMetres = 0.5;
-  }
+  Tiling() : bundle(baked()), twin(TilingEvaluator::create(bundle, 0).value()) {}
 
   static Bundle baked() {
     const MapExemplar map = threeMaterials(128, 96, 11);
@@ -41,6 +39,7 @@ struct Tiling {
     Bundle bundle;
     bundle.tables = std::move(bake.value().tables);
     bundle.noises = {std::move(bake.value().noise)};
+    bundle.noises[0].tileSizeMetres = 0.5;
     return bundle;
   }
 
@@ -106,13 +105,13 @@ const Vec3 kNormals[] = {
 TEST_CASE("variance and histogram are those of one plane for every normal, unlike linear triplanar "
           "blending") {
   const Tiling& t = tiling();
-  const shader::LichenNoise noise = shaderNoise(t.bundle, triplanarMaterial(), {});
-  const auto blended = [&](const TriplanarFootprint& at) { return t.twin.evaluate(0, noise, at); };
+  const shader::LichenTriplanarMaterial use = shaderMaterial(t.bundle, triplanarMaterial(), {});
+  const auto blended = [&](const TriplanarFootprint& at) { return t.twin.evaluate(0, use, at); };
   const auto plain = [&](const TriplanarFootprint& at) {
     TilingEvaluator::Value sum{};
     float weights = 0.0f;
-    for (const triplanar::Plane& plane : triplanar::planesAt(at, noise)) {
-      const auto value = t.twin.evaluate(0, plane.noise, plane.at);
+    for (const triplanar::Plane& plane : triplanar::planesAt(at, use, shaderNoise(t.bundle, 0))) {
+      const auto value = t.twin.evaluate(0, plane.material, plane.at);
       for (std::size_t c = 0; c < 4; ++c)
         sum[c] += plane.weight * value[c];
       weights += plane.weight;
@@ -142,10 +141,10 @@ TEST_CASE("where one plane has all the weight, the noise is that of its texture 
   material.scale = 1.3;
   material.offset = {0.25, -3.5};
   material.seed = 77;
-  const shader::LichenNoise noise = shaderNoise(t.bundle, material, {});
+  const shader::LichenTriplanarMaterial use = shaderMaterial(t.bundle, material, {});
   // Plane 0 has the seed word of texture coordinates.
   material.mapping = Mapping::uv;
-  const shader::LichenNoise flat = shaderNoise(t.bundle, material, {});
+  const shader::LichenMaterial flat = shaderMaterial(t.bundle, material, {}).material;
   std::mt19937 generator(5u);
   std::uniform_real_distribution<float> metres(-3.0f, 3.0f);
   const float aspect = 128.0f / 96.0f;
@@ -158,7 +157,7 @@ TEST_CASE("where one plane has all the weight, the noise is that of its texture 
     TileFootprint uv;
     uv.position = {-at.position[2] / (0.5f * 1.3f), -at.position[1] / (0.5f * 1.3f) * aspect};
     const auto expected = t.twin.evaluate(0, flat, uv);
-    const auto value = t.twin.evaluate(0, noise, at);
+    const auto value = t.twin.evaluate(0, use, at);
     for (std::size_t c = 0; c < 4; ++c)
       // Positions of 10 tiles, rounded to 2^-20 of a tile of 128 texels.
       REQUIRE(value[c] == Approx(expected[c]).margin(2e-3));
@@ -178,8 +177,8 @@ TEST_CASE("the pattern does not depend on the tile origin") {
     far.tileOriginX += 3;
     far.tileOriginY -= 2;
     far.tileOriginZ += 7;
-    const shader::LichenNoise noiseNear = shaderNoise(t.bundle, material, near);
-    const shader::LichenNoise noiseFar = shaderNoise(t.bundle, material, far);
+    const shader::LichenTriplanarMaterial planesNear = shaderMaterial(t.bundle, material, near);
+    const shader::LichenTriplanarMaterial planesFar = shaderMaterial(t.bundle, material, far);
     std::mt19937 generator(6u);
     std::uniform_real_distribution<float> metres(-0.5f, 0.5f);
     std::normal_distribution<float> gaussian;
@@ -189,12 +188,12 @@ TEST_CASE("the pattern does not depend on the tile origin") {
         at.position[axis] = metres(generator);
         at.normal[axis] = gaussian(generator);
       }
-      const auto expected = t.twin.evaluate(0, noiseFar, at);
+      const auto expected = t.twin.evaluate(0, planesFar, at);
       // Tiles of half a metre.
       at.position[0] += 1.5f;
       at.position[1] -= 1.0f;
       at.position[2] += 3.5f;
-      const auto value = t.twin.evaluate(0, noiseNear, at);
+      const auto value = t.twin.evaluate(0, planesNear, at);
       for (std::size_t c = 0; c < 4; ++c)
         REQUIRE(value[c] == Approx(expected[c]).margin(4e-3));
     }
@@ -210,8 +209,8 @@ TEST_CASE("the gradient in space is that of the blended height") {
   MaterialNoise material = triplanarMaterial();
   material.rotation = 0.4;
   material.planeSharpness = 2.0;
-  const shader::LichenNoise noise = shaderNoise(bundle, material, {});
-  const shader::LichenTexton texton = shaderTexton(bundle, material, {});
+  const shader::LichenTriplanarMaterial use = shaderMaterial(bundle, material, {});
+  const shader::LichenNoise noise = shaderNoise(bundle, 0);
   const double deviation = bundle.noises[0].maps[0].as<TextonMap>().scale[0];
   std::mt19937 generator(8u);
   std::uniform_real_distribution<float> metres(-1.0f, 1.0f);
@@ -225,8 +224,8 @@ TEST_CASE("the gradient in space is that of the blended height") {
     // Slopes of a height in metres: to the right, and upwards, against y.
     const float tilesPerMetre = 1.0f / 0.8f;
     const auto slopes =
-        triplanar::blendedSlopes(triplanar::planesAt(at, noise), [&](const auto& plane) {
-          const auto d = twin.gradient(0, plane.noise, texton, plane.at);
+        triplanar::blendedSlopes(triplanar::planesAt(at, use, noise), [&](const auto& plane) {
+          const auto d = twin.gradient(0, plane.material, plane.at);
           return std::array<float, 4>{d[1] * tilesPerMetre,
                                       -d[2] * tilesPerMetre * noise.tileAspect, 0.0f, 0.0f};
         });
@@ -235,7 +234,7 @@ TEST_CASE("the gradient in space is that of the blended height") {
       const auto heightAt = [&](float step) {
         TriplanarFootprint moved = at;
         moved.position[axis] += step;
-        return (double(twin.gaussian(0, noise, texton, moved)[0]) - 0.5) * deviation;
+        return (double(twin.gaussian(0, use, moved)[0]) - 0.5) * deviation;
       };
       const double difference = (heightAt(kStep) - heightAt(-kStep)) / (2.0 * double(kStep));
       // Gradients are up to 20. Sums are rounded by some 1e-5 of 0.1, over 8e-4 m; the third
@@ -246,10 +245,12 @@ TEST_CASE("the gradient in space is that of the blended height") {
 }
 
 TEST_CASE("the frames of the planes are right-handed and look along x, y and z") {
-  const shader::LichenNoise noise = shaderNoise(tiling().bundle, triplanarMaterial(), {});
+  const shader::LichenTriplanarMaterial use =
+      shaderMaterial(tiling().bundle, triplanarMaterial(), {});
   TriplanarFootprint at;
   at.normal = {1.0f, 1.0f, 1.0f};
-  const std::array<triplanar::Plane, 3> planes = triplanar::planesAt(at, noise);
+  const std::array<triplanar::Plane, 3> planes =
+      triplanar::planesAt(at, use, shaderNoise(tiling().bundle, 0));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto& [right, up] = planes[axis].axes;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -286,11 +287,12 @@ struct Textons {
 
 TEST_CASE("weights, positions and gradients of planes match the published test vectors") {
   for (const nlohmann::json& v : vectors()["planeWeights"]) {
-    shader::LichenNoise noise = shaderNoise(tiling().bundle, triplanarMaterial(), {});
-    noise.planeSharpness = v["planeSharpness"];
+    shader::LichenTriplanarMaterial use = shaderMaterial(tiling().bundle, triplanarMaterial(), {});
+    use.material.planeSharpness = v["planeSharpness"];
     TriplanarFootprint at;
     at.normal = v["normal"].get<Vec3>();
-    const std::array<triplanar::Plane, 3> planes = triplanar::planesAt(at, noise);
+    const std::array<triplanar::Plane, 3> planes =
+        triplanar::planesAt(at, use, shaderNoise(tiling().bundle, 0));
     for (std::size_t axis = 0; axis < 3; ++axis)
       CHECK(double(planes[axis].weight) == Approx(v["weights"][axis].get<double>()).margin(1e-5));
   }
@@ -301,8 +303,8 @@ TEST_CASE("weights, positions and gradients of planes match the published test v
     TriplanarFootprint at;
     at.position = v["position"].get<Vec3>();
     at.normal = {1.0f, 1.0f, 1.0f};
-    const std::array<triplanar::Plane, 3> planes =
-        triplanar::planesAt(at, shaderNoise(textons.bundle, textons.material, {}));
+    const std::array<triplanar::Plane, 3> planes = triplanar::planesAt(
+        at, shaderMaterial(textons.bundle, textons.material, {}), shaderNoise(textons.bundle, 0));
     for (std::size_t axis = 0; axis < 3; ++axis)
       for (std::size_t k = 0; k < 2; ++k)
         CHECK(double(planes[axis].at.position[k]) ==
@@ -313,8 +315,8 @@ TEST_CASE("weights, positions and gradients of planes match the published test v
     material.rotation = v["rotation"];
     TriplanarFootprint at;
     at.normal = {1.0f, 1.0f, 1.0f};
-    std::array<triplanar::Plane, 3> planes =
-        triplanar::planesAt(at, shaderNoise(tiling().bundle, material, {}));
+    std::array<triplanar::Plane, 3> planes = triplanar::planesAt(
+        at, shaderMaterial(tiling().bundle, material, {}), shaderNoise(tiling().bundle, 0));
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (std::size_t other = 0; other < 3; ++other)
         planes[other].weight = other == axis ? 1.0f : 0.0f;
@@ -335,17 +337,20 @@ TEST_CASE("the origins of planes match the published test vectors") {
     placement.tileOriginX = v["tileOrigin"][0];
     placement.tileOriginY = v["tileOrigin"][1];
     placement.tileOriginZ = v["tileOrigin"][2];
-    const shader::LichenNoise noise = shaderNoise(textons.bundle, textons.material, placement);
-    const shader::LichenPlane planes[] = {noise.planeX, noise.planeY, noise.planeZ};
+    const shader::LichenTriplanarMaterial use =
+        shaderMaterial(textons.bundle, textons.material, placement);
+    const shader::LichenMaterial& x = use.material;
+    const shader::LichenPlane planes[] = {
+        {x.cellI, x.cellJ, x.offsetX, x.offsetY, x.seedWord, 0, 0, 0}, use.planeY, use.planeZ};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       INFO("tileOrigin " << v["tileOrigin"] << ", plane " << axis);
       const nlohmann::json& expected = v["planes"][axis];
       const auto tile = expected["tile"].get<std::array<std::int64_t, 2>>();
       // A tile is a whole number of cells, counted modulo 2^32.
       CHECK(std::uint32_t(planes[axis].cellI) ==
-            std::uint32_t(std::uint64_t(tile[0]) * std::uint64_t(noise.columnsPerTile)));
+            std::uint32_t(std::uint64_t(tile[0]) * std::uint64_t(x.columnsPerTile)));
       CHECK(std::uint32_t(planes[axis].cellJ) ==
-            std::uint32_t(std::uint64_t(tile[1]) * std::uint64_t(noise.rowsPerTile)));
+            std::uint32_t(std::uint64_t(tile[1]) * std::uint64_t(x.rowsPerTile)));
       // Origins of 1.3e8 tiles in doubles.
       CHECK(double(planes[axis].offsetX) == Approx(expected["rest"][0].get<double>()).margin(2e-7));
       CHECK(double(planes[axis].offsetY) == Approx(expected["rest"][1].get<double>()).margin(2e-7));

@@ -10,11 +10,20 @@
 #include <lichen_interface.h>
 #include <type_traits>
 
-TEST_CASE("the uniform block of the C interface is the shader's") {
-  CHECK(sizeof(lichen::shader::LichenUniforms) == LICHEN_UNIFORM_BYTES);
+TEST_CASE("the blocks of the C interface are the shader's") {
+  CHECK(sizeof(lichen::shader::LichenNoiseConstants) == LICHEN_NOISE_BYTES);
+  CHECK(sizeof(lichen::shader::LichenMaterial) == LICHEN_MATERIAL_BYTES);
+  CHECK(sizeof(lichen::shader::LichenTriplanarMaterial) == LICHEN_TRIPLANAR_MATERIAL_BYTES);
 }
 
-TEST_CASE("an array of uniform blocks fits any device's minUniformBufferOffsetAlignment") {
+TEST_CASE("the methods' parts of a material fit its own words") {
+  constexpr std::size_t kOwn =
+      sizeof(lichen::shader::LichenMaterial) - offsetof(lichen::shader::LichenMaterial, own0);
+  CHECK(sizeof(lichen::shader::LichenTilingMaterial) <= kOwn);
+  CHECK(sizeof(lichen::shader::LichenTextonMaterial) <= kOwn);
+}
+
+TEST_CASE("an array of noise constants fits any device's minUniformBufferOffsetAlignment") {
   constexpr int kLargestAllowed = 256; // Vulkan 1.0, Required Limits
-  CHECK(LICHEN_UNIFORM_BYTES % kLargestAllowed == 0);
+  CHECK(LICHEN_NOISE_BYTES % kLargestAllowed == 0);
 }

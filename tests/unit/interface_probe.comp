@@ -6,7 +6,14 @@
 #include "interface/lichen_interface.h"
 
 layout(local_size_x = 1) in;
-layout(std140, set = 0, binding = 0) uniform Std140 { LichenUniforms std140; };
-layout(std430, set = 0, binding = 1) buffer Std430 { LichenUniforms std430; };
+struct Interface {
+  LichenNoiseConstants constants;
+  LichenTriplanarMaterial material;
+  LichenTilingMaterial tiling;
+  LichenTextonMaterial texton;
+};
+
+layout(std140, set = 0, binding = 0) uniform Std140 { Interface std140; };
+layout(std430, set = 0, binding = 1) buffer Std430 { Interface std430; };
 
 void main() { std430 = std140; }

@@ -17,7 +17,7 @@ using namespace lichen::test;
 TEST_CASE("NULL arguments and indices out of range are errors and leave outputs unchanged") {
   const OwnedBundle owned(example::smallest());
   const LichenBundle b = owned.handle;
-  const LichenUniformInfo uniforms = uniformInfo();
+  const LichenMaterialParameters parameters = parametersOf(b);
   const auto refusesAll = [](auto type, auto structureType, const auto&... calls) {
     decltype(type) target;
     LICHEN_INIT(target, structureType);
@@ -43,16 +43,16 @@ TEST_CASE("NULL arguments and indices out of range are errors and leave outputs 
   CHECK(refusesAll(
       LichenImageProperties{}, LICHEN_STRUCTURE_IMAGE_PROPERTIES,
       [&](auto* p) { return lichenGetImageProperties(nullptr, 0, p); },
-      [&](auto* p) { return lichenGetImageProperties(b, 2, p); }));
+      [&](auto* p) { return lichenGetImageProperties(b, 4, p); }));
   CHECK(refusesAll(
       LichenCopy{}, LICHEN_STRUCTURE_COPY, [&](auto* p) { return lichenGetCopy(nullptr, 0, 0, p); },
-      [&](auto* p) { return lichenGetCopy(b, 2, 0, p); },
+      [&](auto* p) { return lichenGetCopy(b, 4, 0, p); },
       [&](auto* p) { return lichenGetCopy(b, 0, 3, p); }));
   CHECK(refusesAll(
       LichenBinding{}, LICHEN_STRUCTURE_BINDING,
       [&](auto* p) { return lichenGetBinding(nullptr, 0, 0, p); },
       [&](auto* p) { return lichenGetBinding(b, 1, 0, p); },
-      [&](auto* p) { return lichenGetBinding(b, 0, 3, p); }));
+      [&](auto* p) { return lichenGetBinding(b, 0, LICHEN_SET_BINDINGS, p); }));
   CHECK(lichenGetBundleProperties(b, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenGetNoiseProperties(b, 0, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenGetMapProperties(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
@@ -61,10 +61,17 @@ TEST_CASE("NULL arguments and indices out of range are errors and leave outputs 
   CHECK(lichenGetCopy(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenGetBinding(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenGetSamplerProperties(LICHEN_SAMPLER_TABLE, nullptr) == LICHEN_ERROR_USAGE);
-  unsigned char block[LICHEN_UNIFORM_BYTES];
-  CHECK(lichenFillUniforms(nullptr, &uniforms, block, nullptr) == LICHEN_ERROR_USAGE);
-  CHECK(lichenFillUniforms(b, nullptr, block, nullptr) == LICHEN_ERROR_USAGE);
-  CHECK(lichenFillUniforms(b, &uniforms, nullptr, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(refusesAll(
+      LichenMaterialParameters{}, LICHEN_STRUCTURE_MATERIAL_PARAMETERS,
+      [&](auto* p) { return lichenGetMaterialParameters(nullptr, 0, p); },
+      [&](auto* p) { return lichenGetMaterialParameters(b, 1, p); },
+      [&](auto* p) { return lichenGetDefaultParameters(nullptr, 0, p); },
+      [&](auto* p) { return lichenGetDefaultParameters(b, 1, p); }));
+  CHECK(lichenGetMaterialParameters(b, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetDefaultParameters(b, 0, nullptr) == LICHEN_ERROR_USAGE);
+  unsigned char block[LICHEN_MATERIAL_BYTES];
+  CHECK(lichenFillMaterial(nullptr, nullptr, block, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenFillMaterial(&parameters, nullptr, nullptr, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenParseBundle(nullptr, nullptr, nullptr) == LICHEN_ERROR_USAGE);
   lichenDestroyBundle(nullptr);
 }
@@ -139,10 +146,9 @@ TEST_CASE("inputs of other sizes and versions behave as documented") {
   }
   SECTION("a non-zero member of a newer header is an error") {
     const OwnedBundle bundle(example::smallest());
-    LichenUniformInfo info = uniformInfo();
-    info.overrides = LICHEN_OVERRIDE_POINT_PROCESS;
-    info.pointProcess = LichenPointProcess(2);
-    const Filled filled = fill(bundle.handle, info);
+    LichenMaterialParameters parameters = parametersOf(bundle.handle);
+    parameters.pointProcess = LichenPointProcess(2);
+    const Filled filled = fill(parameters);
     CHECK(filled.result == LICHEN_ERROR_USAGE);
     CHECK(filled.message.find("pointProcess 2") != std::string::npos);
   }

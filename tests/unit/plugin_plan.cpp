@@ -5,10 +5,12 @@
 #include "bundle_surgery.h"
 
 #include <lichen/lattice.h>
+#include <lichen/shader_parameters.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -42,7 +44,7 @@ TEST_CASE("the copies of an image cover its bytes without gaps") {
   LichenBundleProperties properties;
   LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
   REQUIRE(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_SUCCESS);
-  REQUIRE(properties.imageCount == 2);
+  REQUIRE(properties.imageCount == 4); // with the placeholders
   for (std::uint32_t i = 0; i < properties.imageCount; ++i) {
     LichenImageProperties image;
     LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
@@ -64,41 +66,59 @@ TEST_CASE("the copies of an image cover its bytes without gaps") {
   }
 }
 
-TEST_CASE("bindings are consecutive: the uniform block, then two for each map") {
-  const OwnedBundle bundle(example::smallest());
+TEST_CASE("a set has two blocks, two samplers, and an image and a table for each role") {
+  const OwnedBundle bundle(example::smallest()); // one map: a height
+  LichenMapProperties height;
+  LICHEN_INIT(height, LICHEN_STRUCTURE_MAP_PROPERTIES);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 0, 0, &height) == LICHEN_SUCCESS);
+  std::array<LichenBinding, LICHEN_SET_BINDINGS> bindings;
+  for (std::uint32_t i = 0; i < LICHEN_SET_BINDINGS; ++i) {
+    LICHEN_INIT(bindings[i], LICHEN_STRUCTURE_BINDING);
+    REQUIRE(lichenGetBinding(bundle.handle, 0, i, &bindings[i]) == LICHEN_SUCCESS);
+    CHECK(bindings[i].binding == i);
+  }
+  CHECK(bindings[LICHEN_BINDING_NOISE].kind == LICHEN_BINDING_NOISE_BUFFER);
+  CHECK(bindings[LICHEN_BINDING_MATERIAL].kind == LICHEN_BINDING_MATERIAL_BUFFER);
+  CHECK(bindings[LICHEN_BINDING_IMAGE_SAMPLER].kind == LICHEN_BINDING_SAMPLER);
+  CHECK(bindings[LICHEN_BINDING_IMAGE_SAMPLER].sampler == LICHEN_SAMPLER_IMAGE);
+  CHECK(bindings[LICHEN_BINDING_TABLE_SAMPLER].kind == LICHEN_BINDING_SAMPLER);
+  CHECK(bindings[LICHEN_BINDING_TABLE_SAMPLER].sampler == LICHEN_SAMPLER_TABLE);
+  for (std::uint32_t role = 0; role < LICHEN_MAX_MAPS; ++role) {
+    INFO("role " << role);
+    const LichenBinding& image = bindings[LICHEN_BINDING_IMAGE(role)];
+    const LichenBinding& table = bindings[LICHEN_BINDING_TABLE(role)];
+    CHECK(image.kind == LICHEN_BINDING_SAMPLED_IMAGE);
+    CHECK(image.sampler == LICHEN_SAMPLER_IMAGE);
+    CHECK(table.kind == LICHEN_BINDING_SAMPLED_IMAGE);
+    CHECK(table.sampler == LICHEN_SAMPLER_TABLE);
+    CHECK((image.image == height.image) == (role == LICHEN_HEIGHT));
+    CHECK((table.image == height.tableImage) == (role == LICHEN_HEIGHT));
+    for (const LichenBinding* one : {&image, &table}) {
+      LichenImageProperties properties;
+      LICHEN_INIT(properties, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
+      REQUIRE(lichenGetImageProperties(bundle.handle, one->image, &properties) == LICHEN_SUCCESS);
+      CHECK(properties.dimensionality == (one == &image ? 2u : 3u));
+      if (role != LICHEN_HEIGHT)
+        CHECK(properties.byteCount == 4); // a placeholder
+    }
+  }
   LichenBinding binding;
   LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
-  for (std::uint32_t i = 0; i < 3; ++i) {
-    REQUIRE(lichenGetBinding(bundle.handle, 0, i, &binding) == LICHEN_SUCCESS);
-    CHECK(binding.binding == i);
-    CHECK((binding.kind == LICHEN_BINDING_UNIFORM_BUFFER) == (i == 0));
-    CHECK((binding.sampler == LICHEN_SAMPLER_TABLE) == (i == 2));
-  }
-  CHECK(lichenGetBinding(bundle.handle, 0, 3, &binding) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetBinding(bundle.handle, 0, LICHEN_SET_BINDINGS, &binding) == LICHEN_ERROR_USAGE);
 }
 
-TEST_CASE("uniforms hold the bundle's constants and the material's parameters") {
+TEST_CASE("a noise's block holds the bundle's constants, each map at its role") {
   BundleFile file = example::smallest();
-  file.bundle.materials[0]->scale = 0.5;
-  file.bundle.materials[0]->rotation = 0.25;
-  file.bundle.materials[0]->offset = {3.0, -1.75};
-  file.bundle.materials[0]->seed = 9;
   example::setLosses(file.bundle.tables[0], {0.2f, 0.4f, 0.6f});
   const OwnedBundle bundle(file);
-  const Filled filled = fill(bundle.handle, uniformInfo());
-  REQUIRE(filled.result == LICHEN_SUCCESS);
-  const shader::LichenNoise& noise = filled.uniforms.noise;
-  CHECK(noise.uvToTileXX == Approx(2.0 * std::cos(0.25)));
-  CHECK(noise.uvToTileXY == Approx(2.0 * std::sin(0.25)));
-  CHECK(noise.uvToTileYX == Approx(-2.0 * std::sin(0.25)));
-  CHECK(noise.offsetX == 1.0f); // the cell holds an even number of tiles
-  CHECK(noise.offsetY == 0.25f);
-  CHECK(std::array{noise.cellI, noise.cellJ} == latticeCell(2, -2));
-  CHECK(noise.seedWord == latticeSeed(9, 0));
-  CHECK(noise.maxAnisotropy == 1.0f);
-  CHECK(noise.offsetStepX == 0.25f); // every texel of 4 x 2
-  CHECK(noise.offsetStepY == 0.5f);
-  const shader::LichenMap& map = filled.uniforms.maps[0];
+  shader::LichenNoiseConstants block{};
+  REQUIRE(lichenGetNoiseConstants(bundle.handle, 0, &block) == LICHEN_SUCCESS);
+  CHECK(block.noise.roles == 1u << LICHEN_HEIGHT);
+  CHECK(block.noise.method == LICHEN_METHOD_TILING);
+  CHECK(block.noise.tileTexelsX == 4.0f);
+  CHECK(block.noise.offsetStepX == 0.25f); // every texel of 4 x 2
+  CHECK(block.noise.offsetStepY == 0.5f);
+  const shader::LichenMap& map = block.maps[LICHEN_HEIGHT];
   CHECK(map.widthTexels == 4.0f);
   CHECK(map.dimensions == 1);
   CHECK(map.mipCount == 3);
@@ -106,24 +126,118 @@ TEST_CASE("uniforms hold the bundle's constants and the material's parameters") 
   CHECK(map.interpolationLoss == Approx(51.0 / 255.0)); // the loss of level 0
   CHECK(map.mean.x == 0.5f);
   CHECK(map.mean.w == 1.0f);
+  CHECK(block.maps[LICHEN_BASE_COLOR].mipCount == 0);
+  CHECK(lichenGetNoiseConstants(bundle.handle, 1, &block) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetNoiseConstants(bundle.handle, 0, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetNoiseConstants(nullptr, 0, &block) == LICHEN_ERROR_USAGE);
 }
 
-TEST_CASE("an override replaces the material's value, and a tile origin moves the lattice") {
-  const OwnedBundle bundle(example::smallest());
-  LichenUniformInfo info = uniformInfo();
-  info.overrides = LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_SCALE;
-  info.seed = 77;
-  info.scale = 4.0;
-  info.contrast = 3.0; // ignored: not in `overrides`
-  info.tileOrigin[0] = 10000000;
-  info.tileOrigin[1] = -3;
-  const Filled filled = fill(bundle.handle, info);
+TEST_CASE("a material's block holds its parameters") {
+  BundleFile file = example::smallest();
+  file.bundle.materials[0]->scale = 0.5;
+  file.bundle.materials[0]->rotation = 0.25;
+  file.bundle.materials[0]->offset = {3.0, -1.75};
+  file.bundle.materials[0]->seed = 9;
+  const OwnedBundle bundle(file);
+  const Filled filled = fill(parametersOf(bundle.handle));
   REQUIRE(filled.result == LICHEN_SUCCESS);
-  CHECK(filled.uniforms.noise.seed == 77);
-  CHECK(filled.uniforms.noise.uvToTileXX == 0.25f);
-  CHECK(filled.uniforms.noise.contrast == 1.0f);
-  CHECK(std::array{filled.uniforms.noise.cellI, filled.uniforms.noise.cellJ} ==
-        latticeCell(10000000, -3));
+  const shader::LichenMaterial& material = filled.block.material;
+  CHECK(material.uvToTileXX == Approx(2.0 * std::cos(0.25)));
+  CHECK(material.uvToTileXY == Approx(2.0 * std::sin(0.25)));
+  CHECK(material.uvToTileYX == Approx(-2.0 * std::sin(0.25)));
+  CHECK(material.offsetX == 1.0f); // the cell holds an even number of tiles
+  CHECK(material.offsetY == 0.25f);
+  CHECK(std::array{material.cellI, material.cellJ} == latticeCell(2, -2));
+  CHECK(material.seedWord == latticeSeed(9, 0));
+  CHECK(material.maxAnisotropy == 1.0f);
+}
+
+TEST_CASE("a material's block is that of the bundle library, with any parameters and placement") {
+  BundleFile file = example::smallest();
+  MaterialNoise& own = *file.bundle.materials[0];
+  own.mapping = Mapping::triplanar;
+  own.seed = 0xfedcba98u;
+  own.scale = 0.3;
+  own.offset = {0.25, -7.5};
+  own.rotation = 1.25;
+  own.blendSharpness = 2.5;
+  own.contrast = 0.75;
+  own.planeSharpness = 5.0;
+  own.tileRotation = 4;
+  const OwnedBundle bundle(file);
+  const auto same = [&](const MaterialNoise& material, const Placement& placement,
+                        const Filled& filled) {
+    INFO(filled.message);
+    REQUIRE(filled.result == LICHEN_SUCCESS);
+    const shader::LichenTriplanarMaterial expected =
+        shaderMaterial(file.bundle, material, placement);
+    const std::size_t bytes = material.mapping == Mapping::triplanar
+                                  ? LICHEN_TRIPLANAR_MATERIAL_BYTES
+                                  : LICHEN_MATERIAL_BYTES;
+    CHECK(std::memcmp(&filled.block, &expected, bytes) == 0);
+  };
+  LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  same(own, {}, fill(parameters));
+  // The bundle need not live: only the parameters are read.
+  Placement placement;
+  placement.tileOriginX = 10000000;
+  placement.tileOriginY = -3;
+  placement.tileOriginZ = std::int64_t(1) << 40;
+  placement.maxAnisotropy = 8.0;
+  LichenPlacement hostPlacement = atOrigin();
+  hostPlacement.tileOrigin[0] = placement.tileOriginX;
+  hostPlacement.tileOrigin[1] = placement.tileOriginY;
+  hostPlacement.tileOrigin[2] = placement.tileOriginZ;
+  hostPlacement.maxAnisotropy = 8.0f;
+  same(own, placement, fill(parameters, hostPlacement));
+  MaterialNoise changed = own;
+  changed.seed = 77;
+  changed.scale = 4.0;
+  changed.mapping = Mapping::uv;
+  changed.tileRotation = 0;
+  parameters.seed = 77;
+  parameters.scale = 4.0;
+  parameters.mapping = LICHEN_MAPPING_UV;
+  parameters.tileRotation = 0;
+  placement.tileOriginZ = 0;
+  placement.periodic = true;
+  placement.periodTilesX = hostPlacement.periodTiles[0] = 3.0;
+  placement.periodTilesY = hostPlacement.periodTiles[1] = 2.0;
+  hostPlacement.tileOrigin[2] = 0;
+  same(changed, placement, fill(parameters, hostPlacement));
+}
+
+TEST_CASE("the default parameters are those of a material that says nothing") {
+  const BundleFile file = example::smallest();
+  const OwnedBundle bundle(file);
+  LichenMaterialParameters parameters;
+  LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  REQUIRE(lichenGetDefaultParameters(bundle.handle, 0, &parameters) == LICHEN_SUCCESS);
+  const Filled filled = fill(parameters);
+  REQUIRE(filled.result == LICHEN_SUCCESS);
+  const shader::LichenMaterial expected =
+      shaderMaterial(file.bundle, MaterialNoise{}, Placement{}).material;
+  CHECK(std::memcmp(&filled.block.material, &expected, sizeof expected) == 0);
+  CHECK(lichenGetDefaultParameters(bundle.handle, 1, &parameters) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetMaterialParameters(bundle.handle, 1, &parameters) == LICHEN_ERROR_USAGE);
+}
+
+TEST_CASE("only the bytes of the mapping's block are written") {
+  const OwnedBundle bundle(example::smallest());
+  LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  constexpr unsigned char kUntouched = 0xA5;
+  for (const auto& [mapping, bytes] :
+       {std::pair{LICHEN_MAPPING_UV, LICHEN_MATERIAL_BYTES},
+        std::pair{LICHEN_MAPPING_TRIPLANAR, LICHEN_TRIPLANAR_MATERIAL_BYTES}}) {
+    std::array<unsigned char, LICHEN_TRIPLANAR_MATERIAL_BYTES + 16> block;
+    block.fill(kUntouched);
+    parameters.mapping = mapping;
+    // Of any alignment; no placement is the origin.
+    REQUIRE(lichenFillMaterial(&parameters, nullptr, block.data() + 1, nullptr) == LICHEN_SUCCESS);
+    CHECK(block.front() == kUntouched);
+    CHECK(std::count(block.begin() + 1 + bytes, block.end(), kUntouched) ==
+          block.end() - (block.begin() + 1 + bytes));
+  }
 }
 
 TEST_CASE("the error for a parameter outside its range names it") {
@@ -132,90 +246,109 @@ TEST_CASE("the error for a parameter outside its range names it") {
   const double infinity = std::numeric_limits<double>::infinity();
   struct Case {
     const char* name;
-    void (*set)(LichenUniformInfo&, double);
+    void (*set)(LichenMaterialParameters&, LichenPlacement&, double);
     std::vector<double> bad;
   };
+  using Parameters = LichenMaterialParameters;
   const Case cases[] = {
       {"scale",
-       [](LichenUniformInfo& i, double v) { i.scale = v; },
+       [](Parameters& p, LichenPlacement&, double v) { p.scale = v; },
        {0.0, -1.0, 0.9e-6, 1.1e6, nan, infinity}},
       {"offset",
-       [](LichenUniformInfo& i, double v) { i.offset[1] = v; },
+       [](Parameters& p, LichenPlacement&, double v) { p.offset[1] = v; },
        {1.1e9, -1.1e9, nan, infinity}},
       {"rotation",
-       [](LichenUniformInfo& i, double v) { i.rotation = v; },
+       [](Parameters& p, LichenPlacement&, double v) { p.rotation = v; },
        {1.1e6, -1.1e6, nan, infinity}},
       {"blendSharpness",
-       [](LichenUniformInfo& i, double v) { i.blendSharpness = v; },
+       [](Parameters& p, LichenPlacement&, double v) { p.blendSharpness = v; },
        {0.2, 17.0, nan}},
-      {"contrast", [](LichenUniformInfo& i, double v) { i.contrast = v; }, {-0.1, 4.1, nan}},
+      {"contrast",
+       [](Parameters& p, LichenPlacement&, double v) { p.contrast = v; },
+       {-0.1, 4.1, nan}},
       {"planeSharpness",
-       [](LichenUniformInfo& i, double v) { i.planeSharpness = v; },
+       [](Parameters& p, LichenPlacement&, double v) { p.planeSharpness = v; },
        {0.9, 65.0, nan}},
-      {"impacts", [](LichenUniformInfo& i, double v) { i.impacts = v; }, {0.9, 1001.0, nan}},
+      {"impacts",
+       [](Parameters& p, LichenPlacement&, double v) { p.impacts = v; },
+       {0.9, 1001.0, nan}},
+      {"mixWeight",
+       [](Parameters& p, LichenPlacement&, double v) { p.mixWeight = v; },
+       {-0.1, 1.1, nan}},
+      {"mixSource",
+       [](Parameters& p, LichenPlacement&, double v) { p.mixSource = LichenMixSource(int(v)); },
+       {4.0, -1.0}},
+      {"mixStart",
+       [](Parameters& p, LichenPlacement&, double v) { p.mixStart[0] = v; },
+       {1.1e9, -1.1e9, nan, infinity}},
+      {"mixEnd",
+       [](Parameters& p, LichenPlacement&, double v) {
+         p.mixSource = LICHEN_MIX_DIRECTION;
+         p.mixEnd[0] = p.mixStart[0] + v;
+         p.mixEnd[1] = p.mixStart[1];
+       },
+       {0.0, nan, infinity}},
+      {"pointProcess",
+       [](Parameters& p, LichenPlacement&, double v) {
+         p.pointProcess = LichenPointProcess(int(v));
+       },
+       {2.0, -1.0}},
+      {"tileRotation",
+       [](Parameters& p, LichenPlacement&, double v) { p.tileRotation = std::uint32_t(v); },
+       {65537.0, 4294967295.0}},
+      {"mapping",
+       [](Parameters& p, LichenPlacement&, double v) { p.mapping = LichenMapping(int(v)); },
+       {2.0, 3.0, 4.0}}, // 2 (surface) needs textons
       {"maxAnisotropy",
-       [](LichenUniformInfo& i, double v) { i.maxAnisotropy = float(v); },
+       [](Parameters&, LichenPlacement& i, double v) { i.maxAnisotropy = float(v); },
        {-1.0, 65.0, nan}},
       {"tileOrigin",
-       [](LichenUniformInfo& i, double v) { i.tileOrigin[0] = std::int64_t(v); },
+       [](Parameters&, LichenPlacement& i, double v) { i.tileOrigin[0] = std::int64_t(v); },
+       {1e13, -1e13}},
+      {"tileOrigin",
+       [](Parameters&, LichenPlacement& i, double v) { i.tileOrigin[2] = std::int64_t(v); },
        {1e13, -1e13}},
       {"periodTiles",
-       [](LichenUniformInfo& i, double v) { i.periodTiles[0] = v; },
+       [](Parameters&, LichenPlacement& i, double v) { i.periodTiles[0] = v; },
        {1.0, -1.0, 0.5, 65537.0, nan}},
-      {"overrides",
-       [](LichenUniformInfo& i, double v) { i.overrides |= std::uint32_t(v); },
-       {4096.0, 2147483648.0}},
-      {"tileRotation",
-       [](LichenUniformInfo& i, double v) {
-         i.overrides |= LICHEN_OVERRIDE_TILE_ROTATION;
-         i.tileRotation = std::uint32_t(v);
-       },
-       {65537.0, 4294967295.0}},
-      {"tileOriginZ",
-       [](LichenUniformInfo& i, double v) { i.tileOriginZ = std::int64_t(v); },
-       {1e13, -1e13}},
-      {"mapping",
-       [](LichenUniformInfo& i, double v) {
-         i.overrides |= LICHEN_OVERRIDE_MAPPING;
-         i.mapping = LichenMapping(int(v));
-       },
-       {2.0, 3.0, 4.0}}, // 2 (surface) needs textons
   };
   for (const Case& one : cases)
     for (const double value : one.bad) {
-      LichenUniformInfo info = uniformInfo();
-      info.overrides = LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET | LICHEN_OVERRIDE_ROTATION |
-                       LICHEN_OVERRIDE_BLEND_SHARPNESS | LICHEN_OVERRIDE_CONTRAST |
-                       LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_PLANE_SHARPNESS;
-      info.scale = info.planeSharpness = info.blendSharpness = info.contrast = info.impacts = 1.0;
-      one.set(info, value);
-      const Filled filled = fill(bundle.handle, info);
+      LichenMaterialParameters parameters = parametersOf(bundle.handle);
+      LichenPlacement placement = atOrigin();
+      one.set(parameters, placement, value);
+      const Filled filled = fill(parameters, placement);
       INFO(one.name << " = " << value);
       CHECK(filled.result == LICHEN_ERROR_USAGE);
       CHECK(filled.message.find(one.name) != std::string::npos);
     }
-  LichenUniformInfo info = uniformInfo();
-  info.material = 1;
-  CHECK(fill(bundle.handle, info).message.find("material 1") != std::string::npos);
+}
+
+TEST_CASE("parameters that the library has not written are an error") {
+  LichenMaterialParameters parameters;
+  LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  const Filled filled = fill(parameters);
+  CHECK(filled.result == LICHEN_ERROR_USAGE);
+  CHECK(filled.message.find("lichenGetMaterialParameters") != std::string::npos);
 }
 
 TEST_CASE("a fractional period requires a tile origin of 0") {
   const OwnedBundle bundle(example::smallest());
-  LichenUniformInfo info = uniformInfo();
-  info.periodTiles[0] = info.periodTiles[1] = 1.5;
-  CHECK(fill(bundle.handle, info).result == LICHEN_SUCCESS);
-  info.tileOrigin[0] = 1;
-  CHECK(fill(bundle.handle, info).result == LICHEN_ERROR_USAGE);
+  LichenPlacement placement = atOrigin();
+  placement.periodTiles[0] = placement.periodTiles[1] = 1.5;
+  CHECK(fill(parametersOf(bundle.handle), placement).result == LICHEN_SUCCESS);
+  placement.tileOrigin[0] = 1;
+  CHECK(fill(parametersOf(bundle.handle), placement).result == LICHEN_ERROR_USAGE);
 }
 
 TEST_CASE("a period is an error for triplanar mapping") {
   const OwnedBundle bundle(example::smallest());
-  LichenUniformInfo info = uniformInfo();
-  info.overrides = LICHEN_OVERRIDE_MAPPING;
-  info.mapping = LICHEN_MAPPING_TRIPLANAR;
-  CHECK(fill(bundle.handle, info).result == LICHEN_SUCCESS);
-  info.periodTiles[0] = info.periodTiles[1] = 2.0;
-  const Filled filled = fill(bundle.handle, info);
+  LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  parameters.mapping = LICHEN_MAPPING_TRIPLANAR;
+  LichenPlacement placement = atOrigin();
+  CHECK(fill(parameters, placement).result == LICHEN_SUCCESS);
+  placement.periodTiles[0] = placement.periodTiles[1] = 2.0;
+  const Filled filled = fill(parameters, placement);
   CHECK(filled.result == LICHEN_ERROR_USAGE);
   CHECK(filled.message ==
         "periodTiles 2 is not supported for triplanar mapping, which cannot repeat; set it to 0");
@@ -254,7 +387,9 @@ TEST_CASE("a material whose noise has a later revision has no noise, and states 
   REQUIRE(lichenGetMaterialProperties(parsed.bundle, 0, &material) == LICHEN_SUCCESS);
   CHECK(material.noise == LICHEN_NO_NOISE);
   CHECK(material.unknownRevision == 3);
-  CHECK(fill(parsed.bundle, uniformInfo()).result == LICHEN_ERROR_USAGE);
+  LichenMaterialParameters parameters;
+  LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  CHECK(lichenGetMaterialParameters(parsed.bundle, 0, &parameters) == LICHEN_ERROR_USAGE);
   lichenDestroyBundle(parsed.bundle);
   const OwnedBundle known(example::smallest());
   REQUIRE(lichenGetMaterialProperties(known.handle, 0, &material) == LICHEN_SUCCESS);
@@ -272,14 +407,15 @@ TEST_CASE("a map without an inverse table has a placeholder of one texel at its 
   CHECK(map.tableKind == LICHEN_TABLE_NONE);
   LichenBinding binding;
   LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
-  REQUIRE(lichenGetBinding(bundle.handle, 1, 2 + 2 * opacity, &binding) == LICHEN_SUCCESS);
+  REQUIRE(lichenGetBinding(bundle.handle, 1, LICHEN_BINDING_TABLE(LICHEN_OPACITY), &binding) ==
+          LICHEN_SUCCESS);
   CHECK(binding.image == map.tableImage);
   CHECK(binding.sampler == LICHEN_SAMPLER_TABLE);
   LichenImageProperties image;
   LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
   REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
   CHECK(image.dimensionality == 3);
-  CHECK(image.byteCount == 1);
+  CHECK(image.byteCount == 4);
   REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
   CHECK(map.tableKind == LICHEN_TABLE_JOINT);
 }
@@ -348,51 +484,6 @@ TEST_CASE("a material states the space of its positions") {
     CHECK(material.space ==
           (space == NoiseSpace::object ? LICHEN_SPACE_OBJECT : LICHEN_SPACE_WORLD));
   }
-}
-
-TEST_CASE("a material's parameters, passed back as overrides, change nothing") {
-  BundleFile file = example::smallest();
-  MaterialNoise& own = *file.bundle.materials[0];
-  own.mapping = Mapping::triplanar;
-  own.seed = 0xfedcba98u;
-  own.scale = 0.3;
-  own.offset = {0.25, -7.5};
-  own.rotation = 1.25;
-  own.blendSharpness = 2.5;
-  own.contrast = 0.75;
-  own.planeSharpness = 5.0;
-  own.tileRotation = 4;
-  const OwnedBundle bundle(file);
-  LichenMaterialProperties material;
-  LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
-  REQUIRE(lichenGetMaterialProperties(bundle.handle, 0, &material) == LICHEN_SUCCESS);
-  CHECK(material.scale == 0.3);
-  CHECK(material.impacts == own.impacts);
-  CHECK(material.pointProcess == LICHEN_POINT_PROCESS_STRATIFIED);
-
-  LichenUniformInfo overriding = uniformInfo();
-  overriding.overrides =
-      LICHEN_OVERRIDE_NOISE | LICHEN_OVERRIDE_SCALE | LICHEN_OVERRIDE_OFFSET |
-      LICHEN_OVERRIDE_ROTATION | LICHEN_OVERRIDE_SEED | LICHEN_OVERRIDE_BLEND_SHARPNESS |
-      LICHEN_OVERRIDE_CONTRAST | LICHEN_OVERRIDE_IMPACTS | LICHEN_OVERRIDE_POINT_PROCESS |
-      LICHEN_OVERRIDE_MAPPING | LICHEN_OVERRIDE_PLANE_SHARPNESS | LICHEN_OVERRIDE_TILE_ROTATION;
-  overriding.noise = material.noise;
-  overriding.scale = material.scale;
-  std::copy_n(material.offset, 2, overriding.offset);
-  overriding.rotation = material.rotation;
-  overriding.seed = material.seed;
-  overriding.blendSharpness = material.blendSharpness;
-  overriding.contrast = material.contrast;
-  overriding.impacts = material.impacts;
-  overriding.pointProcess = material.pointProcess;
-  overriding.mapping = material.mapping;
-  overriding.planeSharpness = material.planeSharpness;
-  overriding.tileRotation = material.tileRotation;
-  const Filled byMaterial = fill(bundle.handle, uniformInfo());
-  const Filled byOverrides = fill(bundle.handle, overriding);
-  REQUIRE(byMaterial.result == LICHEN_SUCCESS);
-  REQUIRE(byOverrides.result == LICHEN_SUCCESS);
-  CHECK(std::memcmp(&byOverrides.uniforms, &byMaterial.uniforms, sizeof byMaterial.uniforms) == 0);
 }
 
 TEST_CASE("parsing something that is not a bundle is an error") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parses bundles and fills uniforms with the engine plugin's plan layer, and keeps its diagnostics.
+// Parses bundles and fills materials' blocks with the engine plugin's plan layer, and keeps its
+// diagnostics.
 #pragma once
 
 #include "bundle_example.h"
@@ -54,23 +55,32 @@ struct OwnedBundle {
   LichenBundle handle = nullptr;
 };
 
-inline LichenUniformInfo uniformInfo() {
-  LichenUniformInfo info;
-  LICHEN_INIT(info, LICHEN_STRUCTURE_UNIFORM_INFO);
-  return info;
+/// The parameters of a bundle's first material.
+inline LichenMaterialParameters parametersOf(LichenBundle bundle) {
+  LichenMaterialParameters parameters;
+  LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  CHECK(lichenGetMaterialParameters(bundle, 0, &parameters) == LICHEN_SUCCESS);
+  return parameters;
+}
+
+inline LichenPlacement atOrigin() {
+  LichenPlacement placement;
+  LICHEN_INIT(placement, LICHEN_STRUCTURE_PLACEMENT);
+  return placement;
 }
 
 struct Filled {
   LichenResult result = LICHEN_SUCCESS;
-  shader::LichenUniforms uniforms{};
+  shader::LichenTriplanarMaterial block{};
   std::string message;
 };
 
-inline Filled fill(LichenBundle bundle, const LichenUniformInfo& info) {
+inline Filled fill(const LichenMaterialParameters& parameters,
+                   const LichenPlacement& placement = atOrigin()) {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
   Filled filled;
-  filled.result = lichenFillUniforms(bundle, &info, &filled.uniforms, &diagnostic);
+  filled.result = lichenFillMaterial(&parameters, &placement, &filled.block, &diagnostic);
   filled.message = diagnostic.text;
   return filled;
 }

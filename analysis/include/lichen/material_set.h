@@ -2,8 +2,8 @@
 // Reads the image files of a material into exemplars for a bake.
 #pragma once
 
-#include <lichen/result.h>
 #include <lichen/exemplar.h>
+#include <lichen/result.h>
 
 #include <array>
 #include <filesystem>

@@ -69,16 +69,17 @@ public:
   [[nodiscard]] Value evaluateUv(std::size_t map, const UvFootprint& at) const;
 
 protected:
-  /// The constants are those that shaderNoise() makes from `material`.
-  NoiseEvaluator(const Noise& noise, const shader::LichenNoise& constants);
+  /// The constants are those that shaderMaterial() makes from `material`.
+  NoiseEvaluator(const Noise& noise, const shader::LichenTriplanarMaterial& constants);
 
-  [[nodiscard]] const shader::LichenNoise& constants() const { return constants_; }
+  [[nodiscard]] const shader::LichenMaterial& constants() const { return constants_.material; }
+  [[nodiscard]] const shader::LichenTriplanarMaterial& planes() const { return constants_; }
 
 private:
   /// Converts texture coordinates to a position in the mix.
   [[nodiscard]] virtual MixPlace mixAt(const std::array<float, 2>&) const { return {}; }
 
-  shader::LichenNoise constants_;
+  shader::LichenTriplanarMaterial constants_;
   std::vector<bool> holdsSlopes_; ///< per map
 };
 

@@ -4,9 +4,9 @@
 
 #include <lichen/bundle.h>
 #include <lichen/image.h>
+#include <lichen/noise_evaluator.h>
 #include <lichen/progress.h>
 #include <lichen/result.h>
-#include <lichen/noise_evaluator.h>
 
 #include <array>
 #include <optional>

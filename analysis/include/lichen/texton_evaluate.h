@@ -31,69 +31,66 @@ public:
 
   [[nodiscard]] std::size_t mapCount() const;
 
-  /// Evaluates map `map`, below mapCount(), with the parameters that shaderNoise() and
-  /// shaderTexton() make from the same bundle's noise. Returns light for sRGB, otherwise the stored
+  /// Evaluates map `map`, below mapCount(), with the parameters that shaderMaterial() makes
+  /// from the same bundle's noise. Returns light for sRGB, otherwise the stored
   /// quantity with log2 undone; channels that the map does not have are 0, the fourth is 1. For
   /// slopes the third is the variance of a slope lost to filtering. Takes time proportional to the
   /// impacts that reach the footprint.
-  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
-                               const shader::LichenTexton& texton, const TileFootprint& at,
-                               const MixPlace& mix = {}) const;
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
+                               const TileFootprint& at, const MixPlace& mix = {}) const;
 
   /// The value before decoding: Gaussian with mean 1/2 and, if no variance is lost, standard
   /// deviation 1/6; the fourth is 1.
-  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
-                               const shader::LichenTexton& texton, const TileFootprint& at,
-                               const MixPlace& mix = {}) const;
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenMaterial& material,
+                               const TileFootprint& at, const MixPlace& mix = {}) const;
 
   /// The share of each channel's variance lost to filtering; 1 for channels that the map does not
   /// have or that do not vary.
-  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map, const shader::LichenNoise& noise,
-                                                  const shader::LichenTexton& texton,
+  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map,
+                                                  const shader::LichenMaterial& material,
                                                   const TileFootprint& at,
                                                   const MixPlace& mix = {}) const;
 
   /// The three functions above on a surface, with the parameters of a material with the mapping
   /// surface. Slopes are in the tangent space of the normal and tangent, rotated by the material's
   /// rotation.
-  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
-                               const shader::LichenTexton& texton, const SurfaceFootprint& at,
-                               const MixPlace& mix = {}) const;
-  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
-                               const shader::LichenTexton& texton, const SurfaceFootprint& at,
-                               const MixPlace& mix = {}) const;
-  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map, const shader::LichenNoise& noise,
-                                                  const shader::LichenTexton& texton,
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
+                               const SurfaceFootprint& at, const MixPlace& mix = {}) const;
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenMaterial& material,
+                               const SurfaceFootprint& at, const MixPlace& mix = {}) const;
+  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map,
+                                                  const shader::LichenMaterial& material,
                                                   const SurfaceFootprint& at,
                                                   const MixPlace& mix = {}) const;
 
   /// The three functions above in three planes, with the parameters of a material with the mapping
   /// triplanar; the mix's gradient is 0. For slopes the value is their gradient in space, and the
   /// fourth is the lost variance.
-  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
-                               const shader::LichenTexton& texton, const TriplanarFootprint& at,
-                               const MixPlace& mix = {}) const;
-  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
-                               const shader::LichenTexton& texton, const TriplanarFootprint& at,
-                               const MixPlace& mix = {}) const;
-  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map, const shader::LichenNoise& noise,
-                                                  const shader::LichenTexton& texton,
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenTriplanarMaterial& material,
+                               const TriplanarFootprint& at, const MixPlace& mix = {}) const;
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenTriplanarMaterial& material,
+                               const TriplanarFootprint& at, const MixPlace& mix = {}) const;
+  [[nodiscard]] std::array<float, 3> lostVariance(std::size_t map,
+                                                  const shader::LichenTriplanarMaterial& material,
                                                   const TriplanarFootprint& at,
                                                   const MixPlace& mix = {}) const;
 
   /// Returns the stored value of the map's first channel, not clamped, and its derivatives along x
   /// and y, per tile.
-  [[nodiscard]] std::array<float, 3> gradient(std::size_t map, const shader::LichenNoise& noise,
-                                              const shader::LichenTexton& texton,
+  [[nodiscard]] std::array<float, 3> gradient(std::size_t map,
+                                              const shader::LichenMaterial& material,
                                               const TileFootprint& at,
                                               const MixPlace& mix = {}) const;
 
 private:
   struct Map;
-  static Value decoded(const Map& map, const shader::LichenNoise& noise, const Value& gaussian,
-                       std::array<float, 3> lostVariance, const MixPlace& mix);
-  explicit TextonEvaluator(std::shared_ptr<const std::vector<Map>> maps) : maps_(std::move(maps)) {}
+  static Value decoded(const Map& map, const shader::LichenMaterial& material,
+                       const Value& gaussian, std::array<float, 3> lostVariance,
+                       const MixPlace& mix);
+  TextonEvaluator(const shader::LichenNoise& noise, std::shared_ptr<const std::vector<Map>> maps)
+      : noise_(noise), maps_(std::move(maps)) {}
 
+  shader::LichenNoise noise_;
   std::shared_ptr<const std::vector<Map>> maps_;
 };
 

@@ -31,24 +31,24 @@ public:
 
   [[nodiscard]] std::size_t mapCount() const;
 
-  /// Evaluates map `map`, below mapCount(), with the parameters that shaderNoise() makes from the
-  /// same bundle's noise. Returns light for roots, otherwise the stored quantity with log2 undone;
-  /// channels that the map does not have are 0, the fourth is 1. For slopes the third is the
-  /// variance of a slope lost to filtering. Constant time, no allocation.
-  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
+  /// Evaluates map `map`, below mapCount(), with the parameters that shaderMaterial() makes from
+  /// the same bundle's noise. Returns light for roots, otherwise the stored quantity with log2
+  /// undone; channels that the map does not have are 0, the fourth is 1. For slopes the third is
+  /// the variance of a slope lost to filtering. Constant time, no allocation.
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
                                const TileFootprint& at,
                                BlendOperator blend = BlendOperator::histogramPreserving) const;
 
   /// The same in three planes, with the parameters of a material with the mapping triplanar. For
   /// slopes the value is their gradient in space, and the fourth is the lost variance.
-  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenNoise& noise,
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenTriplanarMaterial& material,
                                const TriplanarFootprint& at) const;
 
   /// The value before decoding: Gaussian with mean 1/2 and, if no variance is lost, standard
   /// deviation 1/6. The fourth is the share of the variance lost to filtering.
-  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenMaterial& material,
                                const TileFootprint& at) const;
-  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenNoise& noise,
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenTriplanarMaterial& material,
                                const TriplanarFootprint& at) const;
 
   /// Decodes the texels of level 0 of the Gaussian image of map `map`, below mapCount(), row by
@@ -60,21 +60,24 @@ private:
 
   struct Tiles;
 
-  [[nodiscard]] Tiles tilesAt(const Map& map, const shader::LichenNoise& noise,
+  [[nodiscard]] Tiles tilesAt(const Map& map, const shader::LichenMaterial& material,
                               TileFootprint at) const;
-  [[nodiscard]] static Value blended(const Tiles& tiles, const shader::LichenNoise& noise);
+  [[nodiscard]] static Value blended(const Tiles& tiles, const shader::LichenMaterial& material);
   [[nodiscard]] static Value blendedDecoded(const Map& map, const Tiles& tiles,
-                                            const shader::LichenNoise& noise, BlendOperator blend);
+                                            const shader::LichenMaterial& material,
+                                            BlendOperator blend);
   [[nodiscard]] static Value turnedSlopes(const Map& map, const Tiles& tiles,
-                                          const shader::LichenNoise& noise);
+                                          const shader::LichenMaterial& material);
   [[nodiscard]] static float footprintShare(const Map& map, float lost);
   [[nodiscard]] static Value lookup(const Map& map, const Value& uniform, std::size_t level);
   [[nodiscard]] static Value decodeTable(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float contrast);
 
-  TilingEvaluator(std::shared_ptr<const std::vector<Map>> maps, const TilingQuality& quality)
-      : maps_(std::move(maps)), quality_(quality) {}
+  TilingEvaluator(const shader::LichenNoise& noise, std::shared_ptr<const std::vector<Map>> maps,
+                  const TilingQuality& quality)
+      : noise_(noise), maps_(std::move(maps)), quality_(quality) {}
 
+  shader::LichenNoise noise_;
   std::shared_ptr<const std::vector<Map>> maps_;
   TilingQuality quality_;
 };

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <lichen/bundle.h>
-#include <lichen/result.h>
 #include <lichen/exemplar.h>
+#include <lichen/result.h>
 
 #include <optional>
 

@@ -40,8 +40,8 @@ enum class MapChannel {
 };
 /// The encoding of stored values; the mean and covariance are in these units. root: the square root
 /// of light in [0, 1]; inverse tables hold it too. linear: the quantity itself, in [0, 1]. slope:
-/// slopes of normals. log2: log2(1 + quantity), of which inverse tables hold the quantity. srgb: sRGB
-/// codes, which only exemplars have; their noises store roots.
+/// slopes of normals. log2: log2(1 + quantity), of which inverse tables hold the quantity. srgb:
+/// sRGB codes, which only exemplars have; their noises store roots.
 enum class ValueEncoding { root, linear, slope, log2, srgb };
 enum class Mapping { uv, triplanar, surface, solid };
 /// The coordinate space of a mapping that evaluates the noise at 3-D positions: world space, or

@@ -17,6 +17,15 @@ namespace lichen {
 [[nodiscard]] shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise,
                                           std::size_t map);
 
+/// What all maps of a noise share. `noise` is a valid index.
+[[nodiscard]] shader::LichenNoise shaderNoise(const Bundle& bundle, std::size_t noise);
+
+/// The block of a noise: the above, each map at the place of its role.
+[[nodiscard]] shader::LichenNoiseConstants shaderConstants(const Bundle& bundle, std::size_t noise);
+
+/// The role of a map in the shader, LICHEN_BASE_COLOR and so on.
+[[nodiscard]] std::uint32_t roleOf(MapTarget target);
+
 /// The step table of a map with `laterSteps`. The shader reads it from the binding of the inverse
 /// table. Throws std::bad_alloc.
 [[nodiscard]] Table mixTable(const NoiseMap& map);
@@ -52,12 +61,19 @@ inline constexpr double kSurfaceImpacts = 2.0;
 /// The plane argument of latticeSeed() for surface noise. Plane 0 is uv; 0 to 2 are triplanar's.
 inline constexpr std::uint32_t kSurfacePlane = 3;
 
-/// The constants of `material`, whose noise index must be valid, at `placement`.
-[[nodiscard]] shader::LichenNoise shaderNoise(const Bundle& bundle, const MaterialNoise& material,
-                                              const Placement& placement);
+/// The block of a material at `placement`, of a noise with these constants. Needs no bundle. The
+/// planes are zero but for the mapping triplanar.
+[[nodiscard]] shader::LichenTriplanarMaterial shaderMaterial(const shader::LichenNoise& noise,
+                                                             const MaterialNoise& material,
+                                                             const Placement& placement);
+/// The same of a bundle's noise, `material.noise`, a valid index.
+[[nodiscard]] shader::LichenTriplanarMaterial
+shaderMaterial(const Bundle& bundle, const MaterialNoise& material, const Placement& placement);
 
-/// The constants of a texton noise for `material` at `placement`. All zero for tiling.
-[[nodiscard]] shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& material,
-                                                const Placement& placement);
+/// What a material holds for its noise's method, and back.
+[[nodiscard]] shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material);
+[[nodiscard]] shader::LichenTextonMaterial textonPart(const shader::LichenMaterial& material);
+void setPart(shader::LichenMaterial& material, const shader::LichenTilingMaterial& part);
+void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part);
 
 } // namespace lichen

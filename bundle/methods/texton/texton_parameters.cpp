@@ -2,6 +2,7 @@
 // A texton noise and its material -> the texton-only members of the shader's constants.
 #include "impact_grid.h"
 #include "methods/map_constants.h"
+#include "methods/method_part.h"
 #include "texton_format.h"
 
 #include <algorithm>
@@ -57,52 +58,41 @@ LinearWeight linearWeight(const MaterialNoise& material, const Placement& placem
   return weight;
 }
 
-} // namespace
-
-shader::LichenTexton shaderTexton(const Bundle& bundle, const MaterialNoise& material,
-                                  const Placement& placement) {
-  const Noise& noise = bundle.noises[material.noise];
-  shader::LichenTexton result{};
-  const auto* found = std::get_if<TextonShape>(&noise.data);
-  if (found == nullptr)
-    return result;
-  const TextonShape& shape = *found;
-  result.texelsPerTileX = float(shape.texelsPerTileX);
-  result.texelsPerTileY = float(shape.texelsPerTileY);
-  result.coefficientsX = shape.coefficientsX;
-  result.coefficientsY = shape.coefficientsY;
-  result.frameX = int(shape.frameWidth());
-  result.frameY = int(shape.frameHeight());
-  result.order = shader::uint(shape.order);
-  result.mipCount = shader::uint(shape.mipLevels);
-  result.steps = shader::uint(shape.steps);
-  result.pointProcess = material.pointProcess == PointProcess::poisson ? LICHEN_POINTS_POISSON
-                                                                       : LICHEN_POINTS_STRATIFIED;
-  if (shape.steps > 1) {
-    const LinearWeight weight = linearWeight(material, placement);
-    result.mixWeight = float(weight.constant);
-    result.mixPerU = float(weight.perUv[0]);
-    result.mixPerV = float(weight.perUv[1]);
-  }
-  if (material.mapping == Mapping::surface) {
-    // [GLM17] proposition 3: the variance of surface noise is lambda r / 3 times that of the
-    // texton.
-    const double cube = shape.texelsPerTileX / surfaceGrid(shape, material.impacts).columnsPerTile;
-    const double lambda = 1.0 / (cube * cube * cube);
-    result.surfaceCubeTexels = float(cube);
-    result.amplitude = float(1.0 / std::sqrt(lambda * surfaceThickness(shape) / 3.0));
-    return result;
-  }
-  const Lattice grid = impactGrid(shape, material.impacts, placement);
-  const double cellArea =
-      shape.texelsPerTileX / grid.columnsPerTile * (shape.texelsPerTileY / grid.rowsPerTile);
-  result.amplitude = float(std::sqrt(cellArea));
-  return result;
+/// What of a noise's shape its constants hold.
+TextonShape shapeOf(const shader::LichenNoise& noise) {
+  TextonShape shape;
+  shape.coefficientsX = noise.texton.coefficientsX;
+  shape.coefficientsY = noise.texton.coefficientsY;
+  shape.order = int(noise.texton.order);
+  shape.steps = int(noise.texton.steps);
+  shape.texelsPerTileX = int(noise.tileTexelsX);
+  shape.texelsPerTileY = int(noise.tileTexelsY);
+  return shape;
 }
 
-Lattice TextonFormat::cells(const Noise& noise, const MaterialNoise& material,
+/// Sets the cubes of surface noise and the amplitude of its impacts.
+void setSurface(const TextonShape& shape, const MaterialNoise& material, const Placement& placement,
+                shader::LichenMaterial& constants, shader::LichenTextonMaterial& part) {
+  const Lattice grid = surfaceGrid(shape, material.impacts);
+  constants.columnsPerTile = constants.rowsPerTile = float(grid.columnsPerTile);
+  const auto across = impactGridCell(grid, placement.tileOriginX, placement.tileOriginY);
+  constants.cellI = across[0];
+  constants.cellJ = across[1];
+  constants.seedWord = latticeSeed(material.seed, kSurfacePlane);
+  part.cellK = impactGridCell(grid, placement.tileOriginZ, 0)[0];
+  // [GLM17] proposition 3: the variance of surface noise is lambda r / 3 times that of the
+  // texton.
+  const double cube = shape.texelsPerTileX / grid.columnsPerTile;
+  const double lambda = 1.0 / (cube * cube * cube);
+  part.surfaceCubeTexels = float(cube);
+  part.amplitude = float(1.0 / std::sqrt(lambda * surfaceThickness(shape) / 3.0));
+}
+
+} // namespace
+
+Lattice TextonFormat::cells(const shader::LichenNoise& noise, const MaterialNoise& material,
                             const Placement& placement) const {
-  return impactGrid(noise.as<TextonShape>(), material.impacts, placement);
+  return impactGrid(shapeOf(noise), material.impacts, placement);
 }
 
 std::array<std::int32_t, 2> TextonFormat::cellOf(const Lattice& cells, std::int64_t tileX,
@@ -121,20 +111,44 @@ void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& ma
   setGaussianMean(constants);
 }
 
-void TextonFormat::setNoise(const Bundle&, const MaterialNoise&, const Placement&,
-                            shader::LichenNoise& constants) const {
-  constants.method = LICHEN_METHOD_TEXTON;
+void TextonFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
+  const auto& shape = noise.as<TextonShape>();
+  constants.texton = {shape.coefficientsX,       shape.coefficientsY,
+                      int(shape.frameWidth()),   int(shape.frameHeight()),
+                      shader::uint(shape.order), shader::uint(shape.mipLevels),
+                      shader::uint(shape.steps), 0};
 }
 
-void TextonFormat::setSurface(const Noise& noise, const MaterialNoise& material,
-                              const Placement& placement, shader::LichenNoise& constants) const {
-  const Lattice grid = surfaceGrid(noise.as<TextonShape>(), material.impacts);
-  constants.columnsPerTile = constants.rowsPerTile = float(grid.columnsPerTile);
-  const auto across = impactGridCell(grid, placement.tileOriginX, placement.tileOriginY);
-  constants.cellI = across[0];
-  constants.cellJ = across[1];
-  constants.cellK = impactGridCell(grid, placement.tileOriginZ, 0)[0];
-  constants.seedWord = latticeSeed(material.seed, kSurfacePlane);
+void TextonFormat::setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
+                               const Placement& placement,
+                               shader::LichenMaterial& constants) const {
+  const TextonShape shape = shapeOf(noise);
+  shader::LichenTextonMaterial part{};
+  part.pointProcess = material.pointProcess == PointProcess::poisson ? LICHEN_POINTS_POISSON
+                                                                     : LICHEN_POINTS_STRATIFIED;
+  if (shape.steps > 1) {
+    const LinearWeight weight = linearWeight(material, placement);
+    part.mixWeight = float(weight.constant);
+    part.mixPerU = float(weight.perUv[0]);
+    part.mixPerV = float(weight.perUv[1]);
+  }
+  if (material.mapping == Mapping::surface) {
+    setSurface(shape, material, placement, constants, part);
+  } else {
+    const Lattice grid = impactGrid(shape, material.impacts, placement);
+    const double cellArea =
+        shape.texelsPerTileX / grid.columnsPerTile * (shape.texelsPerTileY / grid.rowsPerTile);
+    part.amplitude = float(std::sqrt(cellArea));
+  }
+  setPart(constants, part);
+}
+
+shader::LichenTextonMaterial textonPart(const shader::LichenMaterial& material) {
+  return partOf<shader::LichenTextonMaterial>(material);
+}
+
+void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part) {
+  setPartOf(material, part);
 }
 
 } // namespace lichen

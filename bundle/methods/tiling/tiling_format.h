@@ -21,14 +21,15 @@ public:
                                                           const NoiseMap& map) const override;
   [[nodiscard]] std::array<std::uint32_t, 2> tileSize(const Bundle& bundle,
                                                       const Noise& noise) const override;
-  [[nodiscard]] Lattice cells(const Noise& noise, const MaterialNoise& material,
+  [[nodiscard]] Lattice cells(const shader::LichenNoise& noise, const MaterialNoise& material,
                               const Placement& placement) const override;
   [[nodiscard]] std::array<std::int32_t, 2> cellOf(const Lattice& cells, std::int64_t tileX,
                                                    std::int64_t tileY) const override;
   void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
               shader::LichenMap& constants) const override;
-  void setNoise(const Bundle& bundle, const MaterialNoise& material, const Placement& placement,
-                shader::LichenNoise& constants) const override;
+  void setNoise(const Noise& noise, shader::LichenNoise& constants) const override;
+  void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
+                   const Placement& placement, shader::LichenMaterial& constants) const override;
 };
 
 } // namespace lichen

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tiling noise and its material -> the tiling-only members of the shader's constants.
 #include "methods/map_constants.h"
+#include "methods/method_part.h"
 #include "tiling_format.h"
 
 #include <algorithm>
@@ -63,7 +64,8 @@ float offsetStep(std::uint32_t sizeTexels) {
 
 } // namespace
 
-Lattice TilingFormat::cells(const Noise&, const MaterialNoise&, const Placement& placement) const {
+Lattice TilingFormat::cells(const shader::LichenNoise&, const MaterialNoise&,
+                            const Placement& placement) const {
   return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY)
                             : Lattice{};
 }
@@ -91,15 +93,23 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
   setTableMean(map, bundle, constants);
 }
 
-void TilingFormat::setNoise(const Bundle& bundle, const MaterialNoise& material, const Placement&,
-                            shader::LichenNoise& constants) const {
-  const std::array<std::uint32_t, 2> tile = tileSize(bundle, bundle.noises[material.noise]);
-  constants.offsetStepX = offsetStep(tile[0]);
-  constants.offsetStepY = offsetStep(tile[1]);
-  constants.tileTexelsX = float(tile[0]);
-  constants.tileTexelsY = float(tile[1]);
-  constants.tileAspect = float(double(tile[0]) / double(tile[1]));
-  constants.tileRotation = material.tileRotation;
+void TilingFormat::setNoise(const Noise&, shader::LichenNoise& constants) const {
+  constants.offsetStepX = offsetStep(std::uint32_t(constants.tileTexelsX));
+  constants.offsetStepY = offsetStep(std::uint32_t(constants.tileTexelsY));
+}
+
+void TilingFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise& material,
+                               const Placement&, shader::LichenMaterial& constants) const {
+  setPart(constants,
+          shader::LichenTilingMaterial{float(material.blendSharpness), material.tileRotation});
+}
+
+shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material) {
+  return partOf<shader::LichenTilingMaterial>(material);
+}
+
+void setPart(shader::LichenMaterial& material, const shader::LichenTilingMaterial& part) {
+  setPartOf(material, part);
 }
 
 } // namespace lichen

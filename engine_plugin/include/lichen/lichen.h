@@ -69,7 +69,7 @@ typedef enum LichenStructureType {
   LICHEN_STRUCTURE_MATERIAL_PROPERTIES = 6,
   LICHEN_STRUCTURE_IMAGE_PROPERTIES = 7,
   LICHEN_STRUCTURE_SAMPLER_PROPERTIES = 8,
-  LICHEN_STRUCTURE_UNIFORM_INFO = 9,
+  LICHEN_STRUCTURE_MATERIAL_PARAMETERS = 9,
   LICHEN_STRUCTURE_VULKAN_INFO = 10,
   LICHEN_STRUCTURE_VULKAN_FUNCTIONS = 11,
   LICHEN_STRUCTURE_COPY = 12,
@@ -77,6 +77,7 @@ typedef enum LichenStructureType {
   LICHEN_STRUCTURE_DEVICE_ALLOCATOR = 14,
   LICHEN_STRUCTURE_MEMORY_REQUEST = 15,
   LICHEN_STRUCTURE_DEVICE_MEMORY = 16,
+  LICHEN_STRUCTURE_PLACEMENT = 17,
   LICHEN_STRUCTURE_MAX_ENUM = 0x7FFFFFFF
 } LichenStructureType;
 
@@ -154,10 +155,7 @@ typedef struct LichenNoiseProperties {
   void* next;
   const char* name;      /* UTF-8, as long as the bundle lives */
   double tileSizeMetres; /* [1e-6, 1e6] metres, the width of one exemplar */
-  uint32_t mapCount;     /* LICHEN_MAP_COUNT of the shader, 1 to 6 */
-  /* What one descriptor set of this noise takes from a pool. */
-  uint32_t uniformBufferCount; /* UNIFORM_BUFFER_DYNAMIC with LICHEN_VULKAN_DYNAMIC_UNIFORMS */
-  uint32_t combinedImageSamplerCount;
+  uint32_t mapCount;     /* 1 to 6 */
   LichenNoiseMethod method;
   uint32_t mixSteps; /* [2, 64] of a mix of textons, 1 of other noises; LICHEN_MIXED_TEXTONS of the
                         shader library may be 0 where no noise is a mix */
@@ -169,7 +167,7 @@ LICHEN_API LichenResult lichenGetNoiseProperties(LichenBundle bundle, uint32_t n
                                                  LichenNoiseProperties* properties);
 
 typedef enum LichenMapTarget {
-  LICHEN_TARGET_BASE_COLOR = 0,
+  LICHEN_TARGET_BASE_COLOR = 0, /* the numbers are the shader's roles */
   LICHEN_TARGET_NORMAL = 1,
   LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC = 2,
   LICHEN_TARGET_EMISSIVE = 3,
@@ -210,12 +208,13 @@ typedef struct LichenMapProperties {
   uint32_t channelCount;     /* 1 to 3 */
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
   uint32_t image;            /* image indices, < imageCount: Gaussian image or texton */
-  uint32_t tableImage; /* of a mix that of its steps; of other maps without an inverse table one
-                        * of two texels, which is not read */
+  uint32_t tableImage;       /* of a mix that of its steps; of other maps without an inverse table a
+                              * placeholder, which is not read */
   LichenTableKind tableKind;
 } LichenMapProperties;
 
-/* noise < noiseCount, map < mapCount; map k is lichenUniforms.maps[k] in the shader. */
+/* noise < noiseCount, map < mapCount. In the shader maps have the number of their target, not this
+ * one. */
 LICHEN_API LichenResult lichenGetMapProperties(LichenBundle bundle, uint32_t noise, uint32_t map,
                                                LichenMapProperties* properties);
 
@@ -230,7 +229,7 @@ typedef enum LichenMapping {
 } LichenMapping;
 
 /* Of LICHEN_MAPPING_TRIPLANAR and LICHEN_MAPPING_SURFACE, the space of the positions, normals and
- * tangents that the host gives the shader: the uniform block is the same for both. */
+ * tangents that the host gives the shader: the blocks are the same for both. */
 typedef enum LichenSpace {
   LICHEN_SPACE_WORLD = 0,  /* one pattern runs from mesh to mesh */
   LICHEN_SPACE_OBJECT = 1, /* the mesh's own, before morph targets and skins: the pattern moves,
@@ -272,18 +271,7 @@ typedef struct LichenMaterialProperties {
   uint32_t mixSet;     /* [0, 15] of LICHEN_MIX_TEXTURE the TEXCOORD_n, of vertex colours COLOR_n */
   uint32_t mixChannel; /* [0, 3] of the texture or the colour, red to alpha */
   LichenSpace space;   /* world for LICHEN_MAPPING_UV */
-  /* The material's parameters, which overrides of LichenUniformInfo may replace: units and ranges
-   * are those of its members. Of a material without a noise they are 0. */
-  uint32_t seed;
-  double scale;
-  double offset[2];
-  double rotation;
-  double blendSharpness;
-  double contrast;
-  double planeSharpness;
-  double impacts;
-  LichenPointProcess pointProcess;
-  uint32_t tileRotation;
+  uint32_t reserved;   /* 0 */
 } LichenMaterialProperties;
 
 /* material < materialCount, the glTF index. */
@@ -303,8 +291,8 @@ typedef struct LichenImageProperties {
   uint32_t mipLevels;
   uint32_t texelBytes;
   uint32_t vkSwizzle[4]; /* the VkComponentSwizzle of the view's r, g, b and a; 0: identity */
-  const void* bytes; /* all levels, tightly packed, level 0 first, x fastest, rows top first, z
-                      * slowest; as long as the bundle lives */
+  const void* bytes;     /* all levels, tightly packed, level 0 first, x fastest, rows top first, z
+                          * slowest; as long as the bundle lives */
   size_t byteCount;
 } LichenImageProperties;
 
@@ -330,7 +318,7 @@ LICHEN_API LichenResult lichenGetCopy(LichenBundle bundle, uint32_t image, uint3
 
 typedef enum LichenSamplerUse {
   LICHEN_SAMPLER_IMAGE = 0, /* of Gaussian images and textons: trilinear, repeat, all mips;
-                               anisotropy: LichenUniformInfo */
+                               anisotropy: LichenPlacement */
   LICHEN_SAMPLER_TABLE = 1, /* trilinear, clamp to edge, all mips */
   LICHEN_SAMPLER_MAX_ENUM = 0x7FFFFFFF
 } LichenSamplerUse;
@@ -343,7 +331,7 @@ typedef struct LichenSamplerProperties {
   uint32_t vkMipmapMode;    /* a VkSamplerMipmapMode */
   uint32_t vkAddressMode;   /* all axes, a VkSamplerAddressMode */
   float maxLod;             /* minLod and mipLodBias are 0 */
-  uint32_t takesAnisotropy; /* 1: maxAnisotropy of LichenUniformInfo may be this sampler's */
+  uint32_t takesAnisotropy; /* 1: maxAnisotropy of LichenPlacement may be this sampler's */
   uint32_t reserved;        /* 0 */
 } LichenSamplerProperties;
 
@@ -351,10 +339,17 @@ LICHEN_API LichenResult lichenGetSamplerProperties(LichenSamplerUse use,
                                                    LichenSamplerProperties* properties);
 
 typedef enum LichenBindingKind {
-  LICHEN_BINDING_UNIFORM_BUFFER = 0,
-  LICHEN_BINDING_COMBINED_IMAGE_SAMPLER = 1,
+  LICHEN_BINDING_NOISE_BUFFER = 0,    /* uniform buffer: lichenGetNoiseConstants */
+  LICHEN_BINDING_MATERIAL_BUFFER = 1, /* uniform buffer: lichenFillMaterial */
+  LICHEN_BINDING_SAMPLER = 2,
+  LICHEN_BINDING_SAMPLED_IMAGE = 3,
   LICHEN_BINDING_MAX_ENUM = 0x7FFFFFFF
 } LichenBindingKind;
+
+/* The bindings of a noise's descriptor set, the same for all noises: 2 uniform buffers, 2 samplers
+ * and 12 sampled images. */
+#define LICHEN_SET_BINDINGS 16
+#define LICHEN_SET_IMAGES 12
 
 /* One binding of a noise's descriptor set. */
 typedef struct LichenBinding {
@@ -363,56 +358,79 @@ typedef struct LichenBinding {
   void* next;
   uint32_t binding; /* relative to LICHEN_FIRST_BINDING */
   LichenBindingKind kind;
-  LichenSamplerUse sampler; /* of a combined image sampler */
-  uint32_t image;           /* of a combined image sampler */
+  LichenSamplerUse sampler; /* of a sampler, and of an image the one that it is sampled with */
+  uint32_t image; /* of a sampled image; where the noise lacks the map, one that is not read */
 } LichenBinding;
 
-/* noise < noiseCount, index < 1 + 2 * mapCount: the uniform block, then each map's image and
- * table. */
+/* noise < noiseCount, index < LICHEN_SET_BINDINGS. */
 LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, uint32_t index,
                                          LichenBinding* binding);
 
-/* ---- Uniforms --------------------------------------------------------------------------- */
+/* ---- Parameters ------------------------------------------------------------------------- */
 
-/* Bytes of the uniform block, LichenUniforms in shaders_glsl/interface/lichen_interface.h: a
- * multiple of 256, and so of any device's minUniformBufferOffsetAlignment. */
-#define LICHEN_UNIFORM_BYTES 1280
+/* What the bundle fixes: LichenNoiseConstants in shaders_glsl/interface/lichen_interface.h, alike
+ * in std140 and std430. Uploaded once. A multiple of 256, and so of any device's
+ * minUniformBufferOffsetAlignment. */
+#define LICHEN_NOISE_BYTES 1024
+/* What a material says: LichenMaterial; may change each frame. */
+#define LICHEN_MATERIAL_BYTES 128
+/* The same of LICHEN_MAPPING_TRIPLANAR: LichenTriplanarMaterial. */
+#define LICHEN_TRIPLANAR_MATERIAL_BYTES 192
 
-/* Which members of LichenUniformInfo replace the material's own values; no other bit is valid.
- */
-typedef enum LichenOverride {
-  LICHEN_OVERRIDE_SCALE = 1,
-  LICHEN_OVERRIDE_OFFSET = 2,
-  LICHEN_OVERRIDE_ROTATION = 4,
-  LICHEN_OVERRIDE_SEED = 8,
-  LICHEN_OVERRIDE_BLEND_SHARPNESS = 16,
-  LICHEN_OVERRIDE_CONTRAST = 32,
-  LICHEN_OVERRIDE_NOISE = 64, /* `noise` with default parameters; `material` is not read */
-  LICHEN_OVERRIDE_IMPACTS = 128,
-  LICHEN_OVERRIDE_POINT_PROCESS = 256,
-  LICHEN_OVERRIDE_MAPPING = 512,
-  LICHEN_OVERRIDE_PLANE_SHARPNESS = 1024,
-  LICHEN_OVERRIDE_TILE_ROTATION = 2048
-} LichenOverride;
+/* Writes LICHEN_NOISE_BYTES to `destination`, of any alignment. noise < noiseCount. */
+LICHEN_API LichenResult lichenGetNoiseConstants(LichenBundle bundle, uint32_t noise,
+                                                void* destination);
 
-typedef struct LichenUniformInfo {
+/* How a material uses a noise. Get it, change what you like, fill the material's block with it: the
+ * bundle need not live. */
+typedef struct LichenMaterialParameters {
   LichenStructureType type;
   uint32_t size;
   const void* next;
-  uint32_t material;     /* glTF index, of a material that has a noise */
-  uint32_t overrides;    /* LichenOverride bits; what they do not name is not read */
-  uint32_t noise;        /* < noiseCount */
-  uint32_t seed;         /* any; another seed is another noise of the same look */
+  uint32_t noise; /* in its bundle; written to the block for shaders that index noises */
+  /* The shader's place must be one of the same mapping: LICHEN_PLACE_TRIPLANAR for
+   * LICHEN_MAPPING_TRIPLANAR, LICHEN_PLACE_SURFACE for LICHEN_MAPPING_SURFACE, which only textons
+   * have. */
+  LichenMapping mapping;
+  uint32_t seed; /* any; another seed is another noise of the same look */
+  /* [0, 65536] of tiling: how many steps of a turn tiles lie in. 0 and 1: none is turned; 65536:
+   * any angle. Above 1 it needs shaders with LICHEN_TILE_ROTATION 1. */
+  uint32_t tileRotation;
   double scale;          /* [1e-6, 1e6] texture-coordinate units that one exemplar spans */
   double offset[2];      /* [-1e9, 1e9] tiles, in float precision: far moves are tileOrigin's */
   double rotation;       /* [-1e6, 1e6] radians, as KHR_texture_transform */
-  double blendSharpness; /* [0.25, 16] exponent of the blend weights */
+  double blendSharpness; /* [0.25, 16] of tiling: exponent of the blend weights */
   double contrast;       /* [0, 4] scale of the Gaussian value about its mean */
+  double planeSharpness; /* [1, 64] of the mapping triplanar: exponent of the planes' weights */
+  double impacts; /* [1, 1000] of texton noise: how many a point sees in the mean, on surfaces twice
+                   * as many; cost goes with it */
+  LichenPointProcess pointProcess; /* of texton noise */
+  /* Of a mix: the weight of LICHEN_MIX_CONSTANT; the texture coordinates of 0 and 1 of
+   * LICHEN_MIX_DIRECTION. */
+  LichenMixSource mixSource;
+  double mixWeight;              /* [0, 1] */
+  double mixStart[2], mixEnd[2]; /* [-1e6, 1e6], of LICHEN_MIX_DIRECTION 1e-6 apart */
+  uint32_t ofNoise[18];          /* what the library must know of the noise; leave it as it is */
+} LichenMaterialParameters;
+
+/* Those of a material that has a noise; material < materialCount. */
+LICHEN_API LichenResult lichenGetMaterialParameters(LichenBundle bundle, uint32_t material,
+                                                    LichenMaterialParameters* parameters);
+/* The defaults for a noise that no material uses; noise < noiseCount. */
+LICHEN_API LichenResult lichenGetDefaultParameters(LichenBundle bundle, uint32_t noise,
+                                                   LichenMaterialParameters* parameters);
+
+/* Where a material's noise lies, and how its images are sampled. */
+typedef struct LichenPlacement {
+  LichenStructureType type;
+  uint32_t size;
+  const void* next;
   /* The host's origin in whole tiles, each within +-2^40, exact: a point's tile coordinate is this
-   * plus what the shader computes, so that coordinates near the camera stay small. Of the mappings
-   * triplanar and surface, x and y of a point in space, whose tiles are cubes of `scale` times the
-   * noise's tileSizeMetres: the host gives the shader positions less tileOrigin times that. */
-  int64_t tileOrigin[2];
+   * plus what the shader computes, so that coordinates near the camera stay small. Texture
+   * coordinates have x and y. Of the mappings triplanar and surface, a point in space, whose tiles
+   * are cubes of `scale` times the noise's tileSizeMetres: the host gives the shader positions less
+   * tileOrigin times that. */
+  int64_t tileOrigin[3];
   /* The noise repeats after this many tiles: [1, 65536] each, a whole number where tileOrigin is
    * not 0. 0, 0: never, as of the mappings triplanar and surface. */
   double periodTiles[2];
@@ -423,24 +441,15 @@ typedef struct LichenUniformInfo {
    * where the three do not agree, minified noise has too much or too little contrast. How exactly
    * an anisotropic footprint is filtered is the driver's choice. */
   float maxAnisotropy;
-  LichenPointProcess pointProcess; /* of texton noise */
-  double impacts; /* [1, 1000] of texton noise: how many a point sees in the mean, on surfaces twice
-                   * as many; cost goes with it */
-  int64_t tileOriginZ; /* of the mappings triplanar and surface: the third of tileOrigin */
-  /* With LICHEN_OVERRIDE_MAPPING. The shader's place must be one of the same mapping:
-   * LICHEN_PLACE_TRIPLANAR for LICHEN_MAPPING_TRIPLANAR, LICHEN_PLACE_SURFACE for
-   * LICHEN_MAPPING_SURFACE, which only textons have. */
-  LichenMapping mapping;
-  /* [0, 65536] of tiling: how many steps of a turn tiles lie in. 0 and 1: none is turned; 65536:
-   * any angle. Above 1 it needs shaders with LICHEN_TILE_ROTATION 1. */
-  uint32_t tileRotation;
-  double planeSharpness; /* [1, 64] of the mapping triplanar: exponent of the planes' weights */
-} LichenUniformInfo;
+  uint32_t reserved; /* 0 */
+} LichenPlacement;
 
-/* Writes LICHEN_UNIFORM_BYTES of std140 to `destination` (any alignment, may be mapped memory: it
- * is written once, in order, and not read). Cheap enough for every frame: no allocation. */
-LICHEN_API LichenResult lichenFillUniforms(LichenBundle bundle, const LichenUniformInfo* info,
-                                           void* destination, LichenDiagnostic* diagnostic);
+/* Writes LICHEN_MATERIAL_BYTES, of the mapping triplanar LICHEN_TRIPLANAR_MATERIAL_BYTES, to
+ * `destination` (any alignment, may be mapped memory: it is written once, in order, and not read).
+ * Cheap enough for every frame: no allocation. `placement` NULL: at the origin. */
+LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* parameters,
+                                           const LichenPlacement* placement, void* destination,
+                                           LichenDiagnostic* diagnostic);
 
 #ifdef __cplusplus
 }

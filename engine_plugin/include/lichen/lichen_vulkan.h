@@ -5,10 +5,10 @@
  * queue or pipeline, and never submits or waits.
  *
  *   lichenVulkanCreateContext   once per device
- *   lichenVulkanCreateAssets    once per bundle: images, views, layouts, a filled staging buffer
+ *   lichenVulkanCreateAssets    once per bundle: images, constants, a filled staging buffer
  *   lichenVulkanRecordUpload    into a command buffer of the host's, which it submits
  *   lichenVulkanReleaseStaging  when that submission has completed
- *   lichenVulkanAllocateSet     from a pool of the host's; or lichenVulkanGetImageInfos
+ *   lichenVulkanAllocateSet     from a pool of the host's; or lichenVulkanGetDescriptors
  *   lichenVulkanDestroyAssets   when no submission uses them any more; or lichenVulkanRetireAssets
  *
  * Assets are immutable: a changed bundle makes new ones, and the old retire. Vulkan 1.0 is enough;
@@ -60,6 +60,7 @@ typedef struct LichenVulkanFunctions {
   PFN_vkUpdateDescriptorSets updateDescriptorSets;
   PFN_vkCmdPipelineBarrier cmdPipelineBarrier;
   PFN_vkCmdCopyBufferToImage cmdCopyBufferToImage;
+  PFN_vkCmdCopyBuffer cmdCopyBuffer;
 } LichenVulkanFunctions;
 
 /* What the plugin asks of the host's allocator: memory for one buffer, or for images of a bundle
@@ -100,8 +101,8 @@ typedef struct LichenDeviceAllocator {
 } LichenDeviceAllocator;
 
 typedef enum LichenVulkanFlags {
-  /* The uniform block is a VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC: one set serves all frames in
-   * flight, each with its own offset. */
+  /* The material's block is a VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC: one set serves all frames
+   * in flight, each with its own offset. */
   LICHEN_VULKAN_DYNAMIC_UNIFORMS = 1
 } LichenVulkanFlags;
 
@@ -119,12 +120,12 @@ typedef struct LichenVulkanInfo {
   VkInstance instance;
   /* Of host memory, for every object that the plugin creates; copied. NULL: the driver's own. */
   const VkAllocationCallbacks* allocationCallbacks;
-  /* Copied. NULL: the plugin allocates one block for a bundle's images and one for its staging
-   * buffer, of at least 1 MiB each; more of them where the images take more than 1 GiB. */
+  /* Copied. NULL: the plugin allocates one block for a bundle's images, one for its constants and
+   * one for its staging buffer; more where the images take more than 1 GiB. */
   const LichenDeviceAllocator* deviceAllocator;
   /* [0, 64] of the images' sampler. 0 and 1: trilinear. Above 1 only when the
    * samplerAnisotropy feature is enabled, at most the device's limit, and with the same value in
-   * LichenUniformInfo, which says what else follows. */
+   * LichenPlacement, which says what else follows. */
   float maxAnisotropy;
   uint32_t firstBinding;     /* LICHEN_FIRST_BINDING of the shaders; layouts begin there */
   VkShaderStageFlags stages; /* that read the noise; 0: fragment and compute */
@@ -134,8 +135,8 @@ typedef struct LichenVulkanInfo {
 typedef struct LichenVulkanContext_T* LichenVulkanContext;
 typedef struct LichenVulkanAssets_T* LichenVulkanAssets;
 
-/* Creates two samplers. Nothing that `info` points to is needed after the call, but for what its
- * members stand for: the device must outlive the context. */
+/* Creates two samplers and a set layout. Nothing that `info` points to is needed after the call,
+ * but for what its members stand for: the device must outlive the context. */
 LICHEN_API LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* info,
                                                   LichenVulkanContext* context,
                                                   LichenDiagnostic* diagnostic);
@@ -170,27 +171,36 @@ LICHEN_API void lichenVulkanRetireAssets(LichenVulkanAssets assets, uint64_t las
 /* The device has completed `frame` and all before it: destroys what was retired up to there. */
 LICHEN_API void lichenVulkanFrameCompleted(LichenVulkanContext context, uint64_t frame);
 
-/* The layout of a noise's set, owned by the assets. Noises with as many maps, of any assets of the
- * context, have identically defined layouts: a pipeline layout made with one outlives it and fits
- * the sets of all. noise < noiseCount. */
-LICHEN_API LichenResult lichenVulkanGetSetLayout(LichenVulkanAssets assets, uint32_t noise,
+/* The layout of every noise's set, whatever its maps, owned by the context: LICHEN_SET_BINDINGS
+ * from firstBinding on. A set takes from a pool 2 uniform buffers (with
+ * LICHEN_VULKAN_DYNAMIC_UNIFORMS one of them dynamic), 2 samplers and LICHEN_SET_IMAGES sampled
+ * images. */
+LICHEN_API LichenResult lichenVulkanGetSetLayout(LichenVulkanContext context,
                                                  VkDescriptorSetLayout* layout);
 
-/* A set from the host's pool, written with the noise's images and with `uniforms`: a uniform
- * buffer's range of at least LICHEN_UNIFORM_BYTES. Once for each material, not each frame. The pool
- * needs no FREE_DESCRIPTOR_SET; the set is the host's. noise < noiseCount.
+/* The samplers of all images and of all tables, for hosts with descriptors of their own. They live
+ * as long as the context. */
+LICHEN_API LichenResult lichenVulkanGetSamplers(LichenVulkanContext context, VkSampler* images,
+                                                VkSampler* tables);
+
+/* A set from the host's pool, written with the noise's constants and images, and with `material`: a
+ * uniform buffer's range of at least LICHEN_MATERIAL_BYTES, where shaders know triplanar noise
+ * LICHEN_TRIPLANAR_MATERIAL_BYTES. Once for each material, not each frame. The pool needs no
+ * FREE_DESCRIPTOR_SET; the set is the host's. noise < noiseCount.
  * LICHEN_ERROR_OUT_OF_POOL_MEMORY where the pool is too small; on Vulkan 1.0 without
  * VK_KHR_maintenance1 drivers need not notice. */
 LICHEN_API LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, uint32_t noise,
                                                 VkDescriptorPool pool,
-                                                const VkDescriptorBufferInfo* uniforms,
+                                                const VkDescriptorBufferInfo* material,
                                                 VkDescriptorSet* set, LichenDiagnostic* diagnostic);
 
-/* For hosts that write descriptors themselves: the noise's combinedImageSamplerCount combined image
- * samplers, each map's image and then its table, written to imageInfos[0 ... that count).
- * They live as long as the assets. noise < noiseCount. */
-LICHEN_API LichenResult lichenVulkanGetImageInfos(LichenVulkanAssets assets, uint32_t noise,
-                                                  VkDescriptorImageInfo* imageInfos);
+/* For hosts that write descriptors themselves: where the noise's constants are, and its
+ * LICHEN_SET_IMAGES images, those of all roles and then their tables, without samplers. They live
+ * as long as the assets. The buffer may also be read as a storage buffer, in which all noises of
+ * the bundle follow each other. noise < noiseCount. */
+LICHEN_API LichenResult lichenVulkanGetDescriptors(LichenVulkanAssets assets, uint32_t noise,
+                                                   VkDescriptorBufferInfo* constants,
+                                                   VkDescriptorImageInfo* images);
 
 #ifdef __cplusplus
 }

@@ -16,13 +16,16 @@ const float kCellContrast = 0.5;
 const float kMostImpacts = 60.0; // per pixel; twice the usual mean
 const float kImpactsInSpace = 2.0; // times as many with surface and triplanar mapping
 
+#ifdef WITHOUT_NOISE
+vec3 noiseDebug(Footprint footprint) { return kNothingToShow; }
+#else
 /// Blue, cyan, green, yellow, red for 0, 1/4, 1/2, 3/4, 1, linear between.
 vec3 ramp(float x) {
   return clamp(vec3(4.0 * x - 2.0, min(4.0 * x, 4.0 - 4.0 * x), 2.0 - 4.0 * x), 0.0, 1.0);
 }
 
 /// The map whose values the views show.
-LichenMap shownMap() { return noiseData.maps[material.noiseMaps[NOISE_BASE_COLOR]]; }
+LichenMap shownMap() { return lichenMaps[LICHEN_BASE_COLOR]; }
 
 /// Shows a Gaussian value with this map's number of dimensions.
 vec3 shownGaussian(vec3 gaussian) {
@@ -41,17 +44,17 @@ vec3 tilingPlaceDebug(LichenTilingTaps taps) {
     float inside = smoothstep(0.0, kLineWeight, least);
     return mix(kLineColor, kCellDarkest + kCellContrast * taps.point.weights, inside);
   }
-  if (kDebugView != DEBUG_MIP_LEVEL || !noiseHas(NOISE_BASE_COLOR))
+  if (kDebugView != DEBUG_MIP_LEVEL || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return kNothingToShow;
   LichenMap map = shownMap();
   return ramp(lichenTilingLevel(taps.point, map) / max(float(map.mipCount) - 1.0, 1.0));
 }
 
 vec3 tilingDebug(LichenTilingTaps taps) {
-  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
+  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return tilingPlaceDebug(taps);
   return shownGaussian(
-      lichenTilingGaussian(baseColorImage, taps, noiseData.noise, shownMap()).rgb);
+      lichenTilingGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), taps, shownMap()).rgb);
 }
 
 #ifndef LICHEN_OMIT_TEXTONS
@@ -59,35 +62,36 @@ vec3 tilingDebug(LichenTilingTaps taps) {
 vec3 textonPlaceDebug(LichenImpacts impacts) {
   if (kDebugView != DEBUG_MIP_LEVEL)
     return kNothingToShow;
-  return ramp(impacts.level / max(float(noiseData.texton.mipCount) - 1.0, 1.0));
+  return ramp(impacts.level / max(float(lichenNoise.texton.mipCount) - 1.0, 1.0));
 }
 
 vec3 textonDebug(LichenImpacts impacts) {
   if (kDebugView == DEBUG_IMPACTS)
-    return ramp(float(lichenImpactCount(impacts, noiseData.noise, noiseData.texton)) /
-                kMostImpacts);
-  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
+    return ramp(float(lichenImpactCount(impacts, lichenMaterial, lichenNoise)) / kMostImpacts);
+  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return textonPlaceDebug(impacts);
-  LichenMap map = shownMap();
-  LichenMap here = lichenMixedMap(baseColorTable, impacts, map, noiseData.texton);
-  LichenKept kept = lichenTextonKept(baseColorTable, impacts, map, noiseData.texton);
-  return shownGaussian(lichenTextonGaussian(baseColorImage, impacts, kept, noiseData.noise, here,
-                                            noiseData.texton));
+  vec3 lost;
+  return shownGaussian(lichenTextonValue(LICHEN_IMAGE(LICHEN_BASE_COLOR),
+                                         LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenMaterial,
+                                         lichenNoise, shownMap(), lost));
 }
 #endif
 
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
 vec3 surfaceDebug(LichenPlace place) {
+  LichenImpacts impacts = place.point.impacts;
   if (kDebugView == DEBUG_IMPACTS)
-    return ramp(float(lichenSurfaceImpactCount(place.surface, noiseData.noise, noiseData.texton)) /
+    return ramp(float(lichenSurfaceImpactCount(place.surface, lichenMaterial, lichenNoise)) /
                 (kImpactsInSpace * kMostImpacts));
-  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
-    return textonPlaceDebug(place.impacts);
+  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
+    return textonPlaceDebug(impacts);
   LichenMap map = shownMap();
-  LichenMap here = lichenMixedMap(baseColorTable, place.impacts, map, noiseData.texton);
-  LichenKept kept = lichenTextonKept(baseColorTable, place.impacts, map, noiseData.texton);
-  return shownGaussian(lichenSurfaceTextonGaussian(baseColorImage, place.impacts, place.surface,
-                                                   kept, noiseData.noise, here, noiseData.texton));
+  LichenMap here =
+      lichenMixedMap(LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenNoise, map);
+  LichenKept kept = lichenTextonKept(LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenNoise, map);
+  return shownGaussian(lichenSurfaceTextonGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), impacts,
+                                                   place.surface, kept, lichenMaterial, lichenNoise,
+                                                   here));
 }
 #endif
 
@@ -101,55 +105,50 @@ vec3 planesDebug(LichenTriplanar triplanar) {
     LichenPlanePlace plane = lichenPlanePlace(triplanar, rank);
     float share = plane.weight * plane.weight;
 #ifndef LICHEN_OMIT_TEXTONS
-    if (lichenIsTexton(noiseData.noise)) {
-      shown += share * textonPlaceDebug(plane.impacts);
+    if (lichenIsTexton(lichenNoise)) {
+      shown += share * textonPlaceDebug(plane.point.impacts);
       if (kDebugView == DEBUG_IMPACTS)
-        impacts += float(lichenImpactCount(plane.impacts,
-                                           lichenNoiseOfPlane(plane.axis, noiseData.noise),
-                                           noiseData.texton));
+        impacts += float(lichenImpactCount(plane.point.impacts, lichenMaterial, lichenNoise));
     } else
 #endif
-      shown += share * tilingPlaceDebug(plane.taps);
+      shown += share * tilingPlaceDebug(plane.point.taps);
     ++rank;
   }
-  bool counts = kDebugView == DEBUG_IMPACTS && noiseData.noise.method == uint(LICHEN_METHOD_TEXTON);
+  bool counts = kDebugView == DEBUG_IMPACTS && lichenNoise.method == uint(LICHEN_METHOD_TEXTON);
   return counts ? ramp(impacts / (kImpactsInSpace * kMostImpacts)) : shown;
 }
 
 vec3 triplanarDebug(LichenTriplanar triplanar, float mixWeight) {
   if (kDebugView == DEBUG_PLANES) {
-    vec3 weights = lichenPlaneWeights(triplanar.normal, noiseData.noise);
+    vec3 weights = lichenPlaneWeights(triplanar.normal, lichenMaterial);
     return weights * weights;
   }
-  if (kDebugView != DEBUG_GAUSSIAN || !noiseHas(NOISE_BASE_COLOR))
+  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return planesDebug(triplanar);
-  LichenMap map = shownMap();
   lichenSetTriplanarMix(triplanar, mixWeight);
-  LichenMap here =
-      lichenTriplanarMap(baseColorTable, triplanar, noiseData.noise, map, noiseData.texton);
-  return shownGaussian(lichenTriplanarBlend(baseColorImage, baseColorTable, triplanar,
-                                            noiseData.noise, map, here, noiseData.texton)
+  return shownGaussian(lichenTriplanarBlend(LICHEN_IMAGE(LICHEN_BASE_COLOR),
+                                            LICHEN_TABLE(LICHEN_BASE_COLOR), triplanar,
+                                            lichenMaterial, lichenNoise, shownMap())
                            .gaussian);
 }
 #endif
 
 vec3 noiseDebug(Footprint footprint) {
-  if (!kHasNoise)
-    return kNothingToShow;
   LichenPlace place = noisePlace(footprint);
 #ifndef LICHEN_OMIT_TRIPLANAR
-  if (lichenIsTriplanar(noiseData.noise))
-    return triplanarDebug(place.triplanar, place.impacts.mixWeight);
+  if (lichenIsTriplanar(lichenMaterial))
+    return triplanarDebug(place.triplanar, place.point.impacts.mixWeight);
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton))
+  if (lichenIsTexton(lichenNoise) && lichenIsSurface(lichenMaterial))
     return surfaceDebug(place);
 #endif
 #ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noiseData.noise))
-    return textonDebug(place.impacts);
+  if (lichenIsTexton(lichenNoise))
+    return textonDebug(place.point.impacts);
 #endif
-  return tilingDebug(place.taps);
+  return tilingDebug(place.point.taps);
 }
+#endif
 
 #endif

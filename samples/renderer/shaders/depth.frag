@@ -27,7 +27,7 @@ void main() {
     footprint.object = Spot(objectPosition, dFdx(objectPosition), dFdy(objectPosition),
                             objectNormal, objectTangent);
   LichenPlace place;
-  if (noiseHas(NOISE_OPACITY)) // only opacity needs it here
+  if (NOISE_HAS(LICHEN_OPACITY)) // only opacity needs it here
     place = noisePlace(footprint);
   float cutoff = material.flags.y == ALPHA_BLEND ? kBlendedCutoff : material.emissive.w;
   if (material.baseColor.a * vertexAlpha * alphaAt(footprint, place) < cutoff)

@@ -30,16 +30,7 @@
 #define TEXTURE_MIX 5
 #define MATERIAL_TEXTURES 6
 
-#define SET_NOISE 2
-#define BINDING_NOISE 0
-// The image of role k has binding BINDING_NOISE_ROLES + 2 k; its inverse table follows.
-#define BINDING_NOISE_ROLES 1
-#define NOISE_BASE_COLOR 0
-#define NOISE_NORMAL 1
-#define NOISE_ORM 2
-#define NOISE_EMISSIVE 3
-#define NOISE_OPACITY 4
-#define NOISE_ROLES 5
+#define SET_NOISE 2 // the plugin's
 
 // Source of the weight of a mix: the noise's uniform block, a mask or the vertices.
 #define MIX_FROM_BLOCK 0
@@ -103,10 +94,7 @@ struct MaterialData {
   vec4 emissive;       // w is the alpha cutoff, 0 without one
   vec4 factors;        // metallic, roughness, normal scale, occlusion strength
   ivec4 texCoords;     // of textures 0 to 3
-  ivec4 flags;         // x texCoord of texture 4, y ALPHA_*,
-                       // z map of the noise's opacity, -1 for none,
-                       // w texCoord of the noise
-  ivec4 noiseMaps;     // map index of each other role, -1 for none
+  ivec4 flags;         // x texCoord of texture 4, y ALPHA_*, z unused, w texCoord of the noise
   ivec4 ormComponents; // of the noise's value: occlusion, roughness, metallic;
                        // -1 for none
   ivec4 mixSource;     // x MIX_*, y texCoord of the mask, z its channel;

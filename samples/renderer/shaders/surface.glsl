@@ -21,8 +21,21 @@ layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates 
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_TILE_ROTATION kTileRotation
 #define LICHEN_GAUSSIAN_ONLY kGaussianOnly
-#include "lichen.glsl"
 #include "scene_interface.h"
+// WITHOUT_NOISE: the material has none, and nothing is bound to the set.
+#ifdef WITHOUT_NOISE
+const bool kHasNoise = false;
+#define NOISE_HAS(role) false
+#define NOISE_VALUE(role, place) vec4(0.0)
+#include "lichen.glsl"
+#else
+const bool kHasNoise = true;
+#define NOISE_HAS(role) LICHEN_HAS(role)
+#define NOISE_VALUE(role, place) LICHEN_VALUE(role, place)
+#define LICHEN_SET SET_NOISE
+#define LICHEN_ROLES 47 // all but height: this renderer does not displace surfaces
+#include "lichen.glsl"
+#endif
 
 layout(std140, set = SET_MATERIAL, binding = BINDING_MATERIAL) uniform MaterialBlock {
   MaterialData material;
@@ -40,24 +53,7 @@ layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_EMISSIVE)
 layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_MIX)
     uniform sampler2D mixTexture;
 
-layout(std140, set = SET_NOISE, binding = BINDING_NOISE) uniform NoiseBlock {
-  LichenNoise noise;
-  LichenMap maps[LICHEN_MAX_MAPS];
-  LichenTexton texton;
-} noiseData;
-#define NOISE_SAMPLERS(role, name)                                                                 \
-  layout(set = SET_NOISE, binding = BINDING_NOISE_ROLES + 2 * role)                                \
-      uniform sampler2D name##Image;                                                               \
-  layout(set = SET_NOISE, binding = BINDING_NOISE_ROLES + 2 * role + 1)                            \
-      uniform sampler3D name##Table
-NOISE_SAMPLERS(NOISE_BASE_COLOR, baseColor);
-NOISE_SAMPLERS(NOISE_NORMAL, normal);
-NOISE_SAMPLERS(NOISE_ORM, orm);
-NOISE_SAMPLERS(NOISE_EMISSIVE, emissive);
-NOISE_SAMPLERS(NOISE_OPACITY, opacity);
-
-// Whether this pipeline's materials have a noise, and whether they have a normal texture.
-layout(constant_id = 0) const bool kHasNoise = false;
+// Whether this pipeline's materials have a normal texture.
 layout(constant_id = 1) const bool kHasNormalMap = false;
 
 struct Surface {
@@ -110,6 +106,7 @@ vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
   return textureGrad(image, place.uv, place.gradients[0], place.gradients[1]);
 }
 
+#ifndef WITHOUT_NOISE
 /// Sets the weight of a mix whose source is not the uniform block. The gradients of the tile
 /// coordinate are 0 if there is none: with surface mapping, all impacts use the weight at the
 /// point.
@@ -121,25 +118,30 @@ void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
   TexturePlace mask = texturePlace(TEXTURE_MIX, material.mixSource.y, f);
   vec4 channel = vec4(equal(ivec4(0, 1, 2, 3), ivec4(material.mixSource.z)));
   lichenMixByMask(impacts, mixTexture, channel, mask.uv, mask.gradients, tileGradients,
-                  noiseData.texton);
+                  lichenNoise);
 }
 
 /// Sets the weight of a mix for triplanar and surface mapping, which may still be mixed by texture
 /// coordinates.
 void setMixInSpace(inout LichenImpacts impacts, Footprint f, vec2 uv) {
 #ifndef LICHEN_OMIT_TEXTONS
-  if (!lichenIsTexton(noiseData.noise) || !lichenIsMix(noiseData.texton))
+  if (!lichenIsTexton(lichenNoise) || !lichenIsMix(lichenNoise))
     return;
   // For the sources direction and constant.
-  lichenSetMix(impacts, lichenMixWeight(uv, noiseData.texton), vec2(0.0));
+  lichenSetMix(impacts, lichenMixWeight(uv, lichenMaterial), vec2(0.0));
   setMix(impacts, f, mat2(0.0));
 #endif
 }
+#endif
 
 bool isInObject() { return kObjectSpaces && material.mixSource.w != 0; }
 
 /// Where to evaluate the noise; shared by all its maps.
 LichenPlace noisePlace(Footprint f) {
+#ifdef WITHOUT_NOISE
+  LichenPlace nowhere;
+  return nowhere;
+#else
   bool second = material.flags.w != 0;
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
 #if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE_TEXTONS)
@@ -149,68 +151,57 @@ LichenPlace noisePlace(Footprint f) {
   spot.position += material.fromTileOrigin.xyz; // 0 in object space
 #endif
 #ifndef LICHEN_OMIT_TRIPLANAR
-  if (lichenIsTriplanar(noiseData.noise)) {
-    LichenPlace place = lichenPlaceTriplanarGrad(spot.position, spot.dx, spot.dy, spot.normal,
-                                                 noiseData.noise, noiseData.texton);
-    setMixInSpace(place.impacts, f, uv);
+  if (lichenIsTriplanar(lichenMaterial)) {
+    LichenPlace place = LICHEN_PLACE_TRIPLANAR(spot.position, spot.dx, spot.dy, spot.normal);
+    setMixInSpace(place.point.impacts, f, uv);
     return place;
   }
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenIsTexton(noiseData.noise) && lichenIsSurface(noiseData.texton)) {
+  if (lichenIsTexton(lichenNoise) && lichenIsSurface(lichenMaterial)) {
     LichenPlace place =
-        lichenPlaceSurfaceGrad(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent,
-                               noiseData.noise, noiseData.texton);
-    setMixInSpace(place.impacts, f, uv);
+        LICHEN_PLACE_SURFACE(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent);
+    setMixInSpace(place.point.impacts, f, uv);
     return place;
   }
 #endif
   vec2 dx = second ? f.dx.zw : f.dx.xy;
   vec2 dy = second ? f.dy.zw : f.dy.xy;
-  LichenPlace place = lichenPlaceUvGrad(uv, dx, dy, noiseData.noise, noiseData.texton);
+  LichenPlace place = LICHEN_PLACE(uv, dx, dy);
 #ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsMix(noiseData.texton))
-    setMix(place.impacts, f,
-           mat2(lichenUvToTile(dx, noiseData.noise), lichenUvToTile(dy, noiseData.noise)));
+  if (lichenIsTexton(lichenNoise) && lichenIsMix(lichenNoise))
+    setMix(place.point.impacts, f,
+           mat2(lichenUvToTile(dx, lichenMaterial), lichenUvToTile(dy, lichenMaterial)));
 #endif
   return place;
+#endif
 }
-
-int noiseMap(int role) {
-  return role == NOISE_OPACITY ? material.flags.z : material.noiseMaps[role];
-}
-
-#define NOISE_VALUE(role, name, place)                                                             \
-  lichenValue(name##Image, name##Table, place, noiseData.noise, noiseData.maps[noiseMap(role)],    \
-              noiseData.texton)
-
-bool noiseHas(int role) { return kHasNoise && noiseMap(role) >= 0; }
 
 /// The noise's opacity or the texture's alpha, without the factor.
 float alphaAt(Footprint f, LichenPlace place) {
-  if (noiseHas(NOISE_OPACITY))
-    return NOISE_VALUE(NOISE_OPACITY, opacity, place).r;
+  if (NOISE_HAS(LICHEN_OPACITY))
+    return NOISE_VALUE(LICHEN_OPACITY, place).r;
   return materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f).a;
 }
 
 /// Base colour and alpha without the factor.
 vec4 baseColorAt(Footprint f, LichenPlace place) {
-  bool fromNoise = noiseHas(NOISE_BASE_COLOR);
+  bool fromNoise = NOISE_HAS(LICHEN_BASE_COLOR);
   bool alphaIsUsed = material.flags.y != ALPHA_OPAQUE;
-  bool opacityFromNoise = alphaIsUsed && noiseHas(NOISE_OPACITY);
+  bool opacityFromNoise = alphaIsUsed && NOISE_HAS(LICHEN_OPACITY);
   vec4 color = vec4(1.0);
   if (!fromNoise || (alphaIsUsed && !opacityFromNoise))
     color = materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f);
   if (fromNoise)
-    color.rgb = NOISE_VALUE(NOISE_BASE_COLOR, baseColor, place).rgb;
+    color.rgb = NOISE_VALUE(LICHEN_BASE_COLOR, place).rgb;
   if (opacityFromNoise)
     color.a = alphaAt(f, place);
   return color;
 }
 
 vec3 emissiveAt(Footprint f, LichenPlace place) {
-  if (noiseHas(NOISE_EMISSIVE))
-    return NOISE_VALUE(NOISE_EMISSIVE, emissive, place).rgb;
+  if (NOISE_HAS(LICHEN_EMISSIVE))
+    return NOISE_VALUE(LICHEN_EMISSIVE, place).rgb;
   return materialTexture(emissiveTexture, TEXTURE_EMISSIVE, material.flags.x, f).rgb;
 }
 
@@ -221,8 +212,8 @@ vec3 ormAt(Footprint f, LichenPlace place) {
   orm.yz = materialTexture(metallicRoughnessTexture, TEXTURE_METALLIC_ROUGHNESS,
                            material.texCoords.y, f)
                .gb;
-  if (noiseHas(NOISE_ORM)) {
-    vec3 value = NOISE_VALUE(NOISE_ORM, orm, place).rgb;
+  if (NOISE_HAS(LICHEN_OCCLUSION_ROUGHNESS_METALLIC)) {
+    vec3 value = NOISE_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, place).rgb;
     for (int k = 0; k < 3; ++k)
       if (material.ormComponents[k] >= 0)
         orm[k] = value[material.ormComponents[k]];
@@ -253,12 +244,20 @@ vec3 gradientInWorld(vec3 gradient, Footprint f) {
   return height * inWorld / max(1.0 - outward, kLeastRest);
 }
 
+bool hasTriplanarSlopes() {
+#ifdef WITHOUT_NOISE
+  return false;
+#else
+  return lichenIsTriplanar(lichenMaterial) && LICHEN_HAS(LICHEN_NORMAL);
+#endif
+}
+
 /// xyz: gradient of triplanar slopes; w: slope variance lost to filtering.
 vec4 gradientAt(Footprint f, LichenPlace place) {
-  if (!kHasNoise || !lichenIsTriplanar(noiseData.noise) || !noiseHas(NOISE_NORMAL))
+  if (!hasTriplanarSlopes())
     return vec4(0.0);
   float scale = material.factors.z;
-  vec4 value = NOISE_VALUE(NOISE_NORMAL, normal, place);
+  vec4 value = NOISE_VALUE(LICHEN_NORMAL, place);
   if (isInObject())
     value.xyz = gradientInWorld(value.xyz, f);
   return vec4(scale * value.xyz, scale * scale * value.w);
@@ -266,14 +265,16 @@ vec4 gradientAt(Footprint f, LichenPlace place) {
 
 /// xyz: normal in tangent space; w: slope variance lost to filtering. Not for triplanar slopes.
 vec4 tangentNormalAt(Footprint f, LichenPlace place) {
-  if (lichenIsTriplanar(noiseData.noise) && noiseHas(NOISE_NORMAL))
+  if (hasTriplanarSlopes())
     return vec4(0.0, 0.0, 1.0, 0.0);
-  if (noiseHas(NOISE_NORMAL)) {
+#ifndef WITHOUT_NOISE
+  if (LICHEN_HAS(LICHEN_NORMAL)) {
     float scale = material.factors.z;
-    vec3 value = NOISE_VALUE(NOISE_NORMAL, normal, place).xyz;
-    vec2 slopes = lichenSlopesToUv(scale * value.xy, noiseData.noise);
+    vec3 value = LICHEN_VALUE(LICHEN_NORMAL, place).xyz;
+    vec2 slopes = lichenSlopesToUv(scale * value.xy, lichenMaterial);
     return vec4(lichenNormalFromSlopes(slopes), scale * scale * value.z);
   }
+#endif
   if (!kHasNormalMap)
     return vec4(0.0, 0.0, 1.0, 0.0);
   vec3 n = materialTexture(normalTexture, TEXTURE_NORMAL, material.texCoords.z, f).xyz;

@@ -13,7 +13,7 @@
 #define LICHEN_NEAREST_TEXTONS 0
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
-#define LICHEN_MAP_COUNT 1
+#define LICHEN_ROLES 1
 #include "lichen.glsl"
 
 layout(location = 0) in vec2 uv;
@@ -24,8 +24,8 @@ void main() {
   const vec3 kNormal = normalize(vec3(1.0, 2.0, 3.0));
   const vec3 kTangent = normalize(vec3(3.0, 0.0, -1.0));
   vec3 position =
-      lichenUniforms.noise.tileSizeMetres * (uv.x * kTangent + uv.y * cross(kNormal, kTangent));
+      lichenNoise.tileSizeMetres * (uv.x * kTangent + uv.y * cross(kNormal, kTangent));
   LichenPlace place = LICHEN_PLACE_SURFACE(position, dFdx(position), dFdy(position), kNormal,
                                            vec4(kTangent, -1.0));
-  colour = LICHEN_NOISE(0, place);
+  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
 }

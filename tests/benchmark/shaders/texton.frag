@@ -16,7 +16,7 @@
 #define LICHEN_NEAREST_TEXTONS 0
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
-#define LICHEN_MAP_COUNT 1
+#define LICHEN_ROLES 1
 #include "lichen.glsl"
 
 layout(location = 0) in vec2 uv;
@@ -24,5 +24,5 @@ layout(location = 0) out vec4 colour;
 
 void main() {
   LichenPlace place = LICHEN_PLACE(uv, dFdx(uv), dFdy(uv));
-  colour = LICHEN_NOISE(0, place);
+  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
 }

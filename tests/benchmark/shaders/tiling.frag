@@ -16,7 +16,13 @@
 #endif
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
-#define LICHEN_MAP_COUNT 1
+#ifdef BENCH_SLOPES // in place of colours
+#define BENCH_ROLE LICHEN_NORMAL
+#define LICHEN_ROLES 2
+#else
+#define BENCH_ROLE LICHEN_BASE_COLOR
+#define LICHEN_ROLES 1
+#endif
 #include "lichen.glsl"
 
 layout(location = 0) in vec2 uv;
@@ -24,5 +30,5 @@ layout(location = 0) out vec4 colour;
 
 void main() {
   LichenPlace place = LICHEN_PLACE(uv, dFdx(uv), dFdy(uv));
-  colour = LICHEN_NOISE(0, place);
+  colour = LICHEN_VALUE(BENCH_ROLE, place);
 }

@@ -11,7 +11,7 @@
 #define LICHEN_BLEND_SHARPNESS 0
 #define LICHEN_TILE_ROTATION 0
 #define LICHEN_SET 0
-#define LICHEN_MAP_COUNT 1
+#define LICHEN_ROLES 1
 #include "lichen.glsl"
 
 layout(location = 0) in vec2 uv;
@@ -28,9 +28,9 @@ void main() {
   float around = sqrt(max(0.0, 1.0 - height * height));
   vec3 east = vec3(-sin(longitude), 0.0, cos(longitude));
   vec3 normal = vec3(around * cos(longitude), height, around * sin(longitude));
-  float metres = lichenUniforms.noise.tileSizeMetres;
+  float metres = lichenNoise.tileSizeMetres;
   LichenPlace place =
       LICHEN_PLACE_TRIPLANAR(metres * radius * normal, metres * kTexel * east,
                              metres * kTexel * cross(normal, east), normal);
-  colour = LICHEN_NOISE(0, place);
+  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
 }

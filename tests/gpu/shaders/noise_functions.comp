@@ -23,21 +23,21 @@ void main() {
   uvec4 first = uvec4(0u), second = uvec4(0u), third = uvec4(0u);
   if (kFunction == kHash) {
     first.xyz = lichenPcg3d(question.xyz);
+    LichenMaterial material;
+    material.seedWord = question.z;
     LichenNoise noise;
-    noise.seedWord = question.z;
     noise.offsetStepX = 1.0;
     noise.offsetStepY = 1.0;
-    noise.tileRotation = 7u;
     ivec2 vertex = ivec2(question.xy);
-    second.xy = uvec2(ivec2(lichenTileOffset(vertex, noise)));
+    second.xy = uvec2(ivec2(lichenTileOffset(vertex, material, noise)));
     second.z = lichenVertexHash(vertex.x, vertex.y, question.z);
-    third.zw = floatBitsToUint(lichenTileTurn(vertex, noise));
+    third.zw = floatBitsToUint(lichenTileTurn(vertex, 7u, question.z));
     third.xy = uvec2(lichenLatticeSeed(question.w, question.z & 3u), lichenPcg(question.x));
   } else if (kFunction == kTriangle) {
-    LichenNoise noise;
-    noise.cellI = int(question.z);
-    noise.cellJ = int(question.w);
-    LichenTriangle triangle = lichenTriangle(lichenSkewed(uintBitsToFloat(question.xy)), noise);
+    LichenMaterial material;
+    material.cellI = int(question.z);
+    material.cellJ = int(question.w);
+    LichenTriangle triangle = lichenTriangle(lichenSkewed(uintBitsToFloat(question.xy)), material);
     first.xyz = uvec3(ivec3(triangle.vertex0.x, triangle.vertex1.x, triangle.vertex2.x));
     second.xyz = uvec3(ivec3(triangle.vertex0.y, triangle.vertex1.y, triangle.vertex2.y));
     third.xyz = floatBitsToUint(triangle.weights);

@@ -4,7 +4,6 @@
 // Three maps of one noise at a list of points: points[k] -> values[3 k ... 3 k + 2].
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
-#define LICHEN_MAP_COUNT 3
 #include "lichen.glsl"
 
 struct Point {
@@ -23,7 +22,7 @@ void main() {
   Point point = points[index];
   LichenPlace place =
       LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
-  values[3u * index] = LICHEN_NOISE(0, place);
-  values[3u * index + 1u] = LICHEN_NOISE(1, place);
-  values[3u * index + 2u] = LICHEN_NOISE(2, place);
+  values[3u * index] = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
+  values[3u * index + 1u] = LICHEN_VALUE(LICHEN_NORMAL, place);
+  values[3u * index + 2u] = LICHEN_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, place);
 }

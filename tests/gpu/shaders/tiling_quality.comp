@@ -1,17 +1,17 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// The first map of a tiling noise at a list of points, as passes/tiling_evaluate.comp, with the
+// The base color of a tiling noise at a list of points, as passes/tiling_evaluate.comp, with the
 // quality as a host's specialization constants.
 
 layout(constant_id = 0) const int kTaps = 3;
-layout(constant_id = 1) const float kOneTapTiles = 0.0;
+layout(constant_id = 2) const float kOneTapTiles = 0.0;
 #define LICHEN_TILING_TAPS kTaps
 #define LICHEN_ONE_TAP_TILES kOneTapTiles
 #define LICHEN_OMIT_TEXTONS
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
-#define LICHEN_MAP_COUNT 1
+#define LICHEN_ROLES 1
 #include "lichen.glsl"
 
 struct Point {
@@ -30,5 +30,5 @@ void main() {
   Point point = points[index];
   LichenPlace place =
       LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
-  values[index] = LICHEN_NOISE(0, place);
+  values[index] = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
 }

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// A material's parameters and its placement -> LichenMaterial, the block that may change each
+// frame. Needs no bundle.
+#include "abi.h"
+#include "plan.h"
+
+#include <lichen/shader_parameters.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace lichen;
+using namespace lichen::plugin;
+
+namespace {
+
+/// What the parameters of a material hold of its noise: its constants, and which kinds of decoding
+/// its maps have.
+struct OfNoise {
+  shader::LichenNoise constants;
+  std::uint32_t tableKinds; // bit k: a map with the LichenTableKind k
+  std::uint32_t reserved;
+};
+static_assert(sizeof(OfNoise) == sizeof(LichenMaterialParameters::ofNoise));
+
+LichenResult checkRange(const char* name, double value, NumberRange range,
+                        LichenDiagnostic* diagnostic) {
+  // This form also rejects NaN.
+  if (value >= range.least && value <= range.most)
+    return LICHEN_SUCCESS;
+  writeDiagnostic(diagnostic, "%s %.9g is out of range; expected %.9g to %.9g", name, value,
+                  range.least, range.most);
+  return LICHEN_ERROR_USAGE;
+}
+
+LichenResult readPointProcess(LichenPointProcess value, PointProcess& process,
+                              LichenDiagnostic* diagnostic) {
+  if (value != LICHEN_POINT_PROCESS_STRATIFIED && value != LICHEN_POINT_PROCESS_POISSON) {
+    writeDiagnostic(diagnostic,
+                    "pointProcess %d is invalid; expected 0 (stratified) or 1 (Poisson)",
+                    int(value));
+    return LICHEN_ERROR_USAGE;
+  }
+  process =
+      value == LICHEN_POINT_PROCESS_POISSON ? PointProcess::poisson : PointProcess::stratified;
+  return LICHEN_SUCCESS;
+}
+
+LichenResult readMapping(LichenMapping value, Method method, Mapping& mapping,
+                         LichenDiagnostic* diagnostic) {
+  for (const auto& [code, candidate] : {std::pair{LICHEN_MAPPING_UV, Mapping::uv},
+                                        {LICHEN_MAPPING_TRIPLANAR, Mapping::triplanar},
+                                        {LICHEN_MAPPING_SURFACE, Mapping::surface}})
+    if (value == code && mappingFits(method, candidate)) {
+      mapping = candidate;
+      return LICHEN_SUCCESS;
+    }
+  writeDiagnostic(
+      diagnostic,
+      "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar) or, for "
+      "texton noise, 2 (surface)",
+      int(value), nameOf(method).data());
+  return LICHEN_ERROR_USAGE;
+}
+
+LichenResult readMixSource(LichenMixSource value, MixSource& source, LichenDiagnostic* diagnostic) {
+  for (const auto& [code, candidate] : {std::pair{LICHEN_MIX_CONSTANT, MixSource::constant},
+                                        {LICHEN_MIX_DIRECTION, MixSource::direction},
+                                        {LICHEN_MIX_TEXTURE, MixSource::texture},
+                                        {LICHEN_MIX_VERTEX_COLOR, MixSource::vertexColor}})
+    if (value == code) {
+      source = candidate;
+      return LICHEN_SUCCESS;
+    }
+  writeDiagnostic(diagnostic, "mixSource %d is invalid; expected 0 to 3", int(value));
+  return LICHEN_ERROR_USAGE;
+}
+
+/// The noise's part, which the host must have left as it was.
+LichenResult readOfNoise(const LichenMaterialParameters& source, OfNoise& part,
+                         LichenDiagnostic* diagnostic) {
+  std::memcpy(&part, source.ofNoise, sizeof part);
+  const shader::LichenNoise& noise = part.constants;
+  const bool isKnown = noise.method < allMethods().size() && noise.tileTexelsX >= 1.0f &&
+                       noise.tileTexelsY >= 1.0f && noise.tileAspect > 0.0f;
+  if (isKnown)
+    return LICHEN_SUCCESS;
+  writeDiagnostic(diagnostic,
+                  "ofNoise is not what the library has written; get the parameters from "
+                  "lichenGetMaterialParameters or lichenGetDefaultParameters");
+  return LICHEN_ERROR_USAGE;
+}
+
+LichenResult readParameters(const LichenMaterialParameters& source, Method method,
+                            MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
+  parameters.noise = source.noise;
+  parameters.seed = source.seed;
+  parameters.tileRotation = source.tileRotation;
+  parameters.scale = source.scale;
+  parameters.offset = {source.offset[0], source.offset[1]};
+  parameters.rotation = source.rotation;
+  parameters.blendSharpness = source.blendSharpness;
+  parameters.contrast = source.contrast;
+  parameters.planeSharpness = source.planeSharpness;
+  parameters.impacts = source.impacts;
+  parameters.mix.weight = source.mixWeight;
+  parameters.mix.start = {source.mixStart[0], source.mixStart[1]};
+  parameters.mix.end = {source.mixEnd[0], source.mixEnd[1]};
+  LichenResult result = readPointProcess(source.pointProcess, parameters.pointProcess, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = readMapping(source.mapping, method, parameters.mapping, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = readMixSource(source.mixSource, parameters.mix.source, diagnostic);
+  return result;
+}
+
+LichenResult checkPeriod(const MaterialNoise& parameters, const LichenPlacement& info,
+                         LichenDiagnostic* diagnostic) {
+  // tiles; keeps columns far below 2^24, where floats skip integers
+  constexpr NumberRange kPeriodRange{1.0, 65536.0};
+  if (info.periodTiles[0] == 0.0 && info.periodTiles[1] == 0.0)
+    return LICHEN_SUCCESS;
+  if (parameters.mapping != Mapping::uv) {
+    writeDiagnostic(
+        diagnostic,
+        "periodTiles %.9g is not supported for %s mapping, which cannot repeat; set it to 0",
+        info.periodTiles[info.periodTiles[0] == 0.0 ? 1 : 0], nameOf(parameters.mapping).data());
+    return LICHEN_ERROR_USAGE;
+  }
+  for (int axis = 0; axis < 2; ++axis) {
+    const double period = info.periodTiles[axis];
+    if (const LichenResult result = checkRange("periodTiles", period, kPeriodRange, diagnostic);
+        result != LICHEN_SUCCESS)
+      return result;
+    if (info.tileOrigin[axis] != 0 && period != std::floor(period)) {
+      writeDiagnostic(diagnostic,
+                      "periodTiles %.9g must be a whole number when tileOrigin is not 0", period);
+      return LICHEN_ERROR_USAGE;
+    }
+  }
+  return LICHEN_SUCCESS;
+}
+
+LichenResult checkParameters(const MaterialNoise& parameters, const LichenPlacement& info,
+                             LichenDiagnostic* diagnostic) {
+  constexpr double kFarthest =
+      1099511627776; // 2^40 tiles, exact in the doubles of triplanar origins
+  const struct {
+    const char* name;
+    double value;
+    NumberRange range;
+  } checks[] = {
+      {"scale", parameters.scale, kScaleRange},
+      {"offset", parameters.offset[0], kOffsetRange},
+      {"offset", parameters.offset[1], kOffsetRange},
+      {"rotation", parameters.rotation, kRotationRange},
+      {"blendSharpness", parameters.blendSharpness, kBlendSharpnessRange},
+      {"planeSharpness", parameters.planeSharpness, kPlaneSharpnessRange},
+      {"contrast", parameters.contrast, kContrastRange},
+      {"impacts", parameters.impacts, kImpactsRange},
+      {"mixWeight", parameters.mix.weight, {0.0, 1.0}},
+      {"mixStart", parameters.mix.start[0], kMixPlaceRange},
+      {"mixStart", parameters.mix.start[1], kMixPlaceRange},
+      {"mixEnd", parameters.mix.end[0], kMixPlaceRange},
+      {"mixEnd", parameters.mix.end[1], kMixPlaceRange},
+      {"tileRotation", double(parameters.tileRotation), {0.0, double(kMostTileRotation)}},
+      {"tileOrigin", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},
+      {"tileOrigin", double(info.tileOrigin[1]), {-kFarthest, kFarthest}},
+      {"tileOrigin", double(info.tileOrigin[2]), {-kFarthest, kFarthest}},
+      {"maxAnisotropy", double(info.maxAnisotropy), {0.0, kMostAnisotropy}},
+  };
+  for (const auto& check : checks)
+    if (const LichenResult result = checkRange(check.name, check.value, check.range, diagnostic);
+        result != LICHEN_SUCCESS)
+      return result;
+  const MixWeight& mix = parameters.mix;
+  if (mix.source == MixSource::direction &&
+      std::hypot(mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]) < kLeastMixLength) {
+    writeDiagnostic(diagnostic, "mixEnd is closer than %.9g to mixStart", kLeastMixLength);
+    return LICHEN_ERROR_USAGE;
+  }
+  return checkPeriod(parameters, info, diagnostic);
+}
+
+} // namespace
+
+LichenResult lichenFillMaterial(const LichenMaterialParameters* hostParameters,
+                                const LichenPlacement* hostPlacement, void* destination,
+                                LichenDiagnostic* diagnostic) {
+  static_assert(sizeof(shader::LichenMaterial) == LICHEN_MATERIAL_BYTES);
+  static_assert(sizeof(shader::LichenTriplanarMaterial) == LICHEN_TRIPLANAR_MATERIAL_BYTES);
+  return guarded(diagnostic, [&] {
+    if (destination == nullptr) {
+      writeDiagnostic(diagnostic, "destination must not be NULL");
+      return LICHEN_ERROR_USAGE;
+    }
+    LichenMaterialParameters values{};
+    LichenPlacement info{};
+    OfNoise noise{};
+    MaterialNoise parameters;
+    LichenResult result =
+        readStruct(hostParameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS, values, diagnostic);
+    if (result == LICHEN_SUCCESS && hostPlacement != nullptr)
+      result = readStruct(hostPlacement, LICHEN_STRUCTURE_PLACEMENT, info, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = readOfNoise(values, noise, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = readParameters(values, Method(noise.constants.method), parameters, diagnostic);
+    if (result == LICHEN_SUCCESS)
+      result = checkParameters(parameters, info, diagnostic);
+    if (result != LICHEN_SUCCESS)
+      return result;
+    Placement placement;
+    placement.tileOriginX = info.tileOrigin[0];
+    placement.tileOriginY = info.tileOrigin[1];
+    placement.tileOriginZ = info.tileOrigin[2];
+    placement.periodic = info.periodTiles[0] > 0.0;
+    placement.periodTilesX = info.periodTiles[0];
+    placement.periodTilesY = info.periodTiles[1];
+    placement.maxAnisotropy = double(info.maxAnisotropy);
+    const shader::LichenTriplanarMaterial filled =
+        shaderMaterial(noise.constants, parameters, placement);
+    std::memcpy(destination, &filled,
+                parameters.mapping == Mapping::triplanar ? sizeof filled : sizeof filled.material);
+    return LICHEN_SUCCESS;
+  });
+}
+
+namespace {
+
+LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& source,
+                             LichenMaterialParameters* parameters) {
+  OfNoise noise{};
+  noise.constants = plan.noises[source.noise].constants.noise;
+  for (const NoiseMap& map : plan.bundle.noises[source.noise].maps) {
+    const auto* tiling = std::get_if<TilingMap>(&map.data);
+    const bool hasTable = tiling != nullptr && tableKindOf(*tiling) == TableKind::joint;
+    noise.tableKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
+  }
+  LichenMaterialParameters values{};
+  values.noise = std::uint32_t(source.noise);
+  values.mapping = mappingNumber(source.mapping);
+  values.seed = source.seed;
+  values.tileRotation = source.tileRotation;
+  values.scale = source.scale;
+  std::copy(source.offset.begin(), source.offset.end(), values.offset);
+  values.rotation = source.rotation;
+  values.blendSharpness = source.blendSharpness;
+  values.contrast = source.contrast;
+  values.planeSharpness = source.planeSharpness;
+  values.impacts = source.impacts;
+  values.pointProcess = source.pointProcess == PointProcess::poisson
+                            ? LICHEN_POINT_PROCESS_POISSON
+                            : LICHEN_POINT_PROCESS_STRATIFIED;
+  values.mixSource = mixSourceNumber(source.mix.source);
+  values.mixWeight = source.mix.weight;
+  std::copy(source.mix.start.begin(), source.mix.start.end(), values.mixStart);
+  std::copy(source.mix.end.begin(), source.mix.end.end(), values.mixEnd);
+  std::memcpy(values.ofNoise, &noise, sizeof noise);
+  return writeStruct(values, LICHEN_STRUCTURE_MATERIAL_PARAMETERS, parameters);
+}
+
+} // namespace
+
+LichenResult lichenGetMaterialParameters(LichenBundle bundle, std::uint32_t material,
+                                         LichenMaterialParameters* parameters) {
+  if (bundle == nullptr || material >= bundle->bundle.materials.size() ||
+      !bundle->bundle.materials[material])
+    return LICHEN_ERROR_USAGE;
+  return writeParameters(*bundle, *bundle->bundle.materials[material], parameters);
+}
+
+LichenResult lichenGetDefaultParameters(LichenBundle bundle, std::uint32_t noise,
+                                        LichenMaterialParameters* parameters) {
+  if (bundle == nullptr || noise >= bundle->noises.size())
+    return LICHEN_ERROR_USAGE;
+  MaterialNoise material;
+  material.noise = noise;
+  return writeParameters(*bundle, material, parameters);
+}

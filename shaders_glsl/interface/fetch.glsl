@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// All fetches of the library. By default images are combined samplers; a host that keeps images and
+// samplers apart, or in arrays, defines these macros before it includes anything, all of them.
+// docs/integration.md has both.
+#ifndef LICHEN_FETCH_GLSL
+#define LICHEN_FETCH_GLSL
+
+#ifndef LICHEN_IMAGE_2D
+// Types of what functions are handed: Gaussian images and textons, and tables.
+#define LICHEN_IMAGE_2D sampler2D
+#define LICHEN_IMAGE_3D sampler3D
+// vec4 at texture coordinates and a mip level, or with derivatives of the coordinates.
+#define LICHEN_SAMPLE_2D(image, uv, level) textureLod(image, uv, level)
+#define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY) textureGrad(image, uv, uvX, uvY)
+#define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(image, uvw, level)
+// The red of four texels around texture coordinates, in textureGather's order.
+#define LICHEN_GATHER_2D(image, uv) textureGather(image, uv, 0)
+#endif
+
+#endif
