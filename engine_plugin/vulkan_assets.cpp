@@ -142,22 +142,18 @@ LichenResult createViews(LichenVulkanAssets_T& assets, LichenBundle bundle,
   return LICHEN_SUCCESS;
 }
 
-void planBarriers(LichenVulkanAssets_T& assets) {
+/// A barrier of each image, from nothing.
+std::vector<VkImageMemoryBarrier> planBarriers(const LichenVulkanAssets_T& assets) {
+  std::vector<VkImageMemoryBarrier> barriers;
   for (const LichenVulkanAssets_T::Image& image : assets.images) {
     VkImageMemoryBarrier barrier{};
     barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
-    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image.handle;
     barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.mipLevels, 0, 1};
-    assets.barriers.toWrite.push_back(barrier);
-    barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT;
-    barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    assets.barriers.toSample.push_back(barrier);
+    barriers.push_back(barrier);
   }
+  return barriers;
 }
 
 /// Assigns each mip level an offset in its batch's staging buffer.
@@ -229,7 +225,7 @@ LichenResult createUpload(LichenVulkanAssets_T& assets, LichenBundle bundle,
         result != LICHEN_SUCCESS)
       return result;
   fillStaging(assets, bundle);
-  planBarriers(assets);
+  assets.barriers = planBarriers(assets);
   assets.hasStaging = true;
   return LICHEN_SUCCESS;
 }
@@ -352,36 +348,105 @@ void lichenVulkanReleaseStaging(LichenVulkanAssets assets) {
   assets->hasStaging = false;
 }
 
-LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuffer) {
+namespace {
+
+/// Where and how commands write or read what was uploaded.
+struct Scope {
+  VkPipelineStageFlags stages;
+  VkAccessFlags imageAccess, constantsAccess;
+};
+constexpr Scope kOtherQueueBefore{VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 0, 0};
+constexpr Scope kOtherQueueAfter{VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 0, 0};
+constexpr Scope kCopies{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
+                        VK_ACCESS_TRANSFER_WRITE_BIT};
+/// ALL_COMMANDS, because the host's shaders may run in any stage.
+constexpr Scope kReads{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_SHADER_READ_BIT,
+                       VK_ACCESS_UNIFORM_READ_BIT | VK_ACCESS_SHADER_READ_BIT};
+
+void recordCopies(const LichenVulkanAssets_T& assets, VkCommandBuffer commandBuffer) {
+  const LichenVulkanFunctions& f = assets.context->functions;
+  std::vector<VkImageMemoryBarrier> toWrite = assets.barriers;
+  for (VkImageMemoryBarrier& barrier : toWrite) {
+    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+  }
+  f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT,
+                       VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0, nullptr,
+                       std::uint32_t(toWrite.size()), toWrite.data());
+  for (const LichenVulkanAssets_T::Image& image : assets.images)
+    f.cmdCopyBufferToImage(commandBuffer, assets.batches[image.batch].staging, image.handle,
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(image.copies.size()),
+                           image.copies.data());
+  f.cmdCopyBuffer(commandBuffer, assets.batches.back().staging, assets.constants, 1,
+                  &assets.constantsCopy);
+}
+
+/// The transition to what shaders read, from one queue family to another where they differ.
+void recordTransition(const LichenVulkanAssets_T& assets, VkCommandBuffer commandBuffer,
+                      const Scope& before, const Scope& after, std::uint32_t fromFamily,
+                      std::uint32_t toFamily) {
+  std::vector<VkImageMemoryBarrier> images = assets.barriers;
+  for (VkImageMemoryBarrier& barrier : images) {
+    barrier.srcAccessMask = before.imageAccess;
+    barrier.dstAccessMask = after.imageAccess;
+    barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    barrier.srcQueueFamilyIndex = fromFamily;
+    barrier.dstQueueFamilyIndex = toFamily;
+  }
+  VkBufferMemoryBarrier constants{};
+  constants.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER;
+  constants.srcAccessMask = before.constantsAccess;
+  constants.dstAccessMask = after.constantsAccess;
+  constants.srcQueueFamilyIndex = fromFamily;
+  constants.dstQueueFamilyIndex = toFamily;
+  constants.buffer = assets.constants;
+  constants.size = VK_WHOLE_SIZE;
+  assets.context->functions.cmdPipelineBarrier(commandBuffer, before.stages, after.stages, 0, 0,
+                                               nullptr, 1, &constants, std::uint32_t(images.size()),
+                                               images.data());
+}
+
+/// Copies, and the transition into `after` by the family that copies.
+LichenResult recordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuffer,
+                          const Scope& after, std::uint32_t fromFamily, std::uint32_t toFamily) {
   if (assets == nullptr || commandBuffer == VK_NULL_HANDLE)
     return LICHEN_ERROR_USAGE;
   if (assets->images.empty())
     return LICHEN_SUCCESS;
   if (!assets->hasStaging)
     return LICHEN_ERROR_USAGE; // staging is released
-  const LichenVulkanFunctions& f = assets->context->functions;
-  const auto count = std::uint32_t(assets->images.size());
-  f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT,
-                       VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0, nullptr, count,
-                       assets->barriers.toWrite.data());
-  for (const LichenVulkanAssets_T::Image& image : assets->images)
-    f.cmdCopyBufferToImage(commandBuffer, assets->batches[image.batch].staging, image.handle,
-                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(image.copies.size()),
-                           image.copies.data());
-  f.cmdCopyBuffer(commandBuffer, assets->batches.back().staging, assets->constants, 1,
-                  &assets->constantsCopy);
-  VkBufferMemoryBarrier toRead{};
-  toRead.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER;
-  toRead.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-  toRead.dstAccessMask = VK_ACCESS_UNIFORM_READ_BIT | VK_ACCESS_SHADER_READ_BIT;
-  toRead.srcQueueFamilyIndex = toRead.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-  toRead.buffer = assets->constants;
-  toRead.size = VK_WHOLE_SIZE;
-  // ALL_COMMANDS, because the host's shaders may run in any stage.
-  f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 1, &toRead, count,
-                       assets->barriers.toSample.data());
-  return LICHEN_SUCCESS;
+  return guarded(nullptr, [&] {
+    recordCopies(*assets, commandBuffer);
+    recordTransition(*assets, commandBuffer, kCopies, after, fromFamily, toFamily);
+    return LICHEN_SUCCESS;
+  });
+}
+
+} // namespace
+
+LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuffer) {
+  return recordUpload(assets, commandBuffer, kReads, VK_QUEUE_FAMILY_IGNORED,
+                      VK_QUEUE_FAMILY_IGNORED);
+}
+
+LichenResult lichenVulkanRecordTransfer(LichenVulkanAssets assets, VkCommandBuffer commandBuffer,
+                                        std::uint32_t transferFamily, std::uint32_t family) {
+  if (transferFamily == family)
+    return LICHEN_ERROR_USAGE;
+  return recordUpload(assets, commandBuffer, kOtherQueueAfter, transferFamily, family);
+}
+
+LichenResult lichenVulkanRecordAcquire(LichenVulkanAssets assets, VkCommandBuffer commandBuffer,
+                                       std::uint32_t transferFamily, std::uint32_t family) {
+  if (assets == nullptr || commandBuffer == VK_NULL_HANDLE || transferFamily == family)
+    return LICHEN_ERROR_USAGE;
+  if (assets->images.empty())
+    return LICHEN_SUCCESS;
+  return guarded(nullptr, [&] {
+    recordTransition(*assets, commandBuffer, kOtherQueueBefore, kReads, transferFamily, family);
+    return LICHEN_SUCCESS;
+  });
 }
 
 LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t noise,
@@ -393,6 +458,10 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
       writeDiagnostic(
           diagnostic,
           "assets, pool, material and set must not be NULL, and noise must be in range");
+      return LICHEN_ERROR_USAGE;
+    }
+    if (assets->context->setLayout == VK_NULL_HANDLE) {
+      writeDiagnostic(diagnostic, "the host has given no Vulkan functions for sets");
       return LICHEN_ERROR_USAGE;
     }
     if (material->buffer == VK_NULL_HANDLE || material->range < LICHEN_MATERIAL_BYTES) {

@@ -50,15 +50,23 @@ LichenVulkanFunctions loadFunctions(PFN_vkGetInstanceProcAddr get, VkInstance in
   return f;
 }
 
-bool allPresent(const LichenVulkanFunctions& f) {
-  return f.getPhysicalDeviceMemoryProperties && f.getPhysicalDeviceFormatProperties &&
-         f.getPhysicalDeviceImageFormatProperties && f.allocateMemory && f.freeMemory &&
-         f.mapMemory && f.createBuffer && f.destroyBuffer && f.getBufferMemoryRequirements &&
-         f.bindBufferMemory && f.createImage && f.destroyImage && f.getImageMemoryRequirements &&
-         f.bindImageMemory && f.createImageView && f.destroyImageView && f.createSampler &&
-         f.destroySampler && f.createDescriptorSetLayout && f.destroyDescriptorSetLayout &&
-         f.allocateDescriptorSets && f.updateDescriptorSets && f.cmdPipelineBarrier &&
-         f.cmdCopyBufferToImage && f.cmdCopyBuffer;
+/// What every host needs.
+bool hasImagesAndCopies(const LichenVulkanFunctions& f) {
+  return f.getPhysicalDeviceFormatProperties && f.getPhysicalDeviceImageFormatProperties &&
+         f.createBuffer && f.destroyBuffer && f.getBufferMemoryRequirements && f.bindBufferMemory &&
+         f.createImage && f.destroyImage && f.getImageMemoryRequirements && f.bindImageMemory &&
+         f.createImageView && f.destroyImageView && f.createSampler && f.destroySampler &&
+         f.cmdPipelineBarrier && f.cmdCopyBufferToImage && f.cmdCopyBuffer;
+}
+
+bool hasMemory(const LichenVulkanFunctions& f) {
+  return f.getPhysicalDeviceMemoryProperties && f.allocateMemory && f.freeMemory && f.mapMemory;
+}
+
+int countOfSets(const LichenVulkanFunctions& f) {
+  return int(f.createDescriptorSetLayout != nullptr) +
+         int(f.destroyDescriptorSetLayout != nullptr) + int(f.allocateDescriptorSets != nullptr) +
+         int(f.updateDescriptorSets != nullptr);
 }
 
 LichenResult findFunctions(const LichenVulkanInfo& info, LichenVulkanFunctions& functions,
@@ -71,10 +79,15 @@ LichenResult findFunctions(const LichenVulkanInfo& info, LichenVulkanFunctions& 
   } else if (info.getInstanceProcAddr != nullptr && info.instance != VK_NULL_HANDLE) {
     functions = loadFunctions(info.getInstanceProcAddr, info.instance);
   }
-  if (allPresent(functions))
+  constexpr int kAllOfSets = 4;
+  const int ofSets = countOfSets(functions);
+  if (hasImagesAndCopies(functions) && (hasMemory(functions) || info.deviceAllocator != nullptr) &&
+      (ofSets == 0 || ofSets == kAllOfSets))
     return LICHEN_SUCCESS;
-  writeDiagnostic(diagnostic, "Vulkan functions are missing; set all of LichenVulkanFunctions, or "
-                              "getInstanceProcAddr and instance");
+  writeDiagnostic(diagnostic,
+                  "Vulkan functions are missing; set LichenVulkanFunctions, of which those of "
+                  "memory are not needed with a deviceAllocator and those of sets may all be NULL, "
+                  "or getInstanceProcAddr and instance");
   return LICHEN_ERROR_USAGE;
 }
 
@@ -214,8 +227,9 @@ LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* hostInfo,
       newContext->ownCallbacks = *info.allocationCallbacks;
       newContext->callbacks = &newContext->ownCallbacks;
     }
-    newContext->functions.getPhysicalDeviceMemoryProperties(info.physicalDevice,
-                                                            &newContext->memory);
+    if (!newContext->hostAllocates)
+      newContext->functions.getPhysicalDeviceMemoryProperties(info.physicalDevice,
+                                                              &newContext->memory);
     newContext->materialType = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS)
                                    ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
                                    : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
@@ -229,7 +243,8 @@ LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* hostInfo,
       lichenVulkanDestroyContext(newContext.release());
       return vulkanFailure("creating a sampler", created, diagnostic);
     }
-    created = createSetLayout(*newContext);
+    if (newContext->functions.createDescriptorSetLayout != nullptr)
+      created = createSetLayout(*newContext);
     if (created != VK_SUCCESS) {
       lichenVulkanDestroyContext(newContext.release());
       return vulkanFailure("creating a descriptor set layout", created, diagnostic);
@@ -243,15 +258,16 @@ void lichenVulkanDestroyContext(LichenVulkanContext context) {
   if (context == nullptr)
     return;
   lichenVulkanFrameCompleted(context, UINT64_MAX);
-  context->functions.destroyDescriptorSetLayout(context->device, context->setLayout,
-                                                context->callbacks);
+  if (context->setLayout != VK_NULL_HANDLE)
+    context->functions.destroyDescriptorSetLayout(context->device, context->setLayout,
+                                                  context->callbacks);
   for (const VkSampler sampler : context->samplers)
     context->functions.destroySampler(context->device, sampler, context->callbacks);
   delete context;
 }
 
 LichenResult lichenVulkanGetSetLayout(LichenVulkanContext context, VkDescriptorSetLayout* layout) {
-  if (context == nullptr || layout == nullptr)
+  if (context == nullptr || layout == nullptr || context->setLayout == VK_NULL_HANDLE)
     return LICHEN_ERROR_USAGE;
   *layout = context->setLayout;
   return LICHEN_SUCCESS;

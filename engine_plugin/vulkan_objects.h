@@ -22,8 +22,8 @@ struct LichenVulkanContext_T {
   std::uint32_t firstBinding;
   VkShaderStageFlags stages;
   std::array<VkSampler, 2> samplers; // indexed by LichenSamplerUse
-  VkDescriptorSetLayout setLayout;
-  LichenVulkanAssets retired; // head of a linked list
+  VkDescriptorSetLayout setLayout;   // null where the host has given no functions for sets
+  LichenVulkanAssets retired;        // head of a linked list
 };
 
 struct LichenVulkanAssets_T {
@@ -43,10 +43,6 @@ struct LichenVulkanAssets_T {
     VkBuffer staging = VK_NULL_HANDLE;
     std::optional<LichenDeviceMemory> stagingMemory;
   };
-  /// Barriers before and after the copies, one of each per image.
-  struct Barriers {
-    std::vector<VkImageMemoryBarrier> toWrite, toSample;
-  };
   struct Noise {
     std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> imageInfos{}; // images, then tables
   };
@@ -61,8 +57,8 @@ struct LichenVulkanAssets_T {
   std::vector<Noise> noises;
   VkBuffer constants = VK_NULL_HANDLE; // LICHEN_NOISE_BYTES of each noise
   std::optional<LichenDeviceMemory> constantsMemory;
-  VkBufferCopy constantsCopy{}; // from the last batch's staging buffer
-  Barriers barriers;
+  VkBufferCopy constantsCopy{};               // from the last batch's staging buffer
+  std::vector<VkImageMemoryBarrier> barriers; // one per image, from nothing
   std::vector<Batch> batches;
   bool hasStaging = false; // true until lichenVulkanReleaseStaging()
   LichenVulkanAssets nextRetired = nullptr;

@@ -33,7 +33,7 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenBinding, image, 32, 28);
   failures += KEEPS(LichenMaterialParameters, ofNoise, 216, 144);
   failures += KEEPS(LichenPlacement, reserved, 64, 60);
-  failures += KEEPS(LichenVulkanFunctions, cmdCopyBuffer, 216, 208);
+  failures += KEEPS(LichenVulkanFunctions, updateDescriptorSets, 216, 208);
   failures += KEEPS(LichenMemoryRequest, optimalTiling, 48, 44);
   failures += KEEPS(LichenDeviceMemory, handle, 48, 40);
   failures += KEEPS(LichenDeviceAllocator, release, 40, 32);

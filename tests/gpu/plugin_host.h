@@ -70,6 +70,8 @@ public:
   [[nodiscard]] LichenBundle bundle() const { return bundle_; }
   [[nodiscard]] LichenVulkanAssets assets() const { return assets_; }
   [[nodiscard]] PluginContext& context() const { return context_; }
+  /// The caller has uploaded the assets.
+  void noteUploaded() { uploaded_ = true; }
   /// Uses another set of the same layout, whose bindings the caller has written.
   void useSet(VkDescriptorSet set) { set_ = set; }
   [[nodiscard]] VkDescriptorSet set() const { return set_; }

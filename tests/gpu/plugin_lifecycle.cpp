@@ -211,6 +211,134 @@ TEST_CASE("retired assets live until their last frame has completed") {
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
+TEST_CASE("a short function table serves a host with its own memory and descriptors") {
+  const auto device = requireDevice();
+  const std::vector<std::byte> glb = syntheticGlb(kMaps);
+  LichenBundle bundle = parseOrThrow(glb);
+  LichenVulkanFunctions functions = loadedFunctions();
+  HostMemory memory(*device);
+  LichenVulkanInfo info = defaultVulkanInfo(*device);
+  info.functions = &functions;
+  info.deviceAllocator = &memory.callbacks;
+  // As an older header's, which ends before the functions of memory and of sets.
+  functions.size = offsetof(LichenVulkanFunctions, getPhysicalDeviceMemoryProperties);
+  LichenVulkanContext context = nullptr;
+  REQUIRE(lichenVulkanCreateContext(&info, &context, nullptr) == LICHEN_SUCCESS);
+  LichenVulkanAssets assets = nullptr;
+  REQUIRE(lichenVulkanCreateAssets(context, bundle, &assets, nullptr) == LICHEN_SUCCESS);
+  VkDescriptorBufferInfo constants{};
+  std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> images{};
+  CHECK(lichenVulkanGetDescriptors(assets, 0, &constants, images.data()) == LICHEN_SUCCESS);
+  CHECK(images[LICHEN_BASE_COLOR].imageView != VK_NULL_HANDLE);
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  CHECK(lichenVulkanGetSetLayout(context, &layout) == LICHEN_ERROR_USAGE);
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  const VkDescriptorBufferInfo material{constants.buffer, 0, LICHEN_MATERIAL_BYTES};
+  const auto anyPool = reinterpret_cast<VkDescriptorPool>(constants.buffer); // is not used
+  CHECK(lichenVulkanAllocateSet(assets, 0, anyPool, &material, &set, &diagnostic) ==
+        LICHEN_ERROR_USAGE);
+  CHECK(std::string(diagnostic.text) == "the host has given no Vulkan functions for sets");
+  lichenVulkanDestroyAssets(assets);
+  lichenVulkanDestroyContext(context);
+  // Memory is needed without an allocator, and sets are all or nothing.
+  info.deviceAllocator = nullptr;
+  CHECK(lichenVulkanCreateContext(&info, &context, nullptr) == LICHEN_ERROR_USAGE);
+  functions.size = offsetof(LichenVulkanFunctions, updateDescriptorSets);
+  CHECK(lichenVulkanCreateContext(&info, &context, nullptr) == LICHEN_ERROR_USAGE);
+  lichenDestroyBundle(bundle);
+  CHECK(memory.alive == 0);
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
+namespace {
+
+/// The barriers of an upload on another queue. The device of the tests has one family, so the
+/// families are noted and taken out.
+struct Transfers {
+  static inline std::vector<VkImageMemoryBarrier> images;
+  static inline std::vector<VkBufferMemoryBarrier> buffers;
+  static inline std::vector<VkPipelineStageFlags> sources, targets;
+
+  static void VKAPI_CALL barrier(VkCommandBuffer commands, VkPipelineStageFlags source,
+                                 VkPipelineStageFlags target, VkDependencyFlags flags,
+                                 std::uint32_t memoryCount, const VkMemoryBarrier* memory,
+                                 std::uint32_t bufferCount, const VkBufferMemoryBarrier* buffer,
+                                 std::uint32_t imageCount, const VkImageMemoryBarrier* image) {
+    if (bufferCount == 0) // before the copies
+      return vkCmdPipelineBarrier(commands, source, target, flags, memoryCount, memory, 0, nullptr,
+                                  imageCount, image);
+    images.push_back(image[0]);
+    buffers.push_back(buffer[0]);
+    sources.push_back(source);
+    targets.push_back(target);
+    if (buffer[0].dstAccessMask == 0)
+      return; // the release: of one family, the acquisition does all
+    std::vector<VkImageMemoryBarrier> changed(image, image + imageCount);
+    for (VkImageMemoryBarrier& one : changed) {
+      one.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+      one.srcQueueFamilyIndex = one.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    }
+    VkBufferMemoryBarrier constants = buffer[0];
+    constants.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    constants.srcQueueFamilyIndex = constants.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, target, flags, 0, nullptr, 1,
+                         &constants, imageCount, changed.data());
+  }
+};
+
+} // namespace
+
+TEST_CASE("an upload on a transfer queue releases what the other family acquires") {
+  const auto device = requireDevice();
+  const std::vector<std::byte> glb = syntheticGlb(kMaps);
+  const std::vector<Point> points = somePoints();
+  PluginHost plain(*device, glb);
+  const auto expected = plain.evaluate(tiling_maps_comp, 0, plain.use(), points, kMaps.size());
+  LichenVulkanFunctions functions = loadedFunctions();
+  functions.cmdPipelineBarrier = Transfers::barrier;
+  LichenVulkanInfo info = defaultVulkanInfo(*device);
+  info.functions = &functions;
+  PluginHost host(*device, glb, info);
+  constexpr std::uint32_t kTransfer = 2, kGraphics = 0;
+  const auto record = [&](const auto& call) {
+    LichenResult result = LICHEN_ERROR_INTERNAL;
+    REQUIRE(device->submit([&](VkCommandBuffer commands) { result = call(commands); }).ok());
+    return result;
+  };
+  CHECK(record([&](VkCommandBuffer commands) {
+          return lichenVulkanRecordTransfer(host.assets(), commands, kTransfer, kTransfer);
+        }) == LICHEN_ERROR_USAGE);
+  REQUIRE(record([&](VkCommandBuffer commands) {
+            return lichenVulkanRecordTransfer(host.assets(), commands, kTransfer, kGraphics);
+          }) == LICHEN_SUCCESS);
+  lichenVulkanReleaseStaging(host.assets());
+  REQUIRE(record([&](VkCommandBuffer commands) {
+            return lichenVulkanRecordAcquire(host.assets(), commands, kTransfer, kGraphics);
+          }) == LICHEN_SUCCESS);
+  REQUIRE(Transfers::images.size() == 2);
+  for (const VkImageMemoryBarrier& barrier : Transfers::images) {
+    CHECK(barrier.srcQueueFamilyIndex == kTransfer);
+    CHECK(barrier.dstQueueFamilyIndex == kGraphics);
+    CHECK(barrier.oldLayout == VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    CHECK(barrier.newLayout == VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL);
+  }
+  CHECK(Transfers::images[0].srcAccessMask == VK_ACCESS_TRANSFER_WRITE_BIT);
+  CHECK(Transfers::images[0].dstAccessMask == 0);
+  CHECK(Transfers::images[1].srcAccessMask == 0);
+  CHECK(Transfers::images[1].dstAccessMask == VK_ACCESS_SHADER_READ_BIT);
+  // A queue that only transfers knows no other stages than these.
+  CHECK(Transfers::sources[0] == VK_PIPELINE_STAGE_TRANSFER_BIT);
+  CHECK(Transfers::targets[0] == VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT);
+  CHECK(Transfers::sources[1] == VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT);
+  CHECK(Transfers::buffers[0].srcQueueFamilyIndex == kTransfer);
+  CHECK(Transfers::buffers[1].dstQueueFamilyIndex == kGraphics);
+  host.noteUploaded();
+  CHECK(host.evaluate(tiling_maps_comp, 0, host.use(), points, kMaps.size()) == expected);
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
 TEST_CASE("synchronization validation reports a missing barrier of the upload") {
   const auto device = requireDevice();
   LichenVulkanFunctions functions = loadedFunctions();

@@ -30,18 +30,15 @@
 extern "C" {
 #endif
 
-/* Everything that the plugin calls; none may be NULL. Device functions may be the loader's or those
- * of the one device. */
+/* Everything that the plugin calls. Device functions may be the loader's or those of the one
+ * device. NULL may be those of memory with a deviceAllocator, and those of sets where the host
+ * writes its own descriptors: a context without them has no set layout. */
 typedef struct LichenVulkanFunctions {
   LichenStructureType type;
   uint32_t size;
   const void* next;
-  PFN_vkGetPhysicalDeviceMemoryProperties getPhysicalDeviceMemoryProperties;
   PFN_vkGetPhysicalDeviceFormatProperties getPhysicalDeviceFormatProperties;
   PFN_vkGetPhysicalDeviceImageFormatProperties getPhysicalDeviceImageFormatProperties;
-  PFN_vkAllocateMemory allocateMemory;
-  PFN_vkFreeMemory freeMemory;
-  PFN_vkMapMemory mapMemory;
   PFN_vkCreateBuffer createBuffer;
   PFN_vkDestroyBuffer destroyBuffer;
   PFN_vkGetBufferMemoryRequirements getBufferMemoryRequirements;
@@ -54,13 +51,19 @@ typedef struct LichenVulkanFunctions {
   PFN_vkDestroyImageView destroyImageView;
   PFN_vkCreateSampler createSampler;
   PFN_vkDestroySampler destroySampler;
+  PFN_vkCmdPipelineBarrier cmdPipelineBarrier;
+  PFN_vkCmdCopyBufferToImage cmdCopyBufferToImage;
+  PFN_vkCmdCopyBuffer cmdCopyBuffer;
+  /* memory */
+  PFN_vkGetPhysicalDeviceMemoryProperties getPhysicalDeviceMemoryProperties;
+  PFN_vkAllocateMemory allocateMemory;
+  PFN_vkFreeMemory freeMemory;
+  PFN_vkMapMemory mapMemory;
+  /* sets */
   PFN_vkCreateDescriptorSetLayout createDescriptorSetLayout;
   PFN_vkDestroyDescriptorSetLayout destroyDescriptorSetLayout;
   PFN_vkAllocateDescriptorSets allocateDescriptorSets;
   PFN_vkUpdateDescriptorSets updateDescriptorSets;
-  PFN_vkCmdPipelineBarrier cmdPipelineBarrier;
-  PFN_vkCmdCopyBufferToImage cmdCopyBufferToImage;
-  PFN_vkCmdCopyBuffer cmdCopyBuffer;
 } LichenVulkanFunctions;
 
 /* What the plugin asks of the host's allocator: memory for one buffer, or for images of a bundle
@@ -160,6 +163,17 @@ LICHEN_API void lichenVulkanDestroyAssets(LichenVulkanAssets assets);
  * wait for a semaphore. Submit it once. LICHEN_ERROR_USAGE after lichenVulkanReleaseStaging. */
 LICHEN_API LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets,
                                                  VkCommandBuffer commandBuffer);
+/* The same on a queue of another family, such as one that can only transfer: the copies, and the
+ * release of images and constants by `transferFamily`, of which `commandBuffer` is. */
+LICHEN_API LichenResult lichenVulkanRecordTransfer(LichenVulkanAssets assets,
+                                                   VkCommandBuffer commandBuffer,
+                                                   uint32_t transferFamily, uint32_t family);
+/* Their acquisition by `family`, of which `commandBuffer` is, with the same families: submit it
+ * after a semaphore that the transfer signals, and before what samples them. Needs no staging
+ * buffer. */
+LICHEN_API LichenResult lichenVulkanRecordAcquire(LichenVulkanAssets assets,
+                                                  VkCommandBuffer commandBuffer,
+                                                  uint32_t transferFamily, uint32_t family);
 /* Frees the staging buffer, when the upload has completed. May be called again; what destroys the
  * assets does it too. NULL is ignored. */
 LICHEN_API void lichenVulkanReleaseStaging(LichenVulkanAssets assets);
@@ -172,9 +186,9 @@ LICHEN_API void lichenVulkanRetireAssets(LichenVulkanAssets assets, uint64_t las
 LICHEN_API void lichenVulkanFrameCompleted(LichenVulkanContext context, uint64_t frame);
 
 /* The layout of every noise's set, whatever its maps, owned by the context: LICHEN_SET_BINDINGS
- * from firstBinding on. A set takes from a pool 2 uniform buffers (with
- * LICHEN_VULKAN_DYNAMIC_UNIFORMS one of them dynamic), 2 samplers and LICHEN_SET_IMAGES sampled
- * images. */
+ * from firstBinding on. LICHEN_ERROR_USAGE where the host has given no functions for sets. A set
+ * takes from a pool 2 uniform buffers (with LICHEN_VULKAN_DYNAMIC_UNIFORMS one of them dynamic), 2
+ * samplers and LICHEN_SET_IMAGES sampled images. */
 LICHEN_API LichenResult lichenVulkanGetSetLayout(LichenVulkanContext context,
                                                  VkDescriptorSetLayout* layout);
 
