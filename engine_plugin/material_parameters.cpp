@@ -2,6 +2,7 @@
 // A material's parameters and its placement -> LichenMaterial, the block that may change each
 // frame. Needs no bundle.
 #include "abi.h"
+#include "of_noise.h"
 #include "plan.h"
 
 #include <lichen/shader_parameters.h>
@@ -14,15 +15,6 @@ using namespace lichen;
 using namespace lichen::plugin;
 
 namespace {
-
-/// What the parameters of a material hold of its noise: its constants, and which kinds of decoding
-/// its maps have.
-struct OfNoise {
-  shader::LichenNoise constants;
-  std::uint32_t tableKinds; // bit k: a map with the LichenTableKind k
-  std::uint32_t reserved;
-};
-static_assert(sizeof(OfNoise) == sizeof(LichenMaterialParameters::ofNoise));
 
 LichenResult checkRange(const char* name, double value, NumberRange range,
                         LichenDiagnostic* diagnostic) {
@@ -74,21 +66,6 @@ LichenResult readMixSource(LichenMixSource value, MixSource& source, LichenDiagn
       return LICHEN_SUCCESS;
     }
   writeDiagnostic(diagnostic, "mixSource %d is invalid; expected 0 to 3", int(value));
-  return LICHEN_ERROR_USAGE;
-}
-
-/// The noise's part, which the host must have left as it was.
-LichenResult readOfNoise(const LichenMaterialParameters& source, OfNoise& part,
-                         LichenDiagnostic* diagnostic) {
-  std::memcpy(&part, source.ofNoise, sizeof part);
-  const shader::LichenNoise& noise = part.constants;
-  const bool isKnown = noise.method < allMethods().size() && noise.tileTexelsX >= 1.0f &&
-                       noise.tileTexelsY >= 1.0f && noise.tileAspect > 0.0f;
-  if (isKnown)
-    return LICHEN_SUCCESS;
-  writeDiagnostic(diagnostic,
-                  "ofNoise is not what the library has written; get the parameters from "
-                  "lichenGetMaterialParameters or lichenGetDefaultParameters");
   return LICHEN_ERROR_USAGE;
 }
 
@@ -184,6 +161,24 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenPlacem
 }
 
 } // namespace
+
+namespace lichen::plugin {
+
+LichenResult readOfNoise(const LichenMaterialParameters& source, OfNoise& part,
+                         LichenDiagnostic* diagnostic) {
+  std::memcpy(&part, source.ofNoise, sizeof part);
+  const shader::LichenNoise& noise = part.constants;
+  const bool isKnown = noise.method < allMethods().size() && noise.tileTexelsX >= 1.0f &&
+                       noise.tileTexelsY >= 1.0f && noise.tileAspect > 0.0f;
+  if (isKnown)
+    return LICHEN_SUCCESS;
+  writeDiagnostic(diagnostic,
+                  "ofNoise is not what the library has written; get the parameters from "
+                  "lichenGetMaterialParameters or lichenGetDefaultParameters");
+  return LICHEN_ERROR_USAGE;
+}
+
+} // namespace lichen::plugin
 
 LichenResult lichenFillMaterial(const LichenMaterialParameters* hostParameters,
                                 const LichenPlacement* hostPlacement, void* destination,

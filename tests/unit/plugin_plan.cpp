@@ -332,6 +332,75 @@ TEST_CASE("parameters that the library has not written are an error") {
   CHECK(filled.message.find("lichenGetMaterialParameters") != std::string::npos);
 }
 
+namespace {
+
+std::string switchesOf(const std::vector<LichenMaterialParameters>& materials,
+                       const LichenPlacement* placement = nullptr) {
+  std::vector<const LichenMaterialParameters*> pointers;
+  for (const LichenMaterialParameters& material : materials)
+    pointers.push_back(&material);
+  char text[LICHEN_SWITCH_BYTES] = "";
+  CHECK(lichenGetShaderSwitches(pointers.data(), std::uint32_t(pointers.size()), placement, text,
+                                sizeof text, nullptr) == LICHEN_SUCCESS);
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("the switches leave out what no material needs") {
+  const OwnedBundle tiling(example::smallest());
+  const LichenMaterialParameters plain = parametersOf(tiling.handle);
+  const std::string left = " -DLICHEN_OMIT_TEXTONS -DLICHEN_OMIT_TRIPLANAR";
+  CHECK(switchesOf({plain}) ==
+        "-DLICHEN_ROLES=16" + left +
+            " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0"
+            " -DLICHEN_PERIODIC_LATTICE=0");
+  LichenMaterialParameters turned = plain;
+  turned.tileRotation = 4;
+  turned.blendSharpness = 2.0;
+  LichenPlacement placement = atOrigin();
+  placement.periodTiles[0] = placement.periodTiles[1] = 2.0;
+  placement.maxAnisotropy = 8.0f;
+  CHECK(switchesOf({plain, turned}, &placement) ==
+        "-DLICHEN_ROLES=16" + left + " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_ANISOTROPIC=1");
+  LichenMaterialParameters inPlanes = plain;
+  inPlanes.mapping = LICHEN_MAPPING_TRIPLANAR;
+  CHECK(switchesOf({inPlanes}).find(" -DLICHEN_OTHER_MAPPINGS=0 ") != std::string::npos);
+  CHECK(switchesOf({inPlanes, plain}).find("MAPPINGS") == std::string::npos);
+  // Of two bundles and methods.
+  const OwnedBundle textons(example::textonMix());
+  LichenMaterialParameters mixed;
+  LICHEN_INIT(mixed, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  REQUIRE(lichenGetMaterialParameters(textons.handle, 1, &mixed) == LICHEN_SUCCESS);
+  const std::string both = switchesOf({plain, mixed});
+  CHECK(both.find("OMIT_TEXTONS") == std::string::npos);
+  CHECK(both.find("TILING_NOISES") == std::string::npos);
+  CHECK(both.find("MIXED_TEXTONS") == std::string::npos);
+  CHECK(switchesOf({mixed}).find(" -DLICHEN_TILING_NOISES=0") != std::string::npos);
+  mixed.pointProcess = LICHEN_POINT_PROCESS_STRATIFIED;
+  CHECK(switchesOf({mixed}).find(" -DLICHEN_POISSON_POINTS=0") != std::string::npos);
+  mixed.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  CHECK(switchesOf({mixed}).find("POISSON") == std::string::npos);
+}
+
+TEST_CASE("every text of switches fits, and a buffer that is too small is an error") {
+  const OwnedBundle bundle(example::smallest());
+  const LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  const LichenMaterialParameters* const pointer = &parameters;
+  char text[8] = "before";
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  CHECK(lichenGetShaderSwitches(&pointer, 1, nullptr, text, sizeof text, &diagnostic) ==
+        LICHEN_ERROR_USAGE);
+  CHECK(std::string(diagnostic.text) == "textBytes 8 is too small; expected at least 512");
+  CHECK(std::string(text) == "before");
+  CHECK(lichenGetShaderSwitches(nullptr, 1, nullptr, text, sizeof text, nullptr) ==
+        LICHEN_ERROR_USAGE);
+  CHECK(lichenGetShaderSwitches(&pointer, 0, nullptr, text, sizeof text, nullptr) ==
+        LICHEN_ERROR_USAGE);
+  CHECK(switchesOf({parameters}).size() < LICHEN_SWITCH_BYTES / 2);
+}
+
 TEST_CASE("a fractional period requires a tile origin of 0") {
   const OwnedBundle bundle(example::smallest());
   LichenPlacement placement = atOrigin();

@@ -451,6 +451,19 @@ LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* param
                                            const LichenPlacement* placement, void* destination,
                                            LichenDiagnostic* diagnostic);
 
+/* Enough for every text of lichenGetShaderSwitches. */
+#define LICHEN_SWITCH_BYTES 512
+
+/* The switches of the shader library that fit all these materials, which may be of several bundles:
+ * what none of them needs is left out. Writes one line of arguments for a compiler, such as
+ * "-DLICHEN_ROLES=3 -DLICHEN_OMIT_TEXTONS", terminated. Of `placement`, which stands for all of
+ * theirs, it reads periodTiles and maxAnisotropy; NULL: none repeats, and sampling is trilinear.
+ * A change of mapping, pointProcess, tileRotation or blendSharpness may need other switches. */
+LICHEN_API LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* materials,
+                                                uint32_t materialCount,
+                                                const LichenPlacement* placement, char* text,
+                                                size_t textBytes, LichenDiagnostic* diagnostic);
+
 #ifdef __cplusplus
 }
 #endif

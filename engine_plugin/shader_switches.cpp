@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Materials -> the switches of the shader library that fit all of them.
+#include "abi.h"
+#include "of_noise.h"
+
+#include <string>
+
+using namespace lichen;
+using namespace lichen::plugin;
+
+namespace {
+
+/// What some material needs.
+struct Needs {
+  std::uint32_t roles = 0;
+  bool tiling = false, textons = false;
+  bool tables = false, gaussianOnly = false; // of tiling
+  bool triplanar = false, otherMappings = false, surface = false;
+  bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
+  bool rotation = false, sharpness = false, period = false, anisotropy = false;
+};
+
+void addTiling(const LichenMaterialParameters& parameters, const OfNoise& noise, Needs& needs) {
+  needs.tiling = true;
+  needs.tables = needs.tables || (noise.tableKinds & (1u << LICHEN_TABLE_JOINT)) != 0;
+  needs.gaussianOnly = needs.gaussianOnly || (noise.tableKinds & (1u << LICHEN_TABLE_NONE)) != 0;
+  needs.rotation = needs.rotation || parameters.tileRotation > 1;
+  needs.sharpness = needs.sharpness || parameters.blendSharpness != 1.0;
+}
+
+void addTextons(const LichenMaterialParameters& parameters, const OfNoise& noise, Needs& needs) {
+  const shader::LichenTexton& texton = noise.constants.texton;
+  constexpr std::uint32_t kCubic = 3;
+  needs.textons = true;
+  needs.mixes = needs.mixes || texton.steps > 1;
+  needs.poisson = needs.poisson || parameters.pointProcess == LICHEN_POINT_PROCESS_POISSON;
+  needs.cubic = needs.cubic || texton.order == kCubic;
+  needs.nearest = needs.nearest || texton.order == 0;
+}
+
+void addMaterial(const LichenMaterialParameters& parameters, const OfNoise& noise, Needs& needs) {
+  needs.roles |= noise.constants.roles;
+  (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? needs.triplanar : needs.otherMappings) = true;
+  needs.surface = needs.surface || parameters.mapping == LICHEN_MAPPING_SURFACE;
+  (noise.constants.method == LICHEN_METHOD_TEXTON ? addTextons : addTiling)(parameters, noise,
+                                                                            needs);
+}
+
+std::string switchesOf(const Needs& needs) {
+  std::string text = "-DLICHEN_ROLES=" + std::to_string(needs.roles);
+  const auto unless = [&](bool isNeeded, const char* name) {
+    if (!isNeeded)
+      text += std::string(" -DLICHEN_") + name;
+  };
+  unless(needs.textons, "OMIT_TEXTONS");
+  unless(needs.tiling, "TILING_NOISES=0");
+  unless(needs.triplanar, "OMIT_TRIPLANAR");
+  unless(needs.otherMappings, "OTHER_MAPPINGS=0");
+  if (needs.textons) {
+    unless(needs.surface, "OMIT_SURFACE_TEXTONS");
+    unless(needs.mixes, "MIXED_TEXTONS=0");
+    unless(needs.poisson, "POISSON_POINTS=0");
+    unless(needs.cubic, "CUBIC_TEXTONS=0");
+    unless(needs.nearest, "NEAREST_TEXTONS=0");
+  }
+  if (needs.tiling) {
+    unless(needs.tables, "TABLES=0");
+    unless(needs.gaussianOnly, "GAUSSIAN_ONLY=0");
+    unless(needs.rotation, "TILE_ROTATION=0");
+    unless(needs.sharpness, "BLEND_SHARPNESS=0");
+  }
+  unless(needs.period, "PERIODIC_LATTICE=0");
+  unless(!needs.anisotropy, "ANISOTROPIC=1");
+  return text;
+}
+
+} // namespace
+
+LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* materials,
+                                     std::uint32_t materialCount, const LichenPlacement* placement,
+                                     char* text, std::size_t textBytes,
+                                     LichenDiagnostic* diagnostic) {
+  return guarded(diagnostic, [&] {
+    if (materials == nullptr || materialCount == 0 || text == nullptr) {
+      writeDiagnostic(diagnostic, "materials and text must not be NULL, and materialCount not 0");
+      return LICHEN_ERROR_USAGE;
+    }
+    Needs needs;
+    for (std::uint32_t i = 0; i < materialCount; ++i) {
+      LichenMaterialParameters parameters{};
+      OfNoise noise{};
+      LichenResult result =
+          readStruct(materials[i], LICHEN_STRUCTURE_MATERIAL_PARAMETERS, parameters, diagnostic);
+      if (result == LICHEN_SUCCESS)
+        result = readOfNoise(parameters, noise, diagnostic);
+      if (result != LICHEN_SUCCESS)
+        return result;
+      addMaterial(parameters, noise, needs);
+    }
+    LichenPlacement where{};
+    if (placement != nullptr)
+      if (const LichenResult result =
+              readStruct(placement, LICHEN_STRUCTURE_PLACEMENT, where, diagnostic);
+          result != LICHEN_SUCCESS)
+        return result;
+    needs.period = where.periodTiles[0] != 0.0 || where.periodTiles[1] != 0.0;
+    needs.anisotropy = where.maxAnisotropy > 1.0f;
+    const std::string switches = switchesOf(needs);
+    if (switches.size() >= textBytes) {
+      writeDiagnostic(diagnostic, "textBytes %zu is too small; expected at least %d", textBytes,
+                      LICHEN_SWITCH_BYTES);
+      return LICHEN_ERROR_USAGE;
+    }
+    std::memcpy(text, switches.c_str(), switches.size() + 1);
+    return LICHEN_SUCCESS;
+  });
+}
