@@ -94,16 +94,22 @@ PluginHost::PluginHost(PluginContext& context, std::span<const std::byte> glb)
     : context_(context), bundle_(parseOrThrow(glb)), pool_(context.createPool(1)) {
   LichenDiagnostic diagnostic = emptyDiagnostic();
   require(lichenVulkanCreateAssets(context.context(), bundle_, &assets_, &diagnostic), diagnostic);
-  require(lichenGetNoiseConstants(bundle_, 0, &constants_), "no noise");
-  LichenMapProperties map;
-  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
-  require(lichenGetMapProperties(bundle_, 0, 0, &map), "no map");
-  role_ = std::uint32_t(map.target);
   materialBuffer_ = context.device()
                         .createBuffer(2 * kBlockStride, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
                         .value();
+  setNoise(0);
+}
+
+void PluginHost::setNoise(std::uint32_t noise) {
+  require(lichenGetNoiseConstants(bundle_, noise, &constants_), "no noise");
+  LichenMapProperties map;
+  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
+  require(lichenGetMapProperties(bundle_, noise, 0, &map), "no map");
+  role_ = std::uint32_t(map.target);
+  vkResetDescriptorPool(context_.device().device(), pool_, 0);
+  LichenDiagnostic diagnostic = emptyDiagnostic();
   const VkDescriptorBufferInfo buffer{materialBuffer_.handle, 0, LICHEN_TRIPLANAR_MATERIAL_BYTES};
-  require(lichenVulkanAllocateSet(assets_, 0, pool_, &buffer, &set_, &diagnostic), diagnostic);
+  require(lichenVulkanAllocateSet(assets_, noise, pool_, &buffer, &set_, &diagnostic), diagnostic);
 }
 
 PluginHost::~PluginHost() {

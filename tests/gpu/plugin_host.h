@@ -55,7 +55,7 @@ private:
   ComputePipelines pipelines_;
 };
 
-/// A set of the first noise of a bundle.
+/// A set of a noise of a bundle, of the first one at first.
 class PluginHost {
 public:
   PluginHost(PluginContext& context, std::span<const std::byte> glb);
@@ -70,6 +70,8 @@ public:
   [[nodiscard]] LichenBundle bundle() const { return bundle_; }
   [[nodiscard]] LichenVulkanAssets assets() const { return assets_; }
   [[nodiscard]] PluginContext& context() const { return context_; }
+  /// Evaluates another noise of the bundle from now on.
+  void setNoise(std::uint32_t noise);
   /// The caller has uploaded the assets.
   void noteUploaded() { uploaded_ = true; }
   /// Uses another set of the same layout, whose bindings the caller has written.

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// How shaders meet noises: one shader for bundles with different maps, and several noises of one
+// bundle in one shader, with descriptors of the host's own.
+#include "plugin_host.h"
+#include "require_device.h"
+#include "synthetic_noise.h"
+#include "synthetic_texton.h"
+
+#include <lichen/shader_parameters.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <four_noises.comp.h>
+#include <roles.comp.h>
+#include <tiling_maps.comp.fitted.h>
+#include <tiling_maps.comp.h>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+constexpr std::size_t kRoles = LICHEN_MAX_MAPS;
+constexpr SyntheticMap kColor{3, 32, 32}, kSlopes{2, 16, 16}, kOrm{1, 32, 32};
+
+std::vector<Point> gridPoints() {
+  std::vector<Point> points(200);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
+  return points;
+}
+
+} // namespace
+
+TEST_CASE("one shader and pipeline draw bundles with different maps") {
+  const auto device = requireDevice();
+  PluginContext context(*device);
+  const std::vector<Point> points = gridPoints();
+  for (const std::vector<SyntheticMap>& maps :
+       {std::vector{kColor}, std::vector{kSlopes, kOrm}, std::vector{kColor, kSlopes, kOrm}}) {
+    const std::vector<std::byte> glb = syntheticGlb(maps);
+    const Bundle bundle = parseBundle(glb, "synthetic").value();
+    PluginHost host(context, glb);
+    const auto values = host.evaluate(roles_comp, 0, host.use(), points, kRoles);
+    std::array<bool, kRoles> isThere{};
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+      const std::uint32_t role = roleOf(bundle.noises[0].maps[m].target);
+      isThere[role] = true;
+      const TilingReference reference(bundle, m);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const auto expected = reference.evaluate(points[k], host.material());
+        for (std::size_t c = 0; c < 3; ++c)
+          REQUIRE(double(values[k * kRoles + role][c]) ==
+                  Approx(expected.value[c]).margin(1.0 / 255.0));
+      }
+    }
+    for (std::size_t role = 0; role < kRoles; ++role)
+      for (std::size_t k = 0; k < points.size(); ++k)
+        REQUIRE((values[k * kRoles + role][0] == -1.0f) == !isThere[role]);
+  }
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
+TEST_CASE("a shader with the switches that the library writes has the same values") {
+  const auto device = requireDevice();
+  const std::vector<SyntheticMap> maps{kColor, kSlopes, kOrm};
+  PluginHost host(*device, syntheticGlb(maps));
+  const MaterialUse use = host.use();
+  const LichenMaterialParameters* const parameters = &use.parameters;
+  char switches[LICHEN_SWITCH_BYTES] = "";
+  REQUIRE(lichenGetShaderSwitches(&parameters, 1, nullptr, switches, sizeof switches, nullptr) ==
+          LICHEN_SUCCESS);
+  // Those that the build compiles the variant with.
+  CHECK(std::string(switches) ==
+        "-DLICHEN_ROLES=7 -DLICHEN_OMIT_TEXTONS -DLICHEN_OMIT_TRIPLANAR -DLICHEN_GAUSSIAN_ONLY=0 "
+        "-DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_PERIODIC_LATTICE=0");
+  const std::vector<Point> points = gridPoints();
+  const auto all = host.evaluate(tiling_maps_comp, 0, use, points, maps.size());
+  const auto fitted = host.evaluate(tiling_maps_comp_fitted, 0, use, points, maps.size());
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      REQUIRE(fitted[k][c] == Approx(all[k][c]).margin(1e-5));
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
+namespace {
+
+constexpr std::uint32_t kNoises = 4;
+
+/// Three tilings and a texton noise, each with a base colour and a material of its own.
+std::vector<std::byte> fourNoises() {
+  BundleFile file = syntheticBundle(std::span(&kColor, 1));
+  for (std::uint32_t n = 1; n < kNoises; ++n) {
+    const SyntheticMap map{3, 16u << n, 48};
+    const Bundle added =
+        n == 2 ? syntheticTextonBundle({}).bundle : syntheticBundle(std::span(&map, 1)).bundle;
+    Noise noise = added.noises[0];
+    noise.name = "noise " + std::to_string(n);
+    const std::size_t first = file.bundle.tables.size();
+    if (auto* tiling = std::get_if<TilingMap>(&noise.maps[0].data)) {
+      tiling->gaussian += first;
+      tiling->inverseTable = *tiling->inverseTable + first;
+    } else {
+      noise.maps[0].as<TextonMap>().image += first;
+    }
+    file.bundle.tables.insert(file.bundle.tables.end(), added.tables.begin(), added.tables.end());
+    file.bundle.noises.push_back(std::move(noise));
+    MaterialNoise material;
+    material.noise = n;
+    material.seed = n;
+    material.scale = 0.5 + 0.25 * n;
+    file.bundle.materials.emplace_back(material);
+    file.previews.emplace_back();
+  }
+  Result<std::vector<std::byte>> glb = encodeGlb(file);
+  INFO((glb ? std::string() : glb.error().message));
+  REQUIRE(glb.ok());
+  return std::move(glb).value();
+}
+
+/// The host's own descriptors: binding -> type and count, as four_noises.comp declares them.
+constexpr std::array<std::pair<VkDescriptorType, std::uint32_t>, 6> kBindings{
+    {{VK_DESCRIPTOR_TYPE_SAMPLER, 1},
+     {VK_DESCRIPTOR_TYPE_SAMPLER, 1},
+     {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, kNoises},
+     {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, kNoises},
+     {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1},
+     {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}}};
+
+struct OwnSet {
+  explicit OwnSet(VkDevice d) : device(d) {
+    std::array<VkDescriptorSetLayoutBinding, kBindings.size()> bindings{};
+    std::array<VkDescriptorPoolSize, kBindings.size()> sizes{};
+    for (std::uint32_t i = 0; i < kBindings.size(); ++i) {
+      bindings[i] = {i, kBindings[i].first, kBindings[i].second, VK_SHADER_STAGE_COMPUTE_BIT,
+                     nullptr};
+      sizes[i] = {kBindings[i].first, kBindings[i].second};
+    }
+    VkDescriptorSetLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    layoutInfo.bindingCount = std::uint32_t(bindings.size());
+    layoutInfo.pBindings = bindings.data();
+    REQUIRE(vkCreateDescriptorSetLayout(device, &layoutInfo, nullptr, &layout) == VK_SUCCESS);
+    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+    poolInfo.maxSets = 1;
+    poolInfo.poolSizeCount = std::uint32_t(sizes.size());
+    poolInfo.pPoolSizes = sizes.data();
+    REQUIRE(vkCreateDescriptorPool(device, &poolInfo, nullptr, &pool) == VK_SUCCESS);
+    VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+    allocation.descriptorPool = pool;
+    allocation.descriptorSetCount = 1;
+    allocation.pSetLayouts = &layout;
+    REQUIRE(vkAllocateDescriptorSets(device, &allocation, &set) == VK_SUCCESS);
+  }
+  OwnSet(const OwnSet&) = delete;
+  OwnSet& operator=(const OwnSet&) = delete;
+  ~OwnSet() {
+    vkDestroyDescriptorPool(device, pool, nullptr);
+    vkDestroyDescriptorSetLayout(device, layout, nullptr);
+  }
+
+  void write(std::uint32_t binding, const VkDescriptorImageInfo* images,
+             const VkDescriptorBufferInfo* buffer) const {
+    VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+    write.dstSet = set;
+    write.dstBinding = binding;
+    write.descriptorCount = kBindings[binding].second;
+    write.descriptorType = kBindings[binding].first;
+    write.pImageInfo = images;
+    write.pBufferInfo = buffer;
+    vkUpdateDescriptorSets(device, 1, &write, 0, nullptr);
+  }
+
+  VkDevice device;
+  VkDescriptorSetLayout layout = VK_NULL_HANDLE;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+};
+
+} // namespace
+
+TEST_CASE("four noises of two methods in one shader, with descriptors of the host's own") {
+  const auto device = requireDevice();
+  const std::vector<std::byte> glb = fourNoises();
+  const std::vector<Point> points = gridPoints();
+  PluginContext context(*device);
+  PluginHost host(context, glb);
+  // Each noise alone, by the plugin's set; the first run uploads all of them.
+  std::vector<std::vector<std::array<float, 4>>> expected;
+  for (std::uint32_t n = 0; n < kNoises; ++n) {
+    host.setNoise(n);
+    expected.push_back(host.evaluate(roles_comp, 0, host.use(n), points, kRoles));
+  }
+
+  const OwnSet own(device->device());
+  std::array<VkSampler, 2> samplers{};
+  REQUIRE(lichenVulkanGetSamplers(context.context(), &samplers[0], &samplers[1]) == LICHEN_SUCCESS);
+  std::array<std::array<VkDescriptorImageInfo, kNoises>, 2> images{}; // images, tables
+  VkDescriptorBufferInfo noises{};
+  for (std::uint32_t n = 0; n < kNoises; ++n) {
+    VkDescriptorBufferInfo constants{};
+    std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> all{};
+    REQUIRE(lichenVulkanGetDescriptors(host.assets(), n, &constants, all.data()) == LICHEN_SUCCESS);
+    images[0][n] = all[LICHEN_BASE_COLOR];
+    images[1][n] = all[LICHEN_MAX_MAPS + LICHEN_BASE_COLOR];
+    CHECK(constants.offset == n * LICHEN_NOISE_BYTES);
+    noises = {constants.buffer, 0, VK_WHOLE_SIZE};
+  }
+  const DeviceBuffer materials =
+      device
+          ->createBuffer(kNoises * LICHEN_MATERIAL_BYTES, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, true)
+          .value();
+  for (std::uint32_t n = 0; n < kNoises; ++n) {
+    const MaterialUse use = host.use(n);
+    REQUIRE(lichenFillMaterial(&use.parameters, &use.placement,
+                               materials.mapped + n * LICHEN_MATERIAL_BYTES,
+                               nullptr) == LICHEN_SUCCESS);
+  }
+  const VkDescriptorBufferInfo blocks{materials.handle, 0, VK_WHOLE_SIZE};
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    const VkDescriptorImageInfo sampler{samplers[k], VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED};
+    own.write(k, &sampler, nullptr);
+    own.write(2 + k, images[k].data(), nullptr);
+  }
+  own.write(4, nullptr, &noises);
+  own.write(5, nullptr, &blocks);
+
+  ComputeRun run;
+  run.spirv = four_noises_comp;
+  run.layout = own.layout;
+  run.set = own.set;
+  const auto values = runCompute<std::array<float, 4>>(*device, run, points, kNoises);
+  for (std::uint32_t n = 0; n < kNoises; ++n)
+    for (std::size_t k = 0; k < points.size(); ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        REQUIRE(values[k * kNoises + n][c] ==
+                Approx(expected[n][k * kRoles + LICHEN_BASE_COLOR][c]).margin(1e-5));
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
