@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures: golden images, the white furnace, and properties that need no golden image.
-//
-// The golden images were rendered on lavapipe, which is deterministic for a given CPU type. Other
-// CPU types and devices round differently, so the comparison uses the mean and the 99.9 % quantile
-// of the absolute difference of sRGB codes (0 to 255).
-#include "checkout_paths.h"
+#include "golden_picture.h"
 #include "picture.h"
 #include "rendered.h"
 #include "synthetic_noise.h"
@@ -26,38 +22,11 @@ using renderer::RenderSettings;
 
 namespace {
 
-constexpr double kMeanTolerance = 0.5;
-constexpr double kQuantileTolerance = 8.0; // at edges, where coverage may differ
-
-/// Sorted absolute differences in sRGB codes.
-std::vector<double> differences(const SrgbImage& a, const SrgbImage& b) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < a.values.size(); ++i)
-    result.push_back(255.0 * std::abs(double(a.values[i]) - double(b.values[i])));
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
 /// Compares with tests/golden/render/NAME.png; with LICHEN_REGENERATE_GOLDEN set, writes it.
 void checkGolden(const std::string& name, const LinearImage& picture) {
-  const std::filesystem::path path = sourcePath("tests/golden/render/" + name + ".png");
-  if (std::getenv("LICHEN_REGENERATE_GOLDEN") != nullptr)
-    REQUIRE(renderer::writePicture(path, picture).ok());
   const TemporaryFolder folder;
   REQUIRE(renderer::writePicture(folder.path() / "now.png", picture).ok());
-  const auto now = readImage(folder.path() / "now.png");
-  const auto golden = readImage(path);
-  REQUIRE(golden.ok());
-  const auto& a = std::get<SrgbImage>(now.value().pixels);
-  const auto& b = std::get<SrgbImage>(golden.value().pixels);
-  REQUIRE((a.width == b.width && a.height == b.height && a.channels == b.channels));
-  const std::vector<double> sorted = differences(a, b);
-  double sum = 0.0;
-  for (const double d : sorted)
-    sum += d;
-  INFO(name);
-  CHECK(sum / double(sorted.size()) <= kMeanTolerance);
-  CHECK(sorted[sorted.size() * 999 / 1000] <= kQuantileTolerance);
+  checkGoldenPicture(name, folder.path() / "now.png");
 }
 
 /// Three textured balls of different materials on a ground, lit by a sun.
@@ -292,7 +261,7 @@ TEST_CASE("a ball under a mirrored node looks like the ball") {
   const LinearImage plain = render(scene.glb(), settingsOf(64, 64, 1));
   scene.json["nodes"][0]["scale"] = {-1, 1, 1};
   const LinearImage mirrored = render(scene.glb(), settingsOf(64, 64, 1));
-  const auto sorted = differences(toSrgb(plain), toSrgb(mirrored));
+  const auto sorted = codeDifferences(toSrgb(plain), toSrgb(mirrored));
   CHECK(sorted[sorted.size() * 99 / 100] < 1.0);
 }
 
