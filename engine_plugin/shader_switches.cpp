@@ -3,6 +3,7 @@
 #include "abi.h"
 #include "of_noise.h"
 
+#include <cstdio>
 #include <string>
 
 using namespace lichen;
@@ -47,7 +48,9 @@ void addMaterial(const LichenMaterialParameters& parameters, const OfNoise& nois
 }
 
 std::string switchesOf(const Needs& needs) {
-  std::string text = "-DLICHEN_ROLES=" + std::to_string(needs.roles);
+  char roles[32]; // std::to_string() would export a symbol of the standard library
+  std::snprintf(roles, sizeof roles, "-DLICHEN_ROLES=%u", needs.roles);
+  std::string text = roles;
   const auto unless = [&](bool isNeeded, const char* name) {
     if (!isNeeded)
       text += std::string(" -DLICHEN_") + name;

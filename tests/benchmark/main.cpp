@@ -18,7 +18,7 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 10> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 11> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
@@ -27,7 +27,8 @@ constexpr std::array<Family, 10> kFamilies{{{"bake", bakeRows},
                                             {"view", viewRows},
                                             {"lit", litRows},
                                             {"texton", textonRows},
-                                            {"shader", shaderRows}}};
+                                            {"shader", shaderRows},
+                                            {"code", codeRows}}};
 
 const char* verdict(const Row& row) {
   if (row.skipped)

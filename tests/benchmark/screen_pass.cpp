@@ -33,7 +33,7 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, VkShaderModul
 }
 
 VkPipeline screenPipeline(VkDevice device, VkPipelineLayout layout, VkShaderModule vertex,
-                          VkShaderModule fragment) {
+                          VkShaderModule fragment, VkPipelineCreateFlags flags) {
   const std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex),
                           stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
   const VkPipelineVertexInputStateCreateInfo vertices{
@@ -66,6 +66,7 @@ VkPipeline screenPipeline(VkDevice device, VkPipelineLayout layout, VkShaderModu
   rendering.pColorAttachmentFormats = &kScreenFormat;
   VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
   info.pNext = &rendering;
+  info.flags = flags;
   info.stageCount = std::uint32_t(stages.size());
   info.pStages = stages.data();
   info.pVertexInputState = &vertices;
@@ -98,8 +99,9 @@ void toColorAttachment(VkCommandBuffer commands, const DeviceImage& image) {
 
 } // namespace
 
-ScreenPass::ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vertex,
-                       std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout)
+ScreenPipeline::ScreenPipeline(VkDevice device, std::span<const std::uint32_t> vertex,
+                               std::span<const std::uint32_t> fragment,
+                               VkDescriptorSetLayout layout, VkPipelineCreateFlags flags)
     : device_(device) {
   const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(ScreenView)};
   VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
@@ -107,17 +109,17 @@ ScreenPass::ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vert
   info.pSetLayouts = &layout;
   info.pushConstantRangeCount = 1;
   info.pPushConstantRanges = &push;
-  require(vkCreatePipelineLayout(device.device(), &info, nullptr, &layout_), "a pipeline layout");
-  const VkShaderModule vertexModule = shaderModule(device.device(), vertex);
-  const VkShaderModule fragmentModule = shaderModule(device.device(), fragment);
-  pipeline_ = screenPipeline(device.device(), layout_, vertexModule, fragmentModule);
-  vkDestroyShaderModule(device.device(), vertexModule, nullptr);
-  vkDestroyShaderModule(device.device(), fragmentModule, nullptr);
+  require(vkCreatePipelineLayout(device, &info, nullptr, &layout_), "a pipeline layout");
+  const VkShaderModule vertexModule = shaderModule(device, vertex);
+  const VkShaderModule fragmentModule = shaderModule(device, fragment);
+  pipeline_ = screenPipeline(device, layout_, vertexModule, fragmentModule, flags);
+  vkDestroyShaderModule(device, vertexModule, nullptr);
+  vkDestroyShaderModule(device, fragmentModule, nullptr);
 }
 
-ScreenPass::~ScreenPass() {
-  vkDestroyPipeline(device_.device(), pipeline_, nullptr);
-  vkDestroyPipelineLayout(device_.device(), layout_, nullptr);
+ScreenPipeline::~ScreenPipeline() {
+  vkDestroyPipeline(device_, pipeline_, nullptr);
+  vkDestroyPipelineLayout(device_, layout_, nullptr);
 }
 
 double ScreenPass::draw(const DeviceImage& target, VkDescriptorSet set, const ScreenView& view) {
@@ -137,12 +139,13 @@ double ScreenPass::draw(const DeviceImage& target, VkDescriptorSet set, const Sc
   const Result<void> drawn = device_.submit([&](VkCommandBuffer commands) {
     toColorAttachment(commands, target);
     vkCmdBeginRendering(commands, &rendering);
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
-    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout_, 0, 1, &set, 0,
-                            nullptr);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.handle());
+    vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1,
+                            &set, 0, nullptr);
     vkCmdSetViewport(commands, 0, 1, &viewport);
     vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
-    vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof view, &view);
+    vkCmdPushConstants(commands, pipeline_.layout(), VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof view,
+                       &view);
     vkCmdDraw(commands, 4, 1, 0, 0);
     vkCmdEndRendering(commands);
   });

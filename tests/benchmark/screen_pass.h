@@ -18,14 +18,32 @@ struct ScreenView {
 
 inline constexpr VkFormat kScreenFormat = VK_FORMAT_R8G8B8A8_UNORM;
 
+/// A pipeline that draws a rectangle over the whole screen.
+class ScreenPipeline {
+public:
+  /// `layout` is the layout of set 0. Throws std::runtime_error with the device's message.
+  ScreenPipeline(VkDevice device, std::span<const std::uint32_t> vertex,
+                 std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout,
+                 VkPipelineCreateFlags flags = 0);
+  ~ScreenPipeline();
+  ScreenPipeline(const ScreenPipeline&) = delete;
+  ScreenPipeline& operator=(const ScreenPipeline&) = delete;
+
+  [[nodiscard]] VkPipeline handle() const { return pipeline_; }
+  [[nodiscard]] VkPipelineLayout layout() const { return layout_; }
+
+private:
+  VkDevice device_;
+  VkPipelineLayout layout_ = VK_NULL_HANDLE;
+  VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
 class ScreenPass {
 public:
   /// `layout` is the layout of set 0. Throws std::runtime_error with the device's message.
   ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vertex,
-             std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout);
-  ~ScreenPass();
-  ScreenPass(const ScreenPass&) = delete;
-  ScreenPass& operator=(const ScreenPass&) = delete;
+             std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout)
+      : device_(device), pipeline_(device.device(), vertex, fragment, layout) {}
 
   /// Draws into `target` (kScreenFormat, a colour attachment) and waits. Returns the seconds from
   /// submission to completion.
@@ -33,8 +51,7 @@ public:
 
 private:
   VulkanDevice& device_;
-  VkPipelineLayout layout_ = VK_NULL_HANDLE;
-  VkPipeline pipeline_ = VK_NULL_HANDLE;
+  ScreenPipeline pipeline_;
 };
 
 } // namespace lichen::bench
