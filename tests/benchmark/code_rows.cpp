@@ -9,6 +9,7 @@
 
 #include <array>
 #include <bare.frag.h>
+#include <bindless.frag.h>
 #include <cstring>
 #include <hextile.frag.h>
 #include <hextile.frag.unrotated.h>
@@ -41,6 +42,7 @@ public:
     choosePhysicalDevice();
     createDevice();
     createPeerLayout();
+    createBindlessLayout();
     createNoiseLayout();
   }
   CompilerDevice(const CompilerDevice&) = delete;
@@ -48,6 +50,7 @@ public:
   ~CompilerDevice() {
     lichenVulkanDestroyContext(context_);
     vkDestroyDescriptorSetLayout(device_, peerLayout_, nullptr);
+    vkDestroyDescriptorSetLayout(device_, bindlessLayout_, nullptr);
     vkDestroyDevice(device_, nullptr);
     vkDestroyInstance(instance_, nullptr);
   }
@@ -55,6 +58,7 @@ public:
   [[nodiscard]] const char* name() const { return properties_.deviceName; }
   [[nodiscard]] VkDescriptorSetLayout peerLayout() const { return peerLayout_; }
   [[nodiscard]] VkDescriptorSetLayout noiseLayout() const { return noiseLayout_; }
+  [[nodiscard]] VkDescriptorSetLayout bindlessLayout() const { return bindlessLayout_; }
 
   /// The statistics of a fragment shader: name and value.
   [[nodiscard]] std::vector<Detail> statistics(std::span<const std::uint32_t> fragment,
@@ -100,8 +104,12 @@ private:
       throw std::runtime_error(std::string(name()) +
                                " does not support VK_KHR_pipeline_executable_properties; "
                                "RADV does, without its device: see tests/benchmark/code_rows.cpp");
+    VkPhysicalDeviceVulkan12Features indexing{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
+                                              &statistics};
+    indexing.descriptorIndexing = indexing.runtimeDescriptorArray = VK_TRUE;
+    indexing.shaderSampledImageArrayNonUniformIndexing = VK_TRUE;
     VkPhysicalDeviceVulkan13Features core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
-                                          &statistics};
+                                          &indexing};
     core.dynamicRendering = VK_TRUE;
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
@@ -134,6 +142,23 @@ private:
     info.bindingCount = std::uint32_t(bindings.size());
     info.pBindings = bindings.data();
     require(vkCreateDescriptorSetLayout(device_, &info, nullptr, &peerLayout_), "a set layout");
+  }
+
+  /// As shaders/bindless.frag declares it.
+  void createBindlessLayout() {
+    constexpr std::uint32_t kImages = 64; // of each kind
+    const std::array<VkDescriptorType, 6> types{
+        VK_DESCRIPTOR_TYPE_SAMPLER,        VK_DESCRIPTOR_TYPE_SAMPLER,
+        VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,  VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
+        VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+    std::array<VkDescriptorSetLayoutBinding, types.size()> bindings{};
+    for (std::uint32_t i = 0; i < types.size(); ++i)
+      bindings[i] = {i, types[i], types[i] == VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE ? kImages : 1,
+                     VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
+    VkDescriptorSetLayoutCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+    info.bindingCount = std::uint32_t(bindings.size());
+    info.pBindings = bindings.data();
+    require(vkCreateDescriptorSetLayout(device_, &info, nullptr, &bindlessLayout_), "a set layout");
   }
 
   void createNoiseLayout() {
@@ -172,6 +197,7 @@ private:
   VkDevice device_ = VK_NULL_HANDLE;
   VkDescriptorSetLayout peerLayout_ = VK_NULL_HANDLE;
   VkDescriptorSetLayout noiseLayout_ = VK_NULL_HANDLE;
+  VkDescriptorSetLayout bindlessLayout_ = VK_NULL_HANDLE;
   LichenVulkanContext context_ = nullptr;
   PFN_vkGetPipelineExecutablePropertiesKHR getExecutables_ = nullptr;
   PFN_vkGetPipelineExecutableStatisticsKHR getStatistics_ = nullptr;
@@ -188,30 +214,32 @@ std::vector<Row> measure() {
   struct Shader {
     const char* name;
     std::span<const std::uint32_t> fragment;
-    bool isPeer;
+    VkDescriptorSetLayout layout;
   };
-  const Shader shaders[] = {{"three bare fetches", bare_frag, true}, // the unit
-                            {"one plain fetch", plain_frag, true},
-                            {"hextile-demo", hextile_frag, true},
-                            {"hextile-demo without rotation", hextile_frag_unrotated, true},
-                            {"Unity's stochastic texturing", unity_frag, true},
-                            {"[HN18] without prefilter", hn18_frag, true},
-                            {"tiling, joint table", tiling_frag_joint, false},
-                            {"tiling, joint table, two taps", tiling_frag_two_taps, false},
-                            {"tiling, Gaussian only", tiling_frag_gaussian, false},
-                            {"triplanar tiling", triplanar_frag, false},
-                            {"texton", texton_frag, false},
-                            {"mix of textons", texton_frag_mixed, false},
-                            {"surface texton", surface_frag, false}};
   const CompilerDevice device;
+  const VkDescriptorSetLayout peer = device.peerLayout(), noise = device.noiseLayout();
+  const Shader shaders[] = {
+      {"three bare fetches", bare_frag, peer}, // the unit
+      {"one plain fetch", plain_frag, peer},
+      {"hextile-demo", hextile_frag, peer},
+      {"hextile-demo without rotation", hextile_frag_unrotated, peer},
+      {"Unity's stochastic texturing", unity_frag, peer},
+      {"[HN18] without prefilter", hn18_frag, peer},
+      {"tiling, joint table", tiling_frag_joint, noise},
+      {"tiling, joint table, two taps", tiling_frag_two_taps, noise},
+      {"tiling, Gaussian only", tiling_frag_gaussian, noise},
+      {"triplanar tiling", triplanar_frag, noise},
+      {"texton", texton_frag, noise},
+      {"mix of textons", texton_frag_mixed, noise},
+      {"surface texton", surface_frag, noise},
+      {"four layers of tiling, bindless", bindless_frag, device.bindlessLayout()}};
   // RADV's; cycles are its estimates of a wave alone, and of many waves.
   constexpr std::array kShown{
       "Instructions", "VGPRs", "SGPRs", "Code size", "Branches", "Latency", "Inverse Throughput"};
   std::vector<Row> rows;
   double unit = 0.0;
   for (const Shader& shader : shaders) {
-    const std::vector<Detail> statistics = device.statistics(
-        shader.fragment, shader.isPeer ? device.peerLayout() : device.noiseLayout());
+    const std::vector<Detail> statistics = device.statistics(shader.fragment, shader.layout);
     const double instructions = valueOf(statistics, "Instructions");
     if (unit == 0.0)
       unit = instructions;
