@@ -40,17 +40,31 @@ void lichenTakeUv(inout LichenPoint point, vec2 uv, LichenMaterial material, Lic
 #endif
 }
 
-/// The Gaussian value of one map: mean 1/2, deviation 1/6 where nothing is lost. `lost`: the share
-/// of each channel's variance that filtering lost. `table` is that of the map's binding.
-vec3 lichenGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint point,
-                    LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+/// What was fetched of one map at a point. Compilers do not fetch once what is written twice, where
+/// images and samplers are separate.
+struct LichenFetched {
+  vec3 gaussian;     // mean 1/2, deviation 1/6 where nothing is lost
+  vec3 lost;         // the share of each channel's variance that filtering lost
+  LichenTiles tiles; // of tiling
+};
+
+/// `table` is that of the map's binding.
+LichenFetched lichenFetch(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint point,
+                          LichenMaterial material, LichenNoise noise, LichenMap map) {
+  LichenFetched fetched;
 #ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(noise))
-    return lichenTextonValue(image, table, point.impacts, material, noise, map, lost);
+  if (lichenIsTexton(noise)) {
+    fetched.gaussian =
+        lichenTextonValue(image, table, point.impacts, material, noise, map, fetched.lost);
+    return fetched;
+  }
 #endif
-  vec4 gaussian = lichenTilingGaussian(image, point.taps, map);
-  lost = gaussian.aaa;
-  return gaussian.rgb;
+  fetched.tiles = lichenTilingTiles(image, point.taps, map);
+  vec4 blend = lichenTilingBlend(fetched.tiles.tile0, fetched.tiles.tile1, fetched.tiles.tile2,
+                                 point.taps.point.weights, point.taps.point.contrast);
+  fetched.gaussian = blend.rgb;
+  fetched.lost = blend.aaa;
+  return fetched;
 }
 
 /// The value that a Gaussian value stands for.
@@ -64,8 +78,18 @@ vec4 lichenDecodeAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenPoint
   return lichenDecode(table, gaussian, lost.x, material.contrast, map);
 }
 
-/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
-/// the variance of a slope that the footprint hides.
+/// The value of one map of what was fetched: light for colours, the decoded quantity for the
+/// others. Of slopes, z is the variance of a slope that the footprint hides.
+vec4 lichenFetchedValue(LICHEN_IMAGE_3D table, LichenFetched fetched, LichenPoint point,
+                        LichenMaterial material, LichenNoise noise, LichenMap map) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise))
+    return lichenDecodeAt(table, fetched.gaussian, fetched.lost, point, material, noise, map);
+#endif
+  return lichenTilesValue(table, fetched.tiles, point.taps, map);
+}
+
+/// The same, fetched here.
 vec4 lichenPointValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint point,
                       LichenMaterial material, LichenNoise noise, LichenMap map) {
 #ifndef LICHEN_OMIT_TEXTONS

@@ -164,10 +164,9 @@ vec4 lichenTilingGaussian(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, Liche
                            taps.point.contrast);
 }
 
-/// The value of one map.
-vec4 lichenTiling(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
-                  LichenMap map) {
-  LichenTiles tiles = lichenTilingTiles(gaussian, taps, map);
+/// The value of one map, of its tiles at these taps.
+vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps taps,
+                      LichenMap map) {
   float contrast = taps.point.contrast;
   vec3 weights = taps.point.weights;
   vec4 blend = lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, weights, contrast);
@@ -195,6 +194,12 @@ vec4 lichenTiling(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenTilingT
       break;
   }
   return sum;
+}
+
+/// The value of one map.
+vec4 lichenTiling(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
+                  LichenMap map) {
+  return lichenTilesValue(table, lichenTilingTiles(gaussian, taps, map), taps, map);
 }
 
 #endif

@@ -95,18 +95,18 @@ LichenPlanesBlend lichenTriplanarBlend(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D ta
   int rank = 0;
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank);
-    vec3 lost;
-    vec3 gaussian = lichenGaussian(image, table, plane.point, material, noise, map, lost);
+    LichenFetched fetched = lichenFetch(image, table, plane.point, material, noise, map);
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
-    sum += plane.weight * (gaussian - 0.5);
-    blend.lost += plane.weight * plane.weight * lost;
+    sum += plane.weight * (fetched.gaussian - 0.5);
+    blend.lost += plane.weight * plane.weight * fetched.lost;
     ++rank;
     bool isLast = rank >= at.count; // of what is not a slope, only the whole is decoded
     if (isSlope)
       blend.value +=
-          lichenPlaneSlopes(lichenPointValue(image, table, plane.point, material, noise, map).xyz,
-                            plane, at.normal, material);
+          lichenPlaneSlopes(
+              lichenFetchedValue(table, fetched, plane.point, material, noise, map).xyz, plane,
+              at.normal, material);
     else if (isLast)
       blend.value = lichenDecodeAt(table, 0.5 + sum, blend.lost, plane.point, material, noise, map);
     if (isLast)
