@@ -5,9 +5,11 @@
 #include "of_noise.h"
 #include "plan.h"
 
+#include <lichen/lattice.h>
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -154,7 +156,8 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenPlacem
   const MixWeight& mix = parameters.mix;
   if (mix.source == MixSource::direction &&
       std::hypot(mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]) < kLeastMixLength) {
-    writeDiagnostic(diagnostic, "mixEnd is closer than %.9g to mixStart", kLeastMixLength);
+    writeDiagnostic(diagnostic, "mixEnd (%.9g, %.9g) is closer than %.9g to mixStart", mix.end[0],
+                    mix.end[1], kLeastMixLength);
     return LICHEN_ERROR_USAGE;
   }
   return checkPeriod(parameters, info, diagnostic);
@@ -164,13 +167,20 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenPlacem
 
 namespace lichen::plugin {
 
+std::uint32_t checksumOf(const OfNoise& part) {
+  constexpr std::size_t kWords = offsetof(OfNoise, checksum) / sizeof(std::uint32_t);
+  std::array<std::uint32_t, kWords> words{};
+  std::memcpy(words.data(), &part, sizeof words);
+  std::uint32_t sum = 1;
+  for (const std::uint32_t word : words)
+    sum = pcg(sum ^ word);
+  return sum;
+}
+
 LichenResult readOfNoise(const LichenMaterialParameters& source, OfNoise& part,
                          LichenDiagnostic* diagnostic) {
   std::memcpy(&part, source.ofNoise, sizeof part);
-  const shader::LichenNoise& noise = part.constants;
-  const bool isKnown = noise.method < allMethods().size() && noise.tileTexelsX >= 1.0f &&
-                       noise.tileTexelsY >= 1.0f && noise.tileAspect > 0.0f;
-  if (isKnown)
+  if (part.checksum == checksumOf(part))
     return LICHEN_SUCCESS;
   writeDiagnostic(diagnostic,
                   "ofNoise is not what the library has written; get the parameters from "
@@ -233,6 +243,7 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
     const bool hasTable = tiling != nullptr && tableKindOf(*tiling) == TableKind::joint;
     noise.tableKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
   }
+  noise.checksum = checksumOf(noise);
   LichenMaterialParameters values{};
   values.noise = std::uint32_t(source.noise);
   values.mapping = mappingNumber(source.mapping);

@@ -12,9 +12,11 @@ namespace lichen::plugin {
 struct OfNoise {
   shader::LichenNoise constants;
   std::uint32_t tableKinds; // bit k: a map with the LichenTableKind k
-  std::uint32_t reserved;
+  std::uint32_t checksum;   // of all before
 };
 static_assert(sizeof(OfNoise) == sizeof(LichenMaterialParameters::ofNoise));
+
+[[nodiscard]] std::uint32_t checksumOf(const OfNoise& part);
 
 /// Reads them from parameters. LICHEN_ERROR_USAGE where the host has not left them as they were.
 LichenResult readOfNoise(const LichenMaterialParameters& source, OfNoise& part,

@@ -7,7 +7,7 @@
 // Descriptors declared here: define, before the include,
 //   LICHEN_SET            the descriptor set that the plugin fills
 //   LICHEN_FIRST_BINDING  its first binding (0)
-//   LICHEN_ROLES          bit r: the shader evaluates the map of role r (63, all)
+//   LICHEN_ROLES          bit r: some noise has a map of role r (63, all); others are never there
 // which gives lichenNoise, lichenMaps[role] and lichenMaterial,
 // LICHEN_PLACE(uv, gradientX, gradientY), where the noise is evaluated, or of other mappings
 // LICHEN_PLACE_TRIPLANAR(position, gradientX, gradientY, normal) and
@@ -73,21 +73,39 @@ layout(std140, set = LICHEN_SET,
 
 #if (LICHEN_ROLES & 1) != 0
 LICHEN_DECLARE_ROLE(0);
+#define LICHEN_VALUE_0(place) lichenValue(lichenImage0, lichenTable0, place, lichenMaps[0])
+#else
+#define LICHEN_VALUE_0(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 2) != 0
 LICHEN_DECLARE_ROLE(1);
+#define LICHEN_VALUE_1(place) lichenValue(lichenImage1, lichenTable1, place, lichenMaps[1])
+#else
+#define LICHEN_VALUE_1(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 4) != 0
 LICHEN_DECLARE_ROLE(2);
+#define LICHEN_VALUE_2(place) lichenValue(lichenImage2, lichenTable2, place, lichenMaps[2])
+#else
+#define LICHEN_VALUE_2(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 8) != 0
 LICHEN_DECLARE_ROLE(3);
+#define LICHEN_VALUE_3(place) lichenValue(lichenImage3, lichenTable3, place, lichenMaps[3])
+#else
+#define LICHEN_VALUE_3(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 16) != 0
 LICHEN_DECLARE_ROLE(4);
+#define LICHEN_VALUE_4(place) lichenValue(lichenImage4, lichenTable4, place, lichenMaps[4])
+#else
+#define LICHEN_VALUE_4(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 32) != 0
 LICHEN_DECLARE_ROLE(5);
+#define LICHEN_VALUE_5(place) lichenValue(lichenImage5, lichenTable5, place, lichenMaps[5])
+#else
+#define LICHEN_VALUE_5(place) vec4(0.0)
 #endif
 
 #define LICHEN_PLACE(uv, gradientX, gradientY)                                                     \
@@ -102,7 +120,7 @@ LICHEN_DECLARE_ROLE(5);
                            LichenTriplanarMaterial(lichenMaterial, lichenPlaneY, lichenPlaneZ),    \
                            lichenNoise)
 
-#define LICHEN_HAS(role) (((lichenNoise.roles >> uint(role)) & 1u) != 0u)
+#define LICHEN_HAS(role) ((((lichenNoise.roles & uint(LICHEN_ROLES)) >> uint(role)) & 1u) != 0u)
 
 // Twice, so that a role's name becomes its number before it is pasted.
 #define LICHEN_IMAGE(role) LICHEN_IMAGE_OF(role)
@@ -110,8 +128,8 @@ LICHEN_DECLARE_ROLE(5);
 #define LICHEN_IMAGE_OF(role) lichenImage##role
 #define LICHEN_TABLE_OF(role) lichenTable##role
 
-#define LICHEN_VALUE(role, place)                                                                  \
-  lichenValue(LICHEN_IMAGE(role), LICHEN_TABLE(role), place, lichenMaps[role])
+#define LICHEN_VALUE(role, place) LICHEN_VALUE_OF(role, place)
+#define LICHEN_VALUE_OF(role, place) LICHEN_VALUE_##role(place)
 #endif
 
 #endif

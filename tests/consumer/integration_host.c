@@ -58,7 +58,7 @@ void unloadBundle(NoiseBundle* loaded, uint64_t lastFrame) {
 LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t index, uint32_t slot,
                          NoiseMaterial* material, LichenDiagnostic* diagnostic) {
   /* The dynamic offset of each draw is added to this offset of 0. */
-  const VkDescriptorBufferInfo block = {host->uniformBuffer, 0, LICHEN_MATERIAL_BYTES};
+  const VkDescriptorBufferInfo block = {host->uniformBuffer, 0, LICHEN_TRIPLANAR_MATERIAL_BYTES};
   LichenMaterialProperties properties;
   LichenResult result;
   memset(material, 0, sizeof *material);

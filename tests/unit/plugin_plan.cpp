@@ -330,6 +330,13 @@ TEST_CASE("parameters that the library has not written are an error") {
   const Filled filled = fill(parameters);
   CHECK(filled.result == LICHEN_ERROR_USAGE);
   CHECK(filled.message.find("lichenGetMaterialParameters") != std::string::npos);
+  const OwnedBundle bundle(example::smallest());
+  for (std::size_t word = 0; word < std::size(parameters.ofNoise); ++word) {
+    parameters = parametersOf(bundle.handle);
+    parameters.ofNoise[word] ^= 0x7f800000u; // of a float, infinity
+    INFO("word " << word);
+    CHECK(fill(parameters).result == LICHEN_ERROR_USAGE);
+  }
 }
 
 namespace {
