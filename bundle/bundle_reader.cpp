@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Public entry points for reading and checking. Both run the same pass over the file.
+#include "cooked.h"
 #include "extension_reader.h"
 
 #include <lichen/files.h>
@@ -10,11 +11,17 @@
 namespace lichen {
 namespace {
 
-/// Reads the readable parts and records every fault.
-Bundle inspect(std::span<const std::byte> file, const std::filesystem::path& folder,
-               FindingList& findings) {
+/// Reads the readable parts and records every fault. Returns nothing if the file is neither a
+/// complete glTF nor a complete cooked bundle, of which the tables borrow their texels.
+std::optional<Bundle> inspect(std::span<const std::byte> file, const std::filesystem::path& folder,
+                              FindingList& findings) {
+  if (isCooked(file))
+    return readCooked(file, findings);
   std::optional<GltfFile> gltf = GltfFile::open(file, folder, findings);
-  return gltf ? readExtension(*gltf, findings) : Bundle{};
+  if (!gltf)
+    return std::nullopt;
+  GltfTables tables(*gltf);
+  return readExtension(gltf->document(), tables, findings);
 }
 
 /// The message for when even a finding does not fit into memory. `name` is a path or a string.
@@ -26,9 +33,20 @@ auto unread(const auto& name) {
 Result<Bundle> read(std::span<const std::byte> file, const std::filesystem::path& folder,
                     const std::string& name) {
   FindingList findings;
-  Bundle bundle = inspect(file, folder, findings);
+  std::optional<Bundle> bundle = inspect(file, folder, findings);
   if (const Finding* fault = findings.firstError())
     return asError(*fault, name);
+  return std::move(*bundle);
+}
+
+/// Gives each table texels of its own.
+Result<Bundle> owned(Result<Bundle> bundle) {
+  if (bundle)
+    for (Table& table : bundle.value().tables) {
+      table.texels.insert(table.texels.end(), table.borrowedTexels.begin(),
+                          table.borrowedTexels.end());
+      table.borrowedTexels = {};
+    }
   return bundle;
 }
 
@@ -42,11 +60,15 @@ Error asError(const Finding& finding, const std::string& title) {
 Result<Bundle> readBundle(const std::filesystem::path& path) {
   return withinMemory(unread(path), [&]() -> Result<Bundle> {
     const Result<std::vector<std::byte>> file = readFile(path);
-    return file ? read(file.value(), folderOf(path), path.string()) : file.error();
+    return file ? owned(read(file.value(), folderOf(path), path.string())) : file.error();
   });
 }
 
 Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name) {
+  return withinMemory(unread(name), [&] { return owned(read(file, {}, name)); });
+}
+
+Result<Bundle> parseBundleInPlace(std::span<const std::byte> file, const std::string& name) {
   return withinMemory(unread(name), [&] { return read(file, {}, name); });
 }
 
@@ -56,10 +78,8 @@ Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path) {
     if (!file)
       return file.error();
     FindingList findings;
-    std::optional<GltfFile> gltf = GltfFile::open(file.value(), folderOf(path), findings);
-    if (!gltf)
+    if (!inspect(file.value(), folderOf(path), findings))
       return asError(*findings.firstError(), path.string());
-    static_cast<void>(readExtension(*gltf, findings));
     for (const Finding& finding : findings.all())
       if (finding.code == "memory") // a part that did not fit may be valid
         return asError(finding, path.string());

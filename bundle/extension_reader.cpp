@@ -37,40 +37,6 @@ std::string extensionPointer(const std::string& object) {
   return object + "/extensions/" + std::string(kExtensionName);
 }
 
-/// Reads one element of `tables`; returns nothing if it is invalid.
-std::optional<Table> readTable(ObjectReader reader, GltfFile& file, std::size_t& bytesRead,
-                               FindingList& findings) {
-  constexpr std::size_t kMaxBufferViews = 1u << 24u;
-  const std::string name = reader.has("name") ? reader.text("name").value_or("") : "";
-  const auto mimeType = reader.text("mimeType");
-  if (mimeType && *mimeType != "image/ktx2")
-    reader.error("table-mime-type", "mimeType", quoted(*mimeType) + "; expected image/ktx2");
-  const auto view = reader.integer("bufferView", kMaxBufferViews, "buffer-view");
-  reader.warnOfUnknown();
-  if (!view)
-    return std::nullopt;
-  const auto bytes = file.bufferView(std::size_t(*view), findings);
-  if (!bytes)
-    return std::nullopt;
-  // Rejects tables that share bytes: a small file could otherwise claim any amount of memory.
-  bytesRead += bytes->size();
-  if (bytesRead > file.loadedBytes()) {
-    reader.error("table-overlap", "bufferView", "shares bytes with another table");
-    return std::nullopt;
-  }
-  Result<Table> table = decodeKtx2(*bytes, name);
-  if (!table && table.error().kind == ErrorKind::resources) {
-    findings.error("memory", reader.pointer(), "not enough memory for its texels");
-    return std::nullopt;
-  }
-  if (!table) {
-    // Removes the name from the message, since the pointer identifies the table.
-    findings.error("table-ktx2", reader.pointer(), table.error().message.substr(name.size() + 2));
-    return std::nullopt;
-  }
-  return std::move(table).value();
-}
-
 /// The noise's revision, or 0 if it states no valid one.
 int statedRevision(const json& noise) {
   const json* revision = memberOf(&noise, "revision");
@@ -323,19 +289,19 @@ void keepTables(Tables tables, Bundle& bundle) {
 }
 
 /// Reads the root object. Tables come first, because maps are checked against them.
-NoisePlaces readRoot(GltfFile& file, const json& extension, Bundle& bundle, FindingList& findings) {
+NoisePlaces readRoot(TableSource& source, const json& extension, Bundle& bundle,
+                     FindingList& findings) {
   ObjectReader reader(extension, extensionPointer(""), findings);
   const json* tableList = reader.array("tables", kMaxTables);
   const json* noiseList = reader.array("noises", kMaxNoises);
   reader.warnOfUnknown();
   Tables tables(tableList != nullptr ? tableList->size() : 0);
   const std::vector<bool> readable = readableTables(noiseList, tables.size());
-  std::size_t bytesRead = 0;
   for (std::size_t i = 0; i < tables.size(); ++i)
     if (readable[i])
-      tables[i] = readTable(
+      tables[i] = source.read(
           ObjectReader((*tableList)[i], elementPointer(reader.pointerTo("tables"), i), findings),
-          file, bytesRead, findings);
+          findings);
   NoisePlaces places;
   if (noiseList != nullptr)
     places = readNoises(*noiseList, reader.pointerTo("noises"), tables, bundle, findings);
@@ -349,13 +315,12 @@ NoisePlaces readRoot(GltfFile& file, const json& extension, Bundle& bundle, Find
 
 } // namespace
 
-Bundle readExtension(GltfFile& file, FindingList& findings) {
-  const json& root = file.document();
+Bundle readExtension(const json& root, TableSource& source, FindingList& findings) {
   Bundle bundle;
   const json* extension = extensionOf(root);
   NoisePlaces places;
   if (extension != nullptr)
-    places = readRoot(file, *extension, bundle, findings);
+    places = readRoot(source, *extension, bundle, findings);
   readMaterials(root, places, bundle, findings);
   const bool used = extension != nullptr ||
                     std::any_of(bundle.materials.begin(), bundle.materials.end(),

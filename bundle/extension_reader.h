@@ -2,13 +2,14 @@
 // The extension's objects in a glTF document -> a bundle, recording every fault.
 #pragma once
 
-#include "gltf_file.h"
-#include "object_reader.h"
+#include "table_source.h"
 
 namespace lichen {
 
-/// Reads and checks the extension. The result is valid only if no error was recorded.
-[[nodiscard]] Bundle readExtension(GltfFile& file, FindingList& findings);
+/// Reads and checks the extension of a document, and its tables. The result is valid only if no
+/// error was recorded.
+[[nodiscard]] Bundle readExtension(const nlohmann::json& root, TableSource& source,
+                                   FindingList& findings);
 
 using Tables = std::vector<std::optional<Table>>;
 

@@ -173,8 +173,10 @@ Result<GltfScene> GltfScene::open(const std::filesystem::path& path) {
         findings.error("json-name", "",
                        "JSON object with two members " + quoted(fault->name) + "; expected one");
     }
-    if (findings.errorCount() == 0)
-      state->bundle = readExtension(*state->file, findings);
+    if (findings.errorCount() == 0) {
+      GltfTables tables(*state->file);
+      state->bundle = readExtension(state->document(), tables, findings);
+    }
     if (const Finding* fault = findings.firstError())
       return asError(*fault, path.string());
     state->added.firstView = state->countOf("bufferViews");

@@ -140,17 +140,15 @@ bool contains(std::size_t size, std::uint64_t offset, std::uint64_t length) {
 /// Checks everything in the header that does not depend on the rest of the file. Returns a table
 /// without texels.
 Result<Table> tableFromHeader(const Header& header, const std::string& name) {
-  const auto format = std::find_if(kFormats.begin(), kFormats.end(), [&](const FormatEntry& e) {
-    return e.vkFormat == header.vkFormat;
-  });
-  if (format == kFormats.end())
+  const std::optional<TexelFormat> format = texelFormatFrom(header.vkFormat);
+  if (!format)
     return refusal(name, "vkFormat " + std::to_string(header.vkFormat) +
                              "; expected 9, 16, 37, 76, 83, 97, 100 or 109 (R8, RG8, RGBA8, "
                              "R16F, RG16F, RGBA16F, R32F or RGBA32F)");
-  if (header.typeSize != format->typeSize)
+  const std::uint32_t typeSize = entryOf(*format).typeSize;
+  if (header.typeSize != typeSize)
     return refusal(name, "typeSize " + std::to_string(header.typeSize) + "; vkFormat " +
-                             std::to_string(header.vkFormat) + " has " +
-                             std::to_string(format->typeSize));
+                             std::to_string(header.vkFormat) + " has " + std::to_string(typeSize));
   for (const std::uint32_t side : {header.pixelWidth, header.pixelHeight})
     if (side == 0 || side > kMaxTableSide)
       return refusal(name, "side of " + std::to_string(side) + " texels; expected 1 to " +
@@ -173,7 +171,7 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
                              "; expected uncompressed data (0, without global data)");
   Table table;
   table.name = name;
-  table.format = format->format;
+  table.format = *format;
   table.width = header.pixelWidth;
   table.height = header.pixelHeight;
   table.depth = header.pixelDepth;
@@ -262,21 +260,6 @@ Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size
   return table;
 }
 
-/// Whether all texels are finite. NaN and infinity have all exponent bits set.
-bool isFinite(const Table& table) {
-  const FormatEntry& entry = entryOf(table.format);
-  if (!entry.isFloat)
-    return true;
-  for (std::size_t i = 0; i < table.texels.size(); i += entry.typeSize) {
-    const bool finite = entry.typeSize == 2
-                            ? (read<std::uint16_t>(table.texels, i) & 0x7c00u) != 0x7c00u
-                            : (read<std::uint32_t>(table.texels, i) & 0x7f800000u) != 0x7f800000u;
-    if (!finite)
-      return false;
-  }
-  return true;
-}
-
 Result<Table> decode(std::span<const std::byte> file, const std::string& name) {
   if (file.size() < sizeof(Header))
     return refusal(name, counted(file.size(), "byte") + "; a header has " +
@@ -310,12 +293,21 @@ Result<Table> decode(std::span<const std::byte> file, const std::string& name) {
     return refusal(name, "key/value data at an offset but without a length");
   }
   Result<Table> complete = readLevels(std::move(table).value(), file, metadataEnd);
-  if (complete && !isFinite(complete.value()))
+  if (complete && !hasFiniteTexels(complete.value()))
     return refusal(name, "a texel is NaN or infinite; expected finite values");
   return complete;
 }
 
 } // namespace
+
+std::uint32_t vkFormatOf(TexelFormat format) { return entryOf(format).vkFormat; }
+
+std::optional<TexelFormat> texelFormatFrom(std::uint32_t vkFormat) {
+  for (const FormatEntry& entry : kFormats)
+    if (entry.vkFormat == vkFormat)
+      return entry.format;
+  return std::nullopt;
+}
 
 std::vector<std::byte> encodeKtx2(const Table& table) {
   const std::vector<std::uint32_t> descriptor = describeFormat(table.format);
@@ -345,7 +337,7 @@ std::vector<std::byte> encodeKtx2(const Table& table) {
     const LevelIndexEntry entry{file.size(), range.size, range.size};
     std::memcpy(file.data() + sizeof(Header) + level * sizeof(LevelIndexEntry), &entry,
                 sizeof entry);
-    const auto texels = std::span(table.texels).subspan(range.offset, range.size);
+    const auto texels = table.bytes().subspan(range.offset, range.size);
     file.insert(file.end(), texels.begin(), texels.end());
   }
   return file;

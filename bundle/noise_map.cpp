@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Finds a noise's map by target, classifies mappings, and explains why a noise is ignored.
+#include "findings.h"
+
 #include <lichen/bundle.h>
 
 #include <algorithm>
@@ -19,7 +21,7 @@ bool isInSpace(Mapping mapping) { return mapping != Mapping::uv; }
 std::string IgnoredNoise::reason() const {
   const std::optional<Method> known = methodFrom(method);
   if (!known)
-    return "method '" + method + "'; this version does not know it";
+    return "method " + quoted(method) + "; this version does not know it";
   return "revision " + std::to_string(revision) + " of " + method + "; this version knows " +
          std::to_string(revisionOf(*known));
 }

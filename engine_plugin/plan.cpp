@@ -18,29 +18,6 @@ using namespace lichen::plugin;
 
 namespace {
 
-/// Returns VkFormat numbers.
-std::uint32_t vkFormatOf(TexelFormat format) {
-  switch (format) {
-  case TexelFormat::r8Unorm:
-    return 9;
-  case TexelFormat::rg8Unorm:
-    return 16;
-  case TexelFormat::rgba8Unorm:
-    return 37;
-  case TexelFormat::r16Sfloat:
-    return 76;
-  case TexelFormat::rg16Sfloat:
-    return 83;
-  case TexelFormat::rgba16Sfloat:
-    return 97;
-  case TexelFormat::r32Sfloat:
-    return 100;
-  case TexelFormat::rgba32Sfloat:
-    return 109;
-  }
-  return 0;
-}
-
 LichenMapTarget targetOf(MapTarget target) {
   switch (target) {
   case MapTarget::baseColor:
@@ -222,8 +199,14 @@ LichenResult lichenParseBundle(const LichenParseInfo* hostInfo, LichenBundle* bu
       writeDiagnostic(diagnostic, "bundle and bytes must not be NULL");
       return LICHEN_ERROR_USAGE;
     }
-    Result<Bundle> parsed = parseBundle({static_cast<const std::byte*>(info.bytes), info.byteCount},
-                                        info.name != nullptr ? info.name : "bundle");
+    if (info.bytesStay > 1) {
+      writeDiagnostic(diagnostic, "bytesStay %u is invalid; expected 0 or 1", info.bytesStay);
+      return LICHEN_ERROR_USAGE;
+    }
+    const std::span bytes(static_cast<const std::byte*>(info.bytes), info.byteCount);
+    const char* name = info.name != nullptr ? info.name : "bundle";
+    Result<Bundle> parsed =
+        info.bytesStay == 1 ? parseBundleInPlace(bytes, name) : parseBundle(bytes, name);
     if (!parsed) {
       writeDiagnostic(diagnostic, "%s", parsed.error().message.c_str());
       return resultOf(parsed.error().kind);
@@ -322,8 +305,8 @@ LichenResult lichenGetImageProperties(LichenBundle bundle, std::uint32_t image,
     values.vkSwizzle[1] = values.vkSwizzle[2] = kZero;
     values.vkSwizzle[3] = kGreen;
   }
-  values.bytes = table.texels.data();
-  values.byteCount = table.texels.size();
+  values.bytes = table.bytes().data();
+  values.byteCount = table.bytes().size();
   return writeStruct(values, LICHEN_STRUCTURE_IMAGE_PROPERTIES, properties);
 }
 

@@ -2,6 +2,8 @@
 // Checks and output that the verbs share.
 #include "command.h"
 
+#include "options.h"
+
 #include <lichen/counted.h>
 #include <lichen/escaped.h>
 #include <lichen/files.h>
@@ -15,16 +17,16 @@
 namespace lichen::cli {
 
 Result<void> checkOutput(const std::filesystem::path& output,
-                         const std::array<std::string, 2>& extensions) {
+                         const std::vector<std::string>& extensions) {
   std::error_code none;
   if (std::filesystem::is_directory(output, none))
-    return Error{ErrorKind::usage, fmt::format("{}: is a folder; expected a file name with the "
-                                               "extension {} or {}",
-                                               output.string(), extensions[0], extensions[1])};
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: is a folder; expected a file name with the extension {}",
+                             output.string(), alternatives(extensions))};
   const std::string extension = output.extension().string();
-  if (extension != extensions[0] && extension != extensions[1])
-    return Error{ErrorKind::usage, fmt::format("{}: expected the extension {} or {}",
-                                               output.string(), extensions[0], extensions[1])};
+  if (std::find(extensions.begin(), extensions.end(), extension) == extensions.end())
+    return Error{ErrorKind::usage, fmt::format("{}: expected the extension {}", output.string(),
+                                               alternatives(extensions))};
   return checkFolder(output.parent_path());
 }
 

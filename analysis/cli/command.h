@@ -38,6 +38,7 @@ using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addBake(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addCheck(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addCompare(CLI::App& verb, const SharedOptions& shared);
+[[nodiscard]] Runner addCook(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addInspect(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addMerge(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addMix(CLI::App& verb, const SharedOptions& shared);
@@ -49,9 +50,9 @@ inline constexpr const char* kDroppedByOthers =
     "apply' last.";
 
 /// Finds errors in the output path before the work starts. Errors: usage if the name has neither of
-/// the two extensions, environment if the folder does not exist.
+/// the extensions, environment if the folder does not exist.
 [[nodiscard]] Result<void> checkOutput(const std::filesystem::path& output,
-                                       const std::array<std::string, 2>& extensions);
+                                       const std::vector<std::string>& extensions);
 
 /// Returns "a, b, c, d and 23 others": the first four items, to keep a message short.
 [[nodiscard]] std::string shortList(std::vector<std::string> items);

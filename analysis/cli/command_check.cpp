@@ -60,7 +60,7 @@ Result<int> run(const Arguments& arguments) {
 
 Runner addCheck(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf").required();
+  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb, .gltf or .lichen").required();
   return [arguments] { return run(*arguments); };
 }
 

@@ -310,7 +310,7 @@ Result<int> run(const Arguments& arguments) {
 
 Runner addInspect(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
-  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb or .gltf with noises").required();
+  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb, .gltf or .lichen with noises").required();
   return [arguments] { return run(*arguments); };
 }
 

@@ -65,6 +65,18 @@ TEST_CASE("several maps share the taps: each has the values of a noise with that
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
+TEST_CASE("a cooked bundle gives the values of its glTF file") {
+  const auto device = requireDevice();
+  const std::vector<std::byte> glb = syntheticGlb(kMaps);
+  const std::vector<std::byte> cooked = cookBundle(parseBundle(glb, "synthetic").value());
+  const std::vector<Point> points = somePoints();
+  PluginHost fromGlb(*device, glb);
+  PluginHost fromCooked(*device, cooked);
+  CHECK(fromCooked.evaluate(tiling_maps_comp, 0, fromCooked.use(), points, kMaps.size()) ==
+        fromGlb.evaluate(tiling_maps_comp, 0, fromGlb.use(), points, kMaps.size()));
+  CHECK(device->messages().texts() == std::vector<std::string>{});
+}
+
 TEST_CASE("the loader, a function table and the host's own memory give the same values") {
   const auto device = requireDevice();
   const std::vector<std::byte> glb = syntheticGlb(kMaps);

@@ -75,7 +75,7 @@ TEST_CASE("a noise of an unknown method is ignored, whatever its revision") {
   CHECK(findings[0].severity == Finding::Severity::warning);
   CHECK(findings[0].code == "noise-method");
   CHECK(findings[0].pointer == "/extensions/LICHEN_materials_exemplar_noise/noises/0/method");
-  CHECK(findings[0].message.starts_with("method 'magic'; this version does not know it"));
+  CHECK(findings[0].message.starts_with("method \"magic\"; this version does not know it"));
 }
 
 TEST_CASE("the checker's only warning on a later revision states the known one") {

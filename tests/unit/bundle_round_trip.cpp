@@ -109,6 +109,16 @@ TEST_CASE("a bundle survives the round trip through a GLB") {
   }
 }
 
+TEST_CASE("a bundle survives the round trip through a cooked bundle") {
+  for (const BundleFile& file : {example::smallest(), example::everyMap(),
+                                 example::smallestTexton(), example::textonMix()}) {
+    const auto bundle = parseBundle(cookBundle(file.bundle), "test");
+    if (!bundle.ok())
+      FAIL(bundle.error().message);
+    checkSameBundle(bundle.value(), file.bundle);
+  }
+}
+
 TEST_CASE("a merge notes the noises and the materials that get another name") {
   Bundle felt = example::smallest().bundle;
   felt.materialNames = {"sofa"};

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -29,13 +30,17 @@ inline constexpr float kHalfMax = 65504.0f;
 /// Maximum side of a table in texels.
 inline constexpr std::uint32_t kMaxTableSide = 16384;
 
+/// The number of the VkFormat, and back; nothing for other formats.
+[[nodiscard]] std::uint32_t vkFormatOf(TexelFormat format);
+[[nodiscard]] std::optional<TexelFormat> texelFormatFrom(std::uint32_t vkFormat);
+
 /// Bytes per texel, and number of channels.
 [[nodiscard]] std::size_t texelBytes(TexelFormat format);
 [[nodiscard]] int channelCount(TexelFormat format);
 
 /// An uncompressed 2-D or 3-D texture with mip levels: the content of one KTX2 file. Mip level l
 /// has sides of max(1, side >> l) texels, tightly packed; the top row comes first, and z varies
-/// slowest. `texels` holds all mip levels, starting with level 0.
+/// slowest. bytes() holds all mip levels, starting with level 0.
 struct Table {
   std::string name;
   TexelFormat format = TexelFormat::rgba8Unorm;
@@ -44,15 +49,24 @@ struct Table {
   std::uint32_t depth = 0; ///< 0 for a 2-D texture
   std::uint32_t mipLevels = 1;
   std::vector<std::byte> texels;
+  /// In place of `texels`, of a cooked bundle that is used where it lies.
+  std::span<const std::byte> borrowedTexels = {};
+
+  [[nodiscard]] std::span<const std::byte> bytes() const {
+    return borrowedTexels.empty() ? std::span<const std::byte>(texels) : borrowedTexels;
+  }
 };
 
-/// Offset and size in bytes of one mip level inside Table::texels. Precondition: `level` <
+/// Offset and size in bytes of one mip level inside Table::bytes(). Precondition: `level` <
 /// mipLevels.
 struct LevelRange {
   std::size_t offset = 0;
   std::size_t size = 0;
 };
 [[nodiscard]] LevelRange levelRange(const Table& table, std::uint32_t level);
+
+/// Whether no texel is NaN or infinite.
+[[nodiscard]] bool hasFiniteTexels(const Table& table);
 
 /// Decodes one mip level to floats, channelCount(format) interleaved. Throws std::bad_alloc.
 [[nodiscard]] std::vector<float> decodeLevel(const Table& table, std::uint32_t level);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace lichen {
 namespace {
@@ -26,19 +27,35 @@ void checkChannels(ObjectReader& reader, const NoiseMap& map, const TilingMap& t
                      counted(std::uint64_t(n), "channel") + " of the map");
 }
 
+/// Whether all texels of a mip level have the same last channel, bit for bit.
+bool hasOneLoss(const Table& image, std::uint32_t mip) {
+  const LevelRange range = levelRange(image, mip);
+  const std::span<const std::byte> level = image.bytes().subspan(range.offset, range.size);
+  const std::size_t texel = texelBytes(image.format);
+  const std::size_t component = texel / std::size_t(channelCount(image.format));
+  const auto isOne = [&]<std::size_t Bytes>(std::integral_constant<std::size_t, Bytes>) {
+    bool same = true; // without an early end, compilers vectorize it
+    for (std::size_t end = texel; end <= level.size(); end += texel)
+      same &= std::memcmp(&level[end - Bytes], &level[texel - Bytes], Bytes) == 0;
+    return same;
+  };
+  if (component == 1)
+    return isOne(std::integral_constant<std::size_t, 1>());
+  return component == 2 ? isOne(std::integral_constant<std::size_t, 2>())
+                        : isOne(std::integral_constant<std::size_t, 4>());
+}
+
 /// Checks the last channel: one loss per mip level, in [0, 1], never decreasing.
 void checkLosses(ObjectReader& reader, const Table& image) {
-  const auto channels = std::size_t(channelCount(image.format));
+  const std::vector<float> losses = fetchLosses(image);
   float least = 0.0f;
   for (std::uint32_t mip = 0; mip < image.mipLevels; ++mip) {
-    const std::vector<float> texels = decodeLevel(image, mip);
-    const float loss = texels[channels - 1];
+    const float loss = losses[mip];
     const std::string which = "mip level " + std::to_string(mip) + " of the image ";
-    for (std::size_t i = channels - 1; i < texels.size(); i += channels)
-      if (texels[i] != loss)
-        return reader.error("map-loss", "gaussian",
-                            which + "has different values in its last channel; expected the same "
-                                    "loss in all its texels");
+    if (!hasOneLoss(image, mip))
+      return reader.error("map-loss", "gaussian",
+                          which + "has different values in its last channel; expected the same "
+                                  "loss in all its texels");
     if (!(loss >= least && loss <= 1.0f))
       return reader.error("map-loss", "gaussian",
                           which + "has the loss " + nlohmann::json(loss).dump() +

@@ -101,7 +101,7 @@ LICHEN_API uint32_t lichenGetVersion(void);
 
 /* ---- Bundles ---------------------------------------------------------------------------- */
 
-/* A parsed bundle; owns copies of everything that it needs of the file. */
+/* A parsed bundle; owns copies of everything that it needs of the file, but for bytesStay. */
 typedef struct LichenBundle_T* LichenBundle;
 
 typedef struct LichenParseInfo {
@@ -113,9 +113,15 @@ typedef struct LichenParseInfo {
    * 0: shaders_glsl/ of the same release as this header. Another layout of the uniform block or the
    * bindings than this library's is LICHEN_ERROR_VERSION. */
   uint32_t interfaceVersion;
-  const void* bytes; /* a .glb, or a .gltf whose buffers are data URIs; needed for this call only */
+  /* a .glb, a .gltf whose buffers are data URIs, or what `lichen cook` writes; needed for this call
+   * only, but for bytesStay */
+  const void* bytes;
   size_t byteCount;
   const char* name; /* UTF-8, used in messages, needed for this call only; NULL: "bundle" */
+  /* 1: `bytes` stay, unchanged, until the bundle is destroyed, as of a mapped file: images of a
+   * cooked bundle are then used where they lie. 0: they are copied. */
+  uint32_t bytesStay;
+  uint32_t reserved; /* 0 */
 } LichenParseInfo;
 
 /* Reads a bundle and checks all of it; input may be hostile. Time and memory are in proportion to
