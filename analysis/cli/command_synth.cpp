@@ -138,7 +138,8 @@ Result<int> run(Arguments& arguments) {
 Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   SynthesisOptions& synthesis = arguments->synthesis;
-  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb, .gltf or .lichen with a noise").required();
+  addText(verb, "BUNDLE", arguments->bundle, "", "A .glb, .gltf or .lichen with a noise")
+      .required();
   addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image").required();
   addText(verb, "--noise", arguments->noise, "NAME", "Name of the noise [default: the first]");
   addText(

@@ -40,7 +40,8 @@ std::string section(const std::string& page, const std::string& title) {
 std::map<std::string, std::pair<std::filesystem::path, Arguments>> commands() {
   const std::filesystem::path bin = programPath("");
   std::map<std::string, std::pair<std::filesystem::path, Arguments>> all;
-  for (const char* verb : {"bake", "mix", "synth", "inspect", "check", "compare", "merge", "cook", "apply"})
+  for (const char* verb :
+       {"bake", "mix", "synth", "inspect", "check", "compare", "merge", "cook", "apply"})
     all[std::string("lichen ") + verb] = {bin / "lichen", {verb}};
   for (const char* program : {"lichen-exemplars", "lichen-render", "lichen-view"})
     if (std::filesystem::exists(bin / program)) // not every build has it
