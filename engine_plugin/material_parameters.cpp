@@ -109,12 +109,17 @@ LichenResult checkPeriod(const MaterialNoise& parameters, const LichenPlacement&
   }
   for (int axis = 0; axis < 2; ++axis) {
     const double period = info.periodTiles[axis];
-    if (const LichenResult result = checkRange("periodTiles", period, kPeriodRange, diagnostic);
-        result != LICHEN_SUCCESS)
-      return result;
+    if (!(period >= kPeriodRange.least && period <= kPeriodRange.most)) {
+      writeDiagnostic(diagnostic,
+                      "periodTiles[%d] %.9g is out of range; expected %.9g to %.9g, or 0 on both "
+                      "axes for none",
+                      axis, period, kPeriodRange.least, kPeriodRange.most);
+      return LICHEN_ERROR_USAGE;
+    }
     if (info.tileOrigin[axis] != 0 && period != std::floor(period)) {
       writeDiagnostic(diagnostic,
-                      "periodTiles %.9g must be a whole number when tileOrigin is not 0", period);
+                      "periodTiles[%d] %.9g must be a whole number when tileOrigin[%d] is not 0",
+                      axis, period, axis);
       return LICHEN_ERROR_USAGE;
     }
   }
@@ -131,22 +136,22 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenPlacem
     NumberRange range;
   } checks[] = {
       {"scale", parameters.scale, kScaleRange},
-      {"offset", parameters.offset[0], kOffsetRange},
-      {"offset", parameters.offset[1], kOffsetRange},
+      {"offset[0]", parameters.offset[0], kOffsetRange},
+      {"offset[1]", parameters.offset[1], kOffsetRange},
       {"rotation", parameters.rotation, kRotationRange},
       {"blendSharpness", parameters.blendSharpness, kBlendSharpnessRange},
       {"planeSharpness", parameters.planeSharpness, kPlaneSharpnessRange},
       {"contrast", parameters.contrast, kContrastRange},
       {"impacts", parameters.impacts, kImpactsRange},
       {"mixWeight", parameters.mix.weight, {0.0, 1.0}},
-      {"mixStart", parameters.mix.start[0], kMixPlaceRange},
-      {"mixStart", parameters.mix.start[1], kMixPlaceRange},
-      {"mixEnd", parameters.mix.end[0], kMixPlaceRange},
-      {"mixEnd", parameters.mix.end[1], kMixPlaceRange},
+      {"mixStart[0]", parameters.mix.start[0], kMixPlaceRange},
+      {"mixStart[1]", parameters.mix.start[1], kMixPlaceRange},
+      {"mixEnd[0]", parameters.mix.end[0], kMixPlaceRange},
+      {"mixEnd[1]", parameters.mix.end[1], kMixPlaceRange},
       {"tileRotation", double(parameters.tileRotation), {0.0, double(kMostTileRotation)}},
-      {"tileOrigin", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},
-      {"tileOrigin", double(info.tileOrigin[1]), {-kFarthest, kFarthest}},
-      {"tileOrigin", double(info.tileOrigin[2]), {-kFarthest, kFarthest}},
+      {"tileOrigin[0]", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},
+      {"tileOrigin[1]", double(info.tileOrigin[1]), {-kFarthest, kFarthest}},
+      {"tileOrigin[2]", double(info.tileOrigin[2]), {-kFarthest, kFarthest}},
       {"maxAnisotropy", double(info.maxAnisotropy), {0.0, kMostAnisotropy}},
   };
   for (const auto& check : checks)

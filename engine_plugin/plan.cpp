@@ -243,6 +243,7 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.method = source.method() == Method::texton ? LICHEN_NOISE_TEXTON : LICHEN_NOISE_TILING;
   const auto* shape = std::get_if<TextonShape>(&source.data);
   values.mixSteps = shape != nullptr ? std::uint32_t(shape->steps) : 1;
+  values.textonOrder = shape != nullptr ? std::uint32_t(shape->order) : 0;
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
 }
 

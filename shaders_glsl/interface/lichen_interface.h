@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Structs, limits and binding numbers shared by C++ and GLSL. Only vec4, uvec4, ivec4, mat4 and
-// groups of four scalars, so that std140, std430 and C++ agree without padding.
+// Limits and binding numbers shared by C, C++ and GLSL, and structs of the latter two. Only vec4,
+// uvec4, ivec4, mat4 and groups of four scalars, so that std140, std430 and C++ agree without
+// padding.
 #ifndef LICHEN_INTERFACE_H
 #define LICHEN_INTERFACE_H
 
@@ -54,6 +55,9 @@
 #define LICHEN_BINDING_TABLE(role) (10 + (role))
 #define LICHEN_BINDING_COUNT 16
 
+// C hosts have the numbers above, and the sizes of the blocks in lichen.h.
+#if defined(__cplusplus) || !(defined(__STDC__) || defined(_MSC_VER))
+
 #ifdef __cplusplus
 #include <cstdint>
 namespace lichen::shader {
@@ -81,8 +85,8 @@ struct LichenMaterial {
   int periodColumns, periodRows;    // 0, 0 when the cells do not repeat; rows of tiling even
   uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
   uint seed;                        // as the material gives it
-  float maxAnisotropy; // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
-  uint noise;          // index of the noise in its bundle
+  float maxAnisotropy;    // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
+  uint noise;             // index of the noise in its bundle
   uvec4 own0, own1, own2; // of the method: LichenTilingMaterial or LichenTextonMaterial
 };
 
@@ -90,8 +94,8 @@ struct LichenMaterial {
 /// That of the plane that looks along x is the material's.
 struct LichenPlane {
   int cellI, cellJ;
-  float offsetX, offsetY; // [tiles]
-  uint seedWord;          // latticeSeed(seed, plane)
+  float offsetX, offsetY;               // [tiles]
+  uint seedWord;                        // latticeSeed(seed, plane)
   uint reserved0, reserved1, reserved2; // 0: to a multiple of 16 bytes
 };
 
@@ -109,8 +113,8 @@ struct LichenTilingMaterial {
 
 /// What only textons have of a material: own0 to own2.
 struct LichenTextonMaterial {
-  float amplitude;    // [texels] of one impact; of surface noise, of one in the tangent plane
-  uint pointProcess;  // LICHEN_POINTS_*
+  float amplitude;         // [texels] of one impact; of surface noise, of one in the tangent plane
+  uint pointProcess;       // LICHEN_POINTS_*
   float surfaceCubeTexels; // side of the cubes of surface noise, 0 of noise in a plane
   int cellK;               // of surface noise: the third of cellI and cellJ
   // Of a mix, weight = mixWeight + mixPerU u + mixPerV v: of a constant or a direction, 0 where a
@@ -144,13 +148,13 @@ struct LichenMap {
   float widthTexels, heightTexels; // of the image's level 0
   uint dimensions;                 // D of the Gaussian image, channels of a texton, 1 to 3
   uint mipCount;                   // [1, LICHEN_MAX_MIPS]
-  float levelOffset; // of tiling: log2 of the map's width over that of the widest
-  float interpolationLoss; // of tiling: share of the variance that fetches of level 0 lose
-  uint encoding;    // LICHEN_ENCODING_*
-  uint decoding;    // LICHEN_DECODING_*
-  vec4 mean;        // of the decoded values; w is 1. Slopes: z is the variance of a slope
-  // Of textons: amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte m
-  // of sixteen. A channel that is absent or does not vary keeps nothing.
+  float levelOffset;               // of tiling: log2 of the map's width over that of the widest
+  float interpolationLoss;         // of tiling: share of the variance that fetches of level 0 lose
+  uint encoding;                   // LICHEN_ENCODING_*
+  uint decoding;                   // LICHEN_DECODING_*
+  vec4 mean; // of the decoded values; w is 1. Slopes: z is the variance of a slope
+  // Of textons: amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte
+  // m of sixteen. A channel that is absent or does not vary keeps nothing.
   uvec4 mipKept0, mipKept1, mipKept2;
   // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
   // value less its mean. Lower triangular: row0.yz and row1.z are 0.
@@ -166,6 +170,8 @@ struct LichenNoiseConstants {
 
 #ifdef __cplusplus
 } // namespace lichen::shader
+#endif
+
 #endif
 
 #endif

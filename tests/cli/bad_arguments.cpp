@@ -47,10 +47,10 @@ void checkSynthRefuses(const Arguments& more, int code, const std::vector<std::s
 } // namespace
 
 TEST_CASE("the error for a missing or unknown verb lists the verbs") {
-  checkRefusal(
-      {}, kUsage,
-      {"a verb is missing; expected bake, mix, synth, inspect, check, compare, merge or apply",
-       "'lichen --help'"});
+  checkRefusal({}, kUsage,
+               {"a verb is missing; expected bake, mix, synth, inspect, check, compare, merge, "
+                "cook or apply",
+                "'lichen --help'"});
   checkRefusal(
       {"chek"}, kUsage,
       {"lichen: chek: no such verb; expected bake, mix, synth, inspect, check, compare, merge "

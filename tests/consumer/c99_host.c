@@ -3,6 +3,7 @@
  * host's mistake and comes back as a code and a message. Needs no Vulkan device. */
 #include <lichen/lichen_vulkan.h>
 
+#include <lichen_interface.h>
 #include <stdio.h>
 
 static int check(int condition, const char* what) {
@@ -22,9 +23,9 @@ static int check(int condition, const char* what) {
 static int checkLayouts(void) {
   int failures = 0;
   failures += KEEPS(LichenDiagnostic, text, 512, 16);
-  failures += KEEPS(LichenParseInfo, name, 48, 40);
+  failures += KEEPS(LichenParseInfo, reserved, 56, 52);
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
-  failures += KEEPS(LichenNoiseProperties, reserved, 48, 44);
+  failures += KEEPS(LichenNoiseProperties, textonOrder, 48, 44);
   failures += KEEPS(LichenMapProperties, tableKind, 48, 44);
   failures += KEEPS(LichenMaterialProperties, reserved, 56, 52);
   failures += KEEPS(LichenImageProperties, byteCount, 88, 80);
@@ -38,6 +39,7 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenDeviceMemory, handle, 48, 40);
   failures += KEEPS(LichenDeviceAllocator, release, 40, 32);
   failures += KEEPS(LichenVulkanInfo, reserved, 96, 92);
+  failures += check(LICHEN_BINDING_COUNT == LICHEN_SET_BINDINGS, "the set has all bindings");
   return failures;
 }
 

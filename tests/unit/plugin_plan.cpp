@@ -207,6 +207,48 @@ TEST_CASE("a material's block is that of the bundle library, with any parameters
   same(changed, placement, fill(parameters, hostPlacement));
 }
 
+TEST_CASE("the blocks of every kind of noise and mapping are those of the bundle library") {
+  BundleFile mix = example::textonMix();
+  mix.bundle.materials[1]->mix = {MixSource::direction, 0.0, {0.5, -1.0}, {2.0, 3.0}, 0, 0, 0, 0};
+  for (BundleFile& file :
+       std::array{example::everyMap(), example::smallestTexton(), std::move(mix)}) {
+    const OwnedBundle bundle(file);
+    for (std::uint32_t noise = 0; noise < file.bundle.noises.size(); ++noise) {
+      shader::LichenNoiseConstants block{};
+      REQUIRE(lichenGetNoiseConstants(bundle.handle, noise, &block) == LICHEN_SUCCESS);
+      const shader::LichenNoiseConstants expected = shaderConstants(file.bundle, noise);
+      CHECK(std::memcmp(&block, &expected, sizeof block) == 0);
+    }
+    for (std::uint32_t index = 0; index < file.bundle.materials.size(); ++index) {
+      MaterialNoise material = *file.bundle.materials[index];
+      LichenMaterialParameters parameters;
+      LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+      REQUIRE(lichenGetMaterialParameters(bundle.handle, index, &parameters) == LICHEN_SUCCESS);
+      material.impacts = parameters.impacts = 12.5;
+      material.pointProcess = PointProcess::poisson;
+      parameters.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+      for (const auto& [mapping, code] : {std::pair{Mapping::uv, LICHEN_MAPPING_UV},
+                                          {Mapping::triplanar, LICHEN_MAPPING_TRIPLANAR},
+                                          {Mapping::surface, LICHEN_MAPPING_SURFACE}}) {
+        if (!mappingFits(file.bundle.noises[material.noise].method(), mapping))
+          continue;
+        material.mapping = mapping;
+        parameters.mapping = code;
+        Placement placement;
+        placement.tileOriginX = -70000;
+        LichenPlacement hostPlacement = atOrigin();
+        hostPlacement.tileOrigin[0] = placement.tileOriginX;
+        const Filled filled = fill(parameters, hostPlacement);
+        REQUIRE(filled.message == "");
+        const auto expected = shaderMaterial(file.bundle, material, placement);
+        CHECK(std::memcmp(&filled.block, &expected,
+                          mapping == Mapping::triplanar ? LICHEN_TRIPLANAR_MATERIAL_BYTES
+                                                        : LICHEN_MATERIAL_BYTES) == 0);
+      }
+    }
+  }
+}
+
 TEST_CASE("the default parameters are those of a material that says nothing") {
   const BundleFile file = example::smallest();
   const OwnedBundle bundle(file);
@@ -254,7 +296,7 @@ TEST_CASE("the error for a parameter outside its range names it") {
       {"scale",
        [](Parameters& p, LichenPlacement&, double v) { p.scale = v; },
        {0.0, -1.0, 0.9e-6, 1.1e6, nan, infinity}},
-      {"offset",
+      {"offset[1]",
        [](Parameters& p, LichenPlacement&, double v) { p.offset[1] = v; },
        {1.1e9, -1.1e9, nan, infinity}},
       {"rotation",
@@ -278,7 +320,7 @@ TEST_CASE("the error for a parameter outside its range names it") {
       {"mixSource",
        [](Parameters& p, LichenPlacement&, double v) { p.mixSource = LichenMixSource(int(v)); },
        {4.0}},
-      {"mixStart",
+      {"mixStart[0]",
        [](Parameters& p, LichenPlacement&, double v) { p.mixStart[0] = v; },
        {1.1e9, -1.1e9, nan, infinity}},
       {"mixEnd",
@@ -302,10 +344,10 @@ TEST_CASE("the error for a parameter outside its range names it") {
       {"maxAnisotropy",
        [](Parameters&, LichenPlacement& i, double v) { i.maxAnisotropy = float(v); },
        {-1.0, 65.0, nan}},
-      {"tileOrigin",
+      {"tileOrigin[0]",
        [](Parameters&, LichenPlacement& i, double v) { i.tileOrigin[0] = std::int64_t(v); },
        {1e13, -1e13}},
-      {"tileOrigin",
+      {"tileOrigin[2]",
        [](Parameters&, LichenPlacement& i, double v) { i.tileOrigin[2] = std::int64_t(v); },
        {1e13, -1e13}},
       {"periodTiles",
@@ -320,7 +362,10 @@ TEST_CASE("the error for a parameter outside its range names it") {
       const Filled filled = fill(parameters, placement);
       INFO(one.name << " = " << value);
       CHECK(filled.result == LICHEN_ERROR_USAGE);
-      CHECK(filled.message.find(one.name) != std::string::npos);
+      INFO(filled.message);
+      CHECK(filled.message.starts_with(one.name));
+      CHECK((filled.message.find("expected") != std::string::npos ||
+             filled.message.find("is closer than") != std::string::npos));
     }
 }
 
@@ -414,7 +459,16 @@ TEST_CASE("a fractional period requires a tile origin of 0") {
   placement.periodTiles[0] = placement.periodTiles[1] = 1.5;
   CHECK(fill(parametersOf(bundle.handle), placement).result == LICHEN_SUCCESS);
   placement.tileOrigin[0] = 1;
-  CHECK(fill(parametersOf(bundle.handle), placement).result == LICHEN_ERROR_USAGE);
+  CHECK(fill(parametersOf(bundle.handle), placement).message ==
+        "periodTiles[0] 1.5 must be a whole number when tileOrigin[0] is not 0");
+}
+
+TEST_CASE("a period along one axis only is an error that names the cure") {
+  const OwnedBundle bundle(example::smallest());
+  LichenPlacement placement = atOrigin();
+  placement.periodTiles[0] = 3.0;
+  CHECK(fill(parametersOf(bundle.handle), placement).message ==
+        "periodTiles[1] 0 is out of range; expected 1 to 65536, or 0 on both axes for none");
 }
 
 TEST_CASE("a period is an error for triplanar mapping") {
@@ -506,8 +560,11 @@ TEST_CASE(
   LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
   REQUIRE(lichenGetNoiseProperties(bundle.handle, 0, &noise) == LICHEN_SUCCESS);
   CHECK(noise.mixSteps == 1);
+  CHECK(noise.textonOrder == 0);
   REQUIRE(lichenGetNoiseProperties(bundle.handle, 1, &noise) == LICHEN_SUCCESS);
   CHECK(noise.mixSteps == 3);
+  CHECK(noise.textonOrder ==
+        std::uint32_t(example::textonMix().bundle.noises[1].as<TextonShape>().order));
   LichenMapProperties map;
   LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
   REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);

@@ -33,7 +33,9 @@
 extern "C" {
 #endif
 
-#if defined(LICHEN_PLUGIN_BUILD)
+#if defined(LICHEN_PLUGIN_BUILD) && defined(_WIN32)
+#define LICHEN_API __declspec(dllexport)
+#elif defined(LICHEN_PLUGIN_BUILD) && defined(__GNUC__)
 #define LICHEN_API __attribute__((visibility("default")))
 #else
 #define LICHEN_API
@@ -165,7 +167,8 @@ typedef struct LichenNoiseProperties {
   LichenNoiseMethod method;
   uint32_t mixSteps; /* [2, 64] of a mix of textons, 1 of other noises; LICHEN_MIXED_TEXTONS of the
                         shader library may be 0 where no noise is a mix */
-  uint32_t reserved; /* 0 */
+  uint32_t textonOrder; /* 0, 1 or 3: degree of a texton's B-spline, with which its cost goes; 0 of
+                           tiling */
 } LichenNoiseProperties;
 
 /* noise < noiseCount. */
@@ -393,7 +396,8 @@ typedef struct LichenMaterialParameters {
   LichenStructureType type;
   uint32_t size;
   const void* next;
-  uint32_t noise; /* in its bundle; written to the block for shaders that index noises */
+  uint32_t noise; /* in its bundle; written to the block for shaders that index noises: a host that
+                   * keeps the constants of several bundles in one buffer adds what comes before */
   /* The shader's place must be one of the same mapping: LICHEN_PLACE_TRIPLANAR for
    * LICHEN_MAPPING_TRIPLANAR, LICHEN_PLACE_SURFACE for LICHEN_MAPPING_SURFACE, which only textons
    * have. */

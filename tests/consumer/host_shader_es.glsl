@@ -1,0 +1,37 @@
+#version 300 es
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// A host's fragment shader in GLSL ES 3.00, as WebGL 2 has it, with every mapping.
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp sampler3D;
+#include "lichen.glsl"
+
+layout(std140) uniform Noise { LichenNoiseConstants noise; };
+layout(std140) uniform Material { LichenTriplanarMaterial material; };
+uniform sampler2D image;
+uniform sampler3D table;
+uniform int mapping;
+
+in vec2 uv;
+in vec3 position, normal;
+in vec4 tangent;
+out vec4 color;
+
+void main() {
+  vec2 uvX = dFdx(uv), uvY = dFdy(uv);
+  vec3 positionX = dFdx(position), positionY = dFdy(position);
+  LichenMap map = noise.maps[LICHEN_BASE_COLOR];
+  LichenPlace place;
+  if (mapping == 0)
+    place = lichenPlaceUvGrad(uv, uvX, uvY, material.material, noise.noise);
+  else if (mapping == 1)
+    place = lichenPlaceTriplanarGrad(position, positionX, positionY, normal, material, noise.noise);
+  else
+    place = lichenPlaceSurfaceGrad(position, positionX, positionY, normal, tangent,
+                                   material.material, noise.noise);
+  color = lichenValue(image, table, place, map);
+  LichenImpacts impacts = lichenGradientPlaceUvGrad(uv, uvX, uvY, material.material, noise.noise);
+  color.xyz += lichenTextonGradient(image, table, impacts, material.material, noise.noise, map);
+}
