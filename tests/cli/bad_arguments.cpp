@@ -53,8 +53,8 @@ TEST_CASE("the error for a missing or unknown verb lists the verbs") {
                 "'lichen --help'"});
   checkRefusal(
       {"chek"}, kUsage,
-      {"lichen: chek: no such verb; expected bake, mix, synth, inspect, check, compare, merge "
-       "or apply; see 'lichen --help'"});
+      {"lichen: chek: no such verb; expected bake, mix, synth, inspect, check, compare, merge, "
+       "cook or apply; see 'lichen --help'"});
   checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }
 
