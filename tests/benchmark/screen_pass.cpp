@@ -2,9 +2,8 @@
 // One full-screen draw with dynamic rendering; see screen_pass.h.
 #include "screen_pass.h"
 
-#include "rows.h"
-
 #include <array>
+#include <chrono>
 #include <stdexcept>
 
 namespace lichen::bench {
@@ -135,7 +134,7 @@ double ScreenPass::draw(const DeviceImage& target, VkDescriptorSet set, const Sc
   rendering.colorAttachmentCount = 1;
   rendering.pColorAttachments = &attachment;
   const VkViewport viewport{0.0f, 0.0f, float(extent.width), float(extent.height), 0.0f, 1.0f};
-  const double start = secondsNow();
+  const auto start = std::chrono::steady_clock::now();
   const Result<void> drawn = device_.submit([&](VkCommandBuffer commands) {
     toColorAttachment(commands, target);
     vkCmdBeginRendering(commands, &rendering);
@@ -151,7 +150,7 @@ double ScreenPass::draw(const DeviceImage& target, VkDescriptorSet set, const Sc
   });
   if (!drawn)
     throw std::runtime_error(drawn.error().message);
-  return secondsNow() - start;
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 } // namespace lichen::bench

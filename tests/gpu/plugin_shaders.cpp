@@ -3,6 +3,7 @@
 // bundle in one shader, with descriptors of the host's own.
 #include "plugin_host.h"
 #include "require_device.h"
+#include "screen_pass.h"
 #include "synthetic_noise.h"
 #include "synthetic_texton.h"
 
@@ -10,11 +11,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
-#include <four_noises.comp.h>
+#include <four_noises.frag.h>
 #include <roles.comp.h>
 #include <tiling_maps.comp.fitted.h>
 #include <tiling_maps.comp.h>
+#include <view.vert.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -119,7 +122,7 @@ std::vector<std::byte> fourNoises() {
   return std::move(glb).value();
 }
 
-/// The host's own descriptors: binding -> type and count, as four_noises.comp declares them.
+/// The host's own descriptors: binding -> type and count, as four_noises.frag declares them.
 constexpr std::array<std::pair<VkDescriptorType, std::uint32_t>, 6> kBindings{
     {{VK_DESCRIPTOR_TYPE_SAMPLER, 1},
      {VK_DESCRIPTOR_TYPE_SAMPLER, 1},
@@ -133,7 +136,7 @@ struct OwnSet {
     std::array<VkDescriptorSetLayoutBinding, kBindings.size()> bindings{};
     std::array<VkDescriptorPoolSize, kBindings.size()> sizes{};
     for (std::uint32_t i = 0; i < kBindings.size(); ++i) {
-      bindings[i] = {i, kBindings[i].first, kBindings[i].second, VK_SHADER_STAGE_COMPUTE_BIT,
+      bindings[i] = {i, kBindings[i].first, kBindings[i].second, VK_SHADER_STAGE_FRAGMENT_BIT,
                      nullptr};
       sizes[i] = {kBindings[i].first, kBindings[i].second};
     }
@@ -179,10 +182,18 @@ struct OwnSet {
 
 } // namespace
 
-TEST_CASE("four noises of two methods in one shader, with descriptors of the host's own") {
+TEST_CASE("four noises of two methods in one fragment shader, with descriptors of the host's own") {
   const auto device = requireDevice();
   const std::vector<std::byte> glb = fourNoises();
-  const std::vector<Point> points = gridPoints();
+  constexpr std::uint32_t kSide = 16; // [pixels] of a view of kUvPerScreen
+  constexpr float kUvPerScreen = 0.5f, kUvPerPixel = kUvPerScreen / float(kSide);
+  std::vector<Point> points;
+  for (std::uint32_t y = 0; y < kSide; ++y)
+    for (std::uint32_t x = 0; x < kSide; ++x)
+      points.push_back({{(float(x) + 0.5f) * kUvPerPixel, (float(y) + 0.5f) * kUvPerPixel},
+                        {kUvPerPixel, 0.0f},
+                        {0.0f, kUvPerPixel},
+                        {}});
   PluginContext context(*device);
   PluginHost host(context, glb);
   // Each noise alone, by the plugin's set; the first run uploads all of them.
@@ -225,15 +236,20 @@ TEST_CASE("four noises of two methods in one shader, with descriptors of the hos
   own.write(4, nullptr, &noises);
   own.write(5, nullptr, &blocks);
 
-  ComputeRun run;
-  run.spirv = four_noises_comp;
-  run.layout = own.layout;
-  run.set = own.set;
-  const auto values = runCompute<std::array<float, 4>>(*device, run, points, kNoises);
-  for (std::uint32_t n = 0; n < kNoises; ++n)
-    for (std::size_t k = 0; k < points.size(); ++k)
-      for (std::size_t c = 0; c < 3; ++c)
-        REQUIRE(values[k * kNoises + n][c] ==
-                Approx(expected[n][k * kRoles + LICHEN_BASE_COLOR][c]).margin(1e-5));
+  DeviceImageInfo info;
+  info.format = bench::kScreenFormat;
+  info.extent = {kSide, kSide, 1};
+  info.usage = VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+  const DeviceImage target = device->createImage(info).value();
+  bench::ScreenPass pass(*device, view_vert, four_noises_frag, own.layout);
+  (void)pass.draw(target, own.set, {kUvPerScreen, kUvPerScreen, 1.0f});
+  const std::vector<std::byte> texels =
+      device->readImage(target, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, 4).value();
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const float noise = expected[k % kNoises][k * kRoles + LICHEN_BASE_COLOR][c];
+      REQUIRE(std::to_integer<int>(texels[4 * k + c]) ==
+              Approx(255.0f * std::clamp(noise, 0.0f, 1.0f)).margin(0.75));
+    }
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
