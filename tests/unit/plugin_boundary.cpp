@@ -149,13 +149,34 @@ TEST_CASE("inputs of other sizes and versions behave as documented") {
     newer.added = 1;
     CHECK(parse(newer.known).result == LICHEN_ERROR_VERSION);
   }
-  SECTION("a non-zero member of a newer header is an error") {
+  SECTION("parameters and placement of other sizes fill the same block") {
     const OwnedBundle bundle(example::smallest());
-    LichenMaterialParameters parameters = parametersOf(bundle.handle);
-    parameters.pointProcess = LichenPointProcess(2);
-    const Filled filled = fill(parameters);
-    CHECK(filled.result == LICHEN_ERROR_USAGE);
-    CHECK(filled.message.find("pointProcess 2") != std::string::npos);
+    struct {
+      LichenMaterialParameters known;
+      std::uint64_t added;
+    } parameters{parametersOf(bundle.handle), 0};
+    struct {
+      LichenPlacement known;
+      std::uint64_t added;
+    } placement{atOrigin(), 0};
+    placement.known.tileOrigin[1] = 7;
+    const shader::LichenTriplanarMaterial expected = fill(parameters.known, placement.known).block;
+    const auto isSame = [&] {
+      const Filled filled = fill(parameters.known, placement.known);
+      return filled.result == LICHEN_SUCCESS &&
+             std::memcmp(&filled.block, &expected, LICHEN_MATERIAL_BYTES) == 0;
+    };
+    parameters.known.size = sizeof parameters;
+    placement.known.size = sizeof placement;
+    CHECK(isSame());
+    parameters.added = 1;
+    CHECK(fill(parameters.known, placement.known).result == LICHEN_ERROR_VERSION);
+    parameters.added = 0;
+    placement.added = 1;
+    CHECK(fill(parameters.known, placement.known).result == LICHEN_ERROR_VERSION);
+    placement.known.size = offsetof(LichenPlacement, maxAnisotropy);
+    placement.known.maxAnisotropy = -1.0f; // must not be read
+    CHECK(isSame());
   }
   SECTION("a wrong type or a chain is an error") {
     LichenParseInfo info = parseInfo(glb);
