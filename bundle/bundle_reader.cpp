@@ -12,7 +12,8 @@ namespace lichen {
 namespace {
 
 /// Reads the readable parts and records every fault. Returns nothing if the file is neither a
-/// complete glTF nor a complete cooked bundle, of which the tables borrow their texels.
+/// complete glTF nor a complete cooked bundle. The tables of a cooked bundle borrow their texels
+/// from `file`.
 std::optional<Bundle> inspect(std::span<const std::byte> file, const std::filesystem::path& folder,
                               FindingList& findings) {
   if (isCooked(file))

@@ -73,15 +73,16 @@ private:
   std::size_t end_; ///< of the texels read so far: tables that shared bytes could claim any memory
 };
 
-/// The document, or nothing and a finding.
-bool readDescription(std::span<const std::byte> file, FindingList& findings, json& document) {
+/// Reads the document. Returns the first byte after it, or nothing and a finding.
+std::optional<std::size_t> readDescription(std::span<const std::byte> file, FindingList& findings,
+                                           json& document) {
   // Those of a noise take some 2 KiB and 150 values.
   constexpr std::size_t kMostBytes = std::size_t(16) << 20;
   constexpr std::size_t kMostValues = std::size_t(1) << 20;
   constexpr std::size_t kMostDepth = 16;
   const auto fail = [&](const std::string& message) {
     findings.error("cooked", "", message);
-    return false;
+    return std::nullopt;
   };
   if (file.size() < kCookedHeaderBytes)
     return fail("the cooked bundle ends inside its header");
@@ -97,7 +98,7 @@ bool readDescription(std::span<const std::byte> file, FindingList& findings, jso
                 document) ||
       !document.is_object())
     return fail("the description is not CBOR as lichen cook writes it");
-  return true;
+  return kCookedHeaderBytes + size;
 }
 
 } // namespace
@@ -112,9 +113,10 @@ std::optional<Bundle> readCooked(std::span<const std::byte> file, FindingList& f
     ~Document() { dismantle(value); }
     json value;
   } document;
-  if (!readDescription(file, findings, document.value))
+  const auto firstByte = readDescription(file, findings, document.value);
+  if (!firstByte)
     return std::nullopt;
-  CookedTables tables(file, kCookedHeaderBytes + word(file, kCookedHeaderBytes - 4));
+  CookedTables tables(file, *firstByte);
   return readExtension(document.value, tables, findings);
 }
 

@@ -85,9 +85,9 @@ LichenResult findFunctions(const LichenVulkanInfo& info, LichenVulkanFunctions& 
       (ofSets == 0 || ofSets == kAllOfSets))
     return LICHEN_SUCCESS;
   writeDiagnostic(diagnostic,
-                  "Vulkan functions are missing; set LichenVulkanFunctions, of which those of "
-                  "memory are not needed with a deviceAllocator and those of sets may all be NULL, "
-                  "or getInstanceProcAddr and instance");
+                  "Vulkan functions are missing; set getInstanceProcAddr and instance, or all of "
+                  "LichenVulkanFunctions; with a deviceAllocator the functions for memory may be "
+                  "NULL, and the functions for sets may all be NULL");
   return LICHEN_ERROR_USAGE;
 }
 

@@ -23,6 +23,17 @@ std::vector<std::byte> encoded(const BundleFile& file) {
   return std::move(glb).value();
 }
 
+/// A GLB with previews of one pixel.
+std::vector<std::byte> bundleGlb(Bundle bundle) {
+  BundleFile file;
+  file.bundle = std::move(bundle);
+  PreviewImages preview;
+  preview.baseColor = encodePng(SrgbImage(1, 1, 3), 8).value();
+  file.previews = {preview};
+  file.shape = PreviewShape::none;
+  return encoded(file);
+}
+
 test::SyntheticTexton textons() {
   return {.coefficientsX = 63,
           .coefficientsY = 63,
@@ -36,13 +47,11 @@ test::SyntheticTexton textons() {
 std::vector<std::byte> tilingGlb(GaussianOnly gaussian) {
   TilingOptions options;
   options.gaussian = gaussian;
-  BundleFile file;
-  file.bundle = bakedBundle(exemplars::rust(kShaderExemplarSide), options);
-  PreviewImages preview;
-  preview.baseColor = encodePng(SrgbImage(1, 1, 3), 8).value();
-  file.previews = {preview};
-  file.shape = PreviewShape::none;
-  return encoded(file);
+  return bundleGlb(bakedBundle(exemplars::rust(kShaderExemplarSide), options));
+}
+
+std::vector<std::byte> setGlb(std::span<const MapExemplar> maps) {
+  return bundleGlb(bakedBundle(maps));
 }
 
 std::vector<std::byte> textonGlb() { return test::syntheticTextonGlb(textons()); }

@@ -13,6 +13,8 @@ namespace lichen::bench {
 
 /// A tiling of a generated exemplar as a GLB.
 [[nodiscard]] std::vector<std::byte> tilingGlb(GaussianOnly gaussian);
+/// A tiling of these maps.
+[[nodiscard]] std::vector<std::byte> setGlb(std::span<const MapExemplar> maps);
 /// Bilinear textons that reach 64 texels, with the default of 30 impacts.
 [[nodiscard]] std::vector<std::byte> textonGlb();
 /// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other

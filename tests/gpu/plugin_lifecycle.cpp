@@ -266,8 +266,8 @@ TEST_CASE("a short function table serves a host with its own memory and descript
 
 namespace {
 
-/// The barriers of an upload on another queue. The device of the tests has one family, so the
-/// families are noted and taken out.
+/// Records the barriers of an upload on another queue. The device of the tests has one family, so
+/// the proxy clears the barriers' families before it passes them on.
 struct Transfers {
   static inline std::vector<VkImageMemoryBarrier> images;
   static inline std::vector<VkBufferMemoryBarrier> buffers;

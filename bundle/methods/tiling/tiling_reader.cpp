@@ -27,22 +27,27 @@ void checkChannels(ObjectReader& reader, const NoiseMap& map, const TilingMap& t
                      counted(std::uint64_t(n), "channel") + " of the map");
 }
 
-/// Whether all texels of a mip level have the same last channel, bit for bit.
+/// Whether all texels of a mip level have the same last channel, of `Bytes`, bit for bit.
+template <std::size_t Bytes>
+bool hasOneLoss(std::span<const std::byte> level, std::size_t texel) {
+  bool same = true; // without an early end, compilers vectorize it
+  for (std::size_t end = texel; end <= level.size(); end += texel)
+    same &= std::memcmp(&level[end - Bytes], &level[texel - Bytes], Bytes) == 0;
+  return same;
+}
+
 bool hasOneLoss(const Table& image, std::uint32_t mip) {
   const LevelRange range = levelRange(image, mip);
   const std::span<const std::byte> level = image.bytes().subspan(range.offset, range.size);
   const std::size_t texel = texelBytes(image.format);
-  const std::size_t component = texel / std::size_t(channelCount(image.format));
-  const auto isOne = [&]<std::size_t Bytes>(std::integral_constant<std::size_t, Bytes>) {
-    bool same = true; // without an early end, compilers vectorize it
-    for (std::size_t end = texel; end <= level.size(); end += texel)
-      same &= std::memcmp(&level[end - Bytes], &level[texel - Bytes], Bytes) == 0;
-    return same;
-  };
-  if (component == 1)
-    return isOne(std::integral_constant<std::size_t, 1>());
-  return component == 2 ? isOne(std::integral_constant<std::size_t, 2>())
-                        : isOne(std::integral_constant<std::size_t, 4>());
+  switch (texel / std::size_t(channelCount(image.format))) {
+  case 1:
+    return hasOneLoss<1>(level, texel);
+  case 2:
+    return hasOneLoss<2>(level, texel);
+  default:
+    return hasOneLoss<4>(level, texel);
+  }
 }
 
 /// Checks the last channel: one loss per mip level, in [0, 1], never decreasing.

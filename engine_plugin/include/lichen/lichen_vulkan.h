@@ -148,8 +148,8 @@ LICHEN_API void lichenVulkanDestroyContext(LichenVulkanContext context);
 
 /* Creates the bundle's images and fills a staging buffer; the bundle may be destroyed after. Takes
  * device memory for the images and, until lichenVulkanReleaseStaging, as much for the buffer.
- * LICHEN_ERROR_UNSUPPORTED names the table that the device cannot filter, or the memory of which it
- * has no type. */
+ * LICHEN_ERROR_UNSUPPORTED names the table that the device cannot filter, or the use for which it
+ * has no memory type. */
 LICHEN_API LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, LichenBundle bundle,
                                                  LichenVulkanAssets* assets,
                                                  LichenDiagnostic* diagnostic);
@@ -163,14 +163,14 @@ LICHEN_API void lichenVulkanDestroyAssets(LichenVulkanAssets assets);
  * wait for a semaphore. Submit it once. LICHEN_ERROR_USAGE after lichenVulkanReleaseStaging. */
 LICHEN_API LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets,
                                                  VkCommandBuffer commandBuffer);
-/* The same on a queue of another family, such as one that can only transfer: the copies, and the
- * release of images and constants by `transferFamily`, of which `commandBuffer` is. */
+/* The same on a queue of another family, such as one that can only transfer. `commandBuffer` is of
+ * `transferFamily`: it copies, and releases images and constants to `family`. */
 LICHEN_API LichenResult lichenVulkanRecordTransfer(LichenVulkanAssets assets,
                                                    VkCommandBuffer commandBuffer,
                                                    uint32_t transferFamily, uint32_t family);
-/* Their acquisition by `family`, of which `commandBuffer` is, with the same families: submit it
- * after a semaphore that the transfer signals, and before what samples them. Needs no staging
- * buffer. */
+/* `commandBuffer` is of `family`: it acquires what lichenVulkanRecordTransfer released. Give both
+ * the same families. Submit it after a semaphore that the transfer signals, and before what
+ * samples the images. Needs no staging buffer. */
 LICHEN_API LichenResult lichenVulkanRecordAcquire(LichenVulkanAssets assets,
                                                   VkCommandBuffer commandBuffer,
                                                   uint32_t transferFamily, uint32_t family);

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: MIT
+// The engine plugin's parameters of a material: its block, its errors and its switches.
+#include "plugin_plan.h"
+
+#include <lichen/lattice.h>
+#include <lichen/shader_parameters.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <limits>
+
+using namespace lichen;
+using namespace lichen::test;
+
+TEST_CASE("a material's block holds its parameters") {
+  BundleFile file = example::smallest();
+  file.bundle.materials[0]->scale = 0.5;
+  file.bundle.materials[0]->rotation = 0.25;
+  file.bundle.materials[0]->offset = {3.0, -1.75};
+  file.bundle.materials[0]->seed = 9;
+  const OwnedBundle bundle(file);
+  const Filled filled = fill(parametersOf(bundle.handle));
+  REQUIRE(filled.result == LICHEN_SUCCESS);
+  const shader::LichenMaterial& material = filled.block.material;
+  CHECK(material.uvToTileXX == Approx(2.0 * std::cos(0.25)));
+  CHECK(material.uvToTileXY == Approx(2.0 * std::sin(0.25)));
+  CHECK(material.uvToTileYX == Approx(-2.0 * std::sin(0.25)));
+  CHECK(material.offsetX == 1.0f); // the cell holds an even number of tiles
+  CHECK(material.offsetY == 0.25f);
+  CHECK(std::array{material.cellI, material.cellJ} == latticeCell(2, -2));
+  CHECK(material.seedWord == latticeSeed(9, 0));
+  CHECK(material.maxAnisotropy == 1.0f);
+}
+
+TEST_CASE("a material's block is that of the bundle library, with any parameters and placement") {
+  BundleFile file = example::smallest();
+  MaterialNoise& own = *file.bundle.materials[0];
+  own.mapping = Mapping::triplanar;
+  own.seed = 0xfedcba98u;
+  own.scale = 0.3;
+  own.offset = {0.25, -7.5};
+  own.rotation = 1.25;
+  own.blendSharpness = 2.5;
+  own.contrast = 0.75;
+  own.planeSharpness = 5.0;
+  own.tileRotation = 4;
+  const OwnedBundle bundle(file);
+  const auto same = [&](const MaterialNoise& material, const Placement& placement,
+                        const Filled& filled) {
+    INFO(filled.message);
+    REQUIRE(filled.result == LICHEN_SUCCESS);
+    const shader::LichenTriplanarMaterial expected =
+        shaderMaterial(file.bundle, material, placement);
+    const std::size_t bytes = material.mapping == Mapping::triplanar
+                                  ? LICHEN_TRIPLANAR_MATERIAL_BYTES
+                                  : LICHEN_MATERIAL_BYTES;
+    CHECK(std::memcmp(&filled.block, &expected, bytes) == 0);
+  };
+  LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  same(own, {}, fill(parameters));
+  // The bundle need not live: only the parameters are read.
+  Placement placement;
+  placement.tileOriginX = 10000000;
+  placement.tileOriginY = -3;
+  placement.tileOriginZ = std::int64_t(1) << 40;
+  placement.maxAnisotropy = 8.0;
+  LichenPlacement hostPlacement = atOrigin();
+  hostPlacement.tileOrigin[0] = placement.tileOriginX;
+  hostPlacement.tileOrigin[1] = placement.tileOriginY;
+  hostPlacement.tileOrigin[2] = placement.tileOriginZ;
+  hostPlacement.maxAnisotropy = 8.0f;
+  same(own, placement, fill(parameters, hostPlacement));
+  MaterialNoise changed = own;
+  changed.seed = 77;
+  changed.scale = 4.0;
+  changed.mapping = Mapping::uv;
+  changed.tileRotation = 0;
+  parameters.seed = 77;
+  parameters.scale = 4.0;
+  parameters.mapping = LICHEN_MAPPING_UV;
+  parameters.tileRotation = 0;
+  placement.tileOriginZ = 0;
+  placement.periodic = true;
+  placement.periodTilesX = hostPlacement.periodTiles[0] = 3.0;
+  placement.periodTilesY = hostPlacement.periodTiles[1] = 2.0;
+  hostPlacement.tileOrigin[2] = 0;
+  same(changed, placement, fill(parameters, hostPlacement));
+}
+
+TEST_CASE("the blocks of every kind of noise and mapping are those of the bundle library") {
+  BundleFile mix = example::textonMix();
+  mix.bundle.materials[1]->mix = {MixSource::direction, 0.0, {0.5, -1.0}, {2.0, 3.0}, 0, 0, 0, 0};
+  for (BundleFile& file :
+       std::array{example::everyMap(), example::smallestTexton(), std::move(mix)}) {
+    const OwnedBundle bundle(file);
+    for (std::uint32_t noise = 0; noise < file.bundle.noises.size(); ++noise) {
+      shader::LichenNoiseConstants block{};
+      REQUIRE(lichenGetNoiseConstants(bundle.handle, noise, &block) == LICHEN_SUCCESS);
+      const shader::LichenNoiseConstants expected = shaderConstants(file.bundle, noise);
+      CHECK(std::memcmp(&block, &expected, sizeof block) == 0);
+    }
+    for (std::uint32_t index = 0; index < file.bundle.materials.size(); ++index) {
+      MaterialNoise material = *file.bundle.materials[index];
+      LichenMaterialParameters parameters;
+      LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+      REQUIRE(lichenGetMaterialParameters(bundle.handle, index, &parameters) == LICHEN_SUCCESS);
+      material.impacts = parameters.impacts = 12.5;
+      material.pointProcess = PointProcess::poisson;
+      parameters.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+      for (const auto& [mapping, code] : {std::pair{Mapping::uv, LICHEN_MAPPING_UV},
+                                          {Mapping::triplanar, LICHEN_MAPPING_TRIPLANAR},
+                                          {Mapping::surface, LICHEN_MAPPING_SURFACE}}) {
+        if (!mappingFits(file.bundle.noises[material.noise].method(), mapping))
+          continue;
+        material.mapping = mapping;
+        parameters.mapping = code;
+        Placement placement;
+        placement.tileOriginX = -70000;
+        LichenPlacement hostPlacement = atOrigin();
+        hostPlacement.tileOrigin[0] = placement.tileOriginX;
+        const Filled filled = fill(parameters, hostPlacement);
+        REQUIRE(filled.message == "");
+        const auto expected = shaderMaterial(file.bundle, material, placement);
+        CHECK(std::memcmp(&filled.block, &expected,
+                          mapping == Mapping::triplanar ? LICHEN_TRIPLANAR_MATERIAL_BYTES
+                                                        : LICHEN_MATERIAL_BYTES) == 0);
+      }
+    }
+  }
+}
+
+TEST_CASE("the default parameters are those of a material that says nothing") {
+  const BundleFile file = example::smallest();
+  const OwnedBundle bundle(file);
+  LichenMaterialParameters parameters;
+  LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  REQUIRE(lichenGetDefaultParameters(bundle.handle, 0, &parameters) == LICHEN_SUCCESS);
+  const Filled filled = fill(parameters);
+  REQUIRE(filled.result == LICHEN_SUCCESS);
+  const shader::LichenMaterial expected =
+      shaderMaterial(file.bundle, MaterialNoise{}, Placement{}).material;
+  CHECK(std::memcmp(&filled.block.material, &expected, sizeof expected) == 0);
+  CHECK(lichenGetDefaultParameters(bundle.handle, 1, &parameters) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetMaterialParameters(bundle.handle, 1, &parameters) == LICHEN_ERROR_USAGE);
+}
+
+TEST_CASE("only the bytes of the mapping's block are written") {
+  const OwnedBundle bundle(example::smallest());
+  LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  constexpr unsigned char kUntouched = 0xA5;
+  for (const auto& [mapping, bytes] :
+       {std::pair{LICHEN_MAPPING_UV, LICHEN_MATERIAL_BYTES},
+        std::pair{LICHEN_MAPPING_TRIPLANAR, LICHEN_TRIPLANAR_MATERIAL_BYTES}}) {
+    std::array<unsigned char, LICHEN_TRIPLANAR_MATERIAL_BYTES + 16> block;
+    block.fill(kUntouched);
+    parameters.mapping = mapping;
+    // Of any alignment; no placement is the origin.
+    REQUIRE(lichenFillMaterial(&parameters, nullptr, block.data() + 1, nullptr) == LICHEN_SUCCESS);
+    CHECK(block.front() == kUntouched);
+    CHECK(std::count(block.begin() + 1 + bytes, block.end(), kUntouched) ==
+          block.end() - (block.begin() + 1 + bytes));
+  }
+}
+
+TEST_CASE("the error for a parameter outside its range names it") {
+  const OwnedBundle bundle(example::smallest());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  struct Case {
+    const char* name;
+    void (*set)(LichenMaterialParameters&, LichenPlacement&, double);
+    std::vector<double> bad;
+  };
+  using Parameters = LichenMaterialParameters;
+  const Case cases[] = {
+      {"scale",
+       [](Parameters& p, LichenPlacement&, double v) { p.scale = v; },
+       {0.0, -1.0, 0.9e-6, 1.1e6, nan, infinity}},
+      {"offset[1]",
+       [](Parameters& p, LichenPlacement&, double v) { p.offset[1] = v; },
+       {1.1e9, -1.1e9, nan, infinity}},
+      {"rotation",
+       [](Parameters& p, LichenPlacement&, double v) { p.rotation = v; },
+       {1.1e6, -1.1e6, nan, infinity}},
+      {"blendSharpness",
+       [](Parameters& p, LichenPlacement&, double v) { p.blendSharpness = v; },
+       {0.2, 17.0, nan}},
+      {"contrast",
+       [](Parameters& p, LichenPlacement&, double v) { p.contrast = v; },
+       {-0.1, 4.1, nan}},
+      {"planeSharpness",
+       [](Parameters& p, LichenPlacement&, double v) { p.planeSharpness = v; },
+       {0.9, 65.0, nan}},
+      {"impacts",
+       [](Parameters& p, LichenPlacement&, double v) { p.impacts = v; },
+       {0.9, 1001.0, nan}},
+      {"mixWeight",
+       [](Parameters& p, LichenPlacement&, double v) { p.mixWeight = v; },
+       {-0.1, 1.1, nan}},
+      {"mixSource",
+       [](Parameters& p, LichenPlacement&, double v) { p.mixSource = LichenMixSource(int(v)); },
+       {4.0}},
+      {"mixStart[0]",
+       [](Parameters& p, LichenPlacement&, double v) { p.mixStart[0] = v; },
+       {1.1e9, -1.1e9, nan, infinity}},
+      {"mixEnd",
+       [](Parameters& p, LichenPlacement&, double v) {
+         p.mixSource = LICHEN_MIX_DIRECTION;
+         p.mixEnd[0] = p.mixStart[0] + v;
+         p.mixEnd[1] = p.mixStart[1];
+       },
+       {0.0, nan, infinity}},
+      {"pointProcess",
+       [](Parameters& p, LichenPlacement&, double v) {
+         p.pointProcess = LichenPointProcess(int(v));
+       },
+       {2.0}},
+      {"tileRotation",
+       [](Parameters& p, LichenPlacement&, double v) { p.tileRotation = std::uint32_t(v); },
+       {65537.0, 4294967295.0}},
+      {"mapping",
+       [](Parameters& p, LichenPlacement&, double v) { p.mapping = LichenMapping(int(v)); },
+       {2.0, 3.0, 4.0}}, // 2 (surface) needs textons
+      {"maxAnisotropy",
+       [](Parameters&, LichenPlacement& i, double v) { i.maxAnisotropy = float(v); },
+       {-1.0, 65.0, nan}},
+      {"tileOrigin[0]",
+       [](Parameters&, LichenPlacement& i, double v) { i.tileOrigin[0] = std::int64_t(v); },
+       {1e13, -1e13}},
+      {"tileOrigin[2]",
+       [](Parameters&, LichenPlacement& i, double v) { i.tileOrigin[2] = std::int64_t(v); },
+       {1e13, -1e13}},
+      {"periodTiles",
+       [](Parameters&, LichenPlacement& i, double v) { i.periodTiles[0] = v; },
+       {1.0, -1.0, 0.5, 65537.0, nan}},
+  };
+  for (const Case& one : cases)
+    for (const double value : one.bad) {
+      LichenMaterialParameters parameters = parametersOf(bundle.handle);
+      LichenPlacement placement = atOrigin();
+      one.set(parameters, placement, value);
+      const Filled filled = fill(parameters, placement);
+      INFO(one.name << " = " << value);
+      CHECK(filled.result == LICHEN_ERROR_USAGE);
+      INFO(filled.message);
+      CHECK(filled.message.starts_with(one.name));
+      CHECK((filled.message.find("expected") != std::string::npos ||
+             filled.message.find("is closer than") != std::string::npos));
+    }
+}
+
+TEST_CASE("parameters that the library has not written are an error") {
+  LichenMaterialParameters parameters;
+  LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  const Filled filled = fill(parameters);
+  CHECK(filled.result == LICHEN_ERROR_USAGE);
+  CHECK(filled.message.find("lichenGetMaterialParameters") != std::string::npos);
+  const OwnedBundle bundle(example::smallest());
+  for (std::size_t word = 0; word < std::size(parameters.ofNoise); ++word) {
+    parameters = parametersOf(bundle.handle);
+    parameters.ofNoise[word] ^= 0x7f800000u; // of a float, infinity
+    INFO("word " << word);
+    CHECK(fill(parameters).result == LICHEN_ERROR_USAGE);
+  }
+}
+
+namespace {
+
+std::string switchesOf(const std::vector<LichenMaterialParameters>& materials,
+                       const LichenPlacement* placement = nullptr) {
+  std::vector<const LichenMaterialParameters*> pointers;
+  for (const LichenMaterialParameters& material : materials)
+    pointers.push_back(&material);
+  char text[LICHEN_SWITCH_BYTES] = "";
+  CHECK(lichenGetShaderSwitches(pointers.data(), std::uint32_t(pointers.size()), placement, text,
+                                sizeof text, nullptr) == LICHEN_SUCCESS);
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("the switches leave out what no material needs") {
+  const OwnedBundle tiling(example::smallest());
+  const LichenMaterialParameters plain = parametersOf(tiling.handle);
+  const std::string left = " -DLICHEN_OMIT_TEXTONS -DLICHEN_OMIT_TRIPLANAR";
+  CHECK(switchesOf({plain}) ==
+        "-DLICHEN_ROLES=16" + left +
+            " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0"
+            " -DLICHEN_PERIODIC_LATTICE=0");
+  LichenMaterialParameters turned = plain;
+  turned.tileRotation = 4;
+  turned.blendSharpness = 2.0;
+  LichenPlacement placement = atOrigin();
+  placement.periodTiles[0] = placement.periodTiles[1] = 2.0;
+  placement.maxAnisotropy = 8.0f;
+  CHECK(switchesOf({plain, turned}, &placement) ==
+        "-DLICHEN_ROLES=16" + left + " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_ANISOTROPIC=1");
+  LichenMaterialParameters inPlanes = plain;
+  inPlanes.mapping = LICHEN_MAPPING_TRIPLANAR;
+  CHECK(switchesOf({inPlanes}).find(" -DLICHEN_OTHER_MAPPINGS=0 ") != std::string::npos);
+  CHECK(switchesOf({inPlanes, plain}).find("MAPPINGS") == std::string::npos);
+  // Of two bundles and methods.
+  const OwnedBundle textons(example::textonMix());
+  LichenMaterialParameters mixed;
+  LICHEN_INIT(mixed, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  REQUIRE(lichenGetMaterialParameters(textons.handle, 1, &mixed) == LICHEN_SUCCESS);
+  const std::string both = switchesOf({plain, mixed});
+  CHECK(both.find("OMIT_TEXTONS") == std::string::npos);
+  CHECK(both.find("TILING_NOISES") == std::string::npos);
+  CHECK(both.find("MIXED_TEXTONS") == std::string::npos);
+  CHECK(switchesOf({mixed}).find(" -DLICHEN_TILING_NOISES=0") != std::string::npos);
+  mixed.pointProcess = LICHEN_POINT_PROCESS_STRATIFIED;
+  CHECK(switchesOf({mixed}).find(" -DLICHEN_POISSON_POINTS=0") != std::string::npos);
+  mixed.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  CHECK(switchesOf({mixed}).find("POISSON") == std::string::npos);
+}
+
+TEST_CASE("every text of switches fits, and a buffer that is too small is an error") {
+  const OwnedBundle bundle(example::smallest());
+  const LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  const LichenMaterialParameters* const pointer = &parameters;
+  char text[8] = "before";
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  CHECK(lichenGetShaderSwitches(&pointer, 1, nullptr, text, sizeof text, &diagnostic) ==
+        LICHEN_ERROR_USAGE);
+  CHECK(std::string(diagnostic.text) == "textBytes 8 is too small; expected at least 512");
+  CHECK(std::string(text) == "before");
+  CHECK(lichenGetShaderSwitches(nullptr, 1, nullptr, text, sizeof text, nullptr) ==
+        LICHEN_ERROR_USAGE);
+  CHECK(lichenGetShaderSwitches(&pointer, 0, nullptr, text, sizeof text, nullptr) ==
+        LICHEN_ERROR_USAGE);
+  CHECK(switchesOf({parameters}).size() < LICHEN_SWITCH_BYTES / 2);
+}
+
+TEST_CASE("a fractional period requires a tile origin of 0") {
+  const OwnedBundle bundle(example::smallest());
+  LichenPlacement placement = atOrigin();
+  placement.periodTiles[0] = placement.periodTiles[1] = 1.5;
+  CHECK(fill(parametersOf(bundle.handle), placement).result == LICHEN_SUCCESS);
+  placement.tileOrigin[0] = 1;
+  CHECK(fill(parametersOf(bundle.handle), placement).message ==
+        "periodTiles[0] 1.5 must be a whole number when tileOrigin[0] is not 0");
+}
+
+TEST_CASE("a period along one axis only is an error that names the cure") {
+  const OwnedBundle bundle(example::smallest());
+  LichenPlacement placement = atOrigin();
+  placement.periodTiles[0] = 3.0;
+  CHECK(fill(parametersOf(bundle.handle), placement).message ==
+        "periodTiles[1] 0 is out of range; expected 1 to 65536, or 0 on both axes for none");
+}
+
+TEST_CASE("a period is an error for triplanar mapping") {
+  const OwnedBundle bundle(example::smallest());
+  LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  parameters.mapping = LICHEN_MAPPING_TRIPLANAR;
+  LichenPlacement placement = atOrigin();
+  CHECK(fill(parameters, placement).result == LICHEN_SUCCESS);
+  placement.periodTiles[0] = placement.periodTiles[1] = 2.0;
+  const Filled filled = fill(parameters, placement);
+  CHECK(filled.result == LICHEN_ERROR_USAGE);
+  CHECK(filled.message ==
+        "periodTiles 2 is not supported for triplanar mapping, which cannot repeat; set it to 0");
+}
