@@ -35,6 +35,11 @@ public:
   VkPipeline graphicsPipeline(const VkGraphicsPipelineCreateInfo& info);
   VkPipeline computePipeline(const VkComputePipelineCreateInfo& info);
   VkDescriptorSet set(VkDescriptorPool pool, VkDescriptorSetLayout layout); ///< freed with its pool
+  VkSemaphore semaphore();
+  VkFence fence();
+  /// A pool whose command buffers can be recorded again.
+  VkCommandPool commandPool(std::uint32_t queueFamily);
+  VkCommandBuffer commandBuffer(VkCommandPool pool); ///< primary, freed with its pool
 
 private:
   struct Owned {
@@ -55,11 +60,6 @@ struct Descriptor {
   VkDescriptorBufferInfo buffer{};
   VkDescriptorImageInfo image{};
 };
-
-[[nodiscard]] inline Descriptor uniformBlock(VkBuffer buffer, VkDeviceSize offset,
-                                             VkDeviceSize size) {
-  return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {buffer, offset, size}, {}};
-}
 
 /// An image in SHADER_READ_ONLY_OPTIMAL.
 [[nodiscard]] inline Descriptor sampledImage(VkSampler sampler, VkImageView view) {
@@ -116,6 +116,12 @@ inline constexpr ImageState kDepthTarget{
 inline constexpr ImageState kStorage{
     VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
     VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
+
+/// The contents after this use are not needed: what comes next waits for the use, in this
+/// submission or an earlier one, and overwrites them.
+[[nodiscard]] constexpr ImageState discarded(const ImageState& state) {
+  return {VK_IMAGE_LAYOUT_UNDEFINED, state.stages, state.access};
+}
 
 /// Records a barrier for a subresource range.
 void transition(VkCommandBuffer commands, VkImage image, const VkImageSubresourceRange& range,

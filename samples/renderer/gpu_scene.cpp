@@ -17,9 +17,6 @@
 namespace lichen::renderer {
 namespace {
 
-constexpr std::size_t kMaterialStride = 512; // bytes; a multiple of any device's alignment
-static_assert(kMaterialStride >= sizeof(shader::MaterialData) && kMaterialStride % 256 == 0);
-
 void uploadGeometry(VulkanDevice& device, const Scene& scene, GpuScene& gpu) {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
@@ -159,19 +156,17 @@ shader::MaterialData materialData(const Material& material, const NoiseUse& nois
 }
 
 void createMaterials(VulkanDevice& device, ObjectOwner& objects, const Scene& scene,
-                     const NoiseHost& noises, GpuScene& gpu) {
+                     GpuScene& gpu) {
   std::array<VkDescriptorType, 1 + MATERIAL_TEXTURES> types{};
   types.fill(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
-  types[BINDING_MATERIAL] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+  types[BINDING_MATERIAL] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
   gpu.materialLayout = objects.setLayout(types, VK_SHADER_STAGE_FRAGMENT_BIT);
   const std::size_t count = scene.materials.size();
   const VkDescriptorPool pool = objects.pool(count, types);
-  gpu.materialData =
-      take(device.createBuffer(kMaterialStride * count, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
+  gpu.materialData = UniformBlocks(device, count, sizeof(shader::MaterialData));
   TextureCache textures(device, objects, scene, gpu);
   for (std::size_t m = 0; m < count; ++m) {
-    std::array<Descriptor, 1 + MATERIAL_TEXTURES> descriptors{
-        uniformBlock(gpu.materialData.handle, kMaterialStride * m, sizeof(shader::MaterialData))};
+    std::array<Descriptor, 1 + MATERIAL_TEXTURES> descriptors{gpu.materialData.descriptor()};
     const auto slots = slotsOf(scene.materials[m]);
     for (std::size_t k = 0; k < slots.size(); ++k)
       descriptors[BINDING_TEXTURES + k] =
@@ -179,15 +174,15 @@ void createMaterials(VulkanDevice& device, ObjectOwner& objects, const Scene& sc
     gpu.materialSets.push_back(objects.set(pool, gpu.materialLayout));
     writeSet(device.device(), gpu.materialSets.back(), descriptors);
   }
-  writeMaterials(scene, noises, gpu);
 }
 
 } // namespace
 
-void writeMaterials(const Scene& scene, const NoiseHost& noises, GpuScene& gpu) {
+void writeMaterials(const Scene& scene, const NoiseHost& noises, const GpuScene& gpu,
+                    std::uint32_t slot) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const shader::MaterialData data = materialData(scene.materials[m], noises.use(m));
-    std::memcpy(gpu.materialData.mapped + kMaterialStride * m, &data, sizeof data);
+    std::memcpy(gpu.materialData.data(slot, m), &data, sizeof data);
   }
 }
 
@@ -209,12 +204,11 @@ Result<void> fitsDevice(const Scene& scene, const VkPhysicalDeviceLimits& limits
   return {};
 }
 
-GpuScene uploadScene(VulkanDevice& device, ObjectOwner& objects, const Scene& scene,
-                     const NoiseHost& noises) {
+GpuScene uploadScene(VulkanDevice& device, ObjectOwner& objects, const Scene& scene) {
   take(fitsDevice(scene, device.properties().limits));
   GpuScene gpu;
   uploadGeometry(device, scene, gpu);
-  createMaterials(device, objects, scene, noises, gpu);
+  createMaterials(device, objects, scene, gpu);
   return gpu;
 }
 

@@ -5,6 +5,7 @@
 #include "gpu_objects.h"
 #include "noise_host.h"
 #include "scene.h"
+#include "uniform_blocks.h"
 
 namespace lichen::renderer {
 
@@ -23,7 +24,7 @@ struct GpuScene {
   DeviceBuffer indices; ///< 32 bit
   std::vector<GpuPrimitive> primitives;
   std::vector<DeviceImage> images; ///< an image used as both colour and data appears twice
-  DeviceBuffer materialData;
+  UniformBlocks materialData;      ///< one block per element of Scene::materials
   VkDescriptorSetLayout materialLayout = VK_NULL_HANDLE;
   std::vector<VkDescriptorSet> materialSets; ///< one per element of Scene::materials
 };
@@ -31,11 +32,11 @@ struct GpuScene {
 /// Errors: environment if an image or a primitive exceeds the device's limits.
 [[nodiscard]] Result<void> fitsDevice(const Scene& scene, const VkPhysicalDeviceLimits& limits);
 
-/// `noises` says which maps a material takes from its noise. Throws a Failure.
-[[nodiscard]] GpuScene uploadScene(VulkanDevice& device, ObjectOwner& objects, const Scene& scene,
-                                   const NoiseHost& noises);
+/// Throws a Failure.
+[[nodiscard]] GpuScene uploadScene(VulkanDevice& device, ObjectOwner& objects, const Scene& scene);
 
-/// Rewrites the materials' data after a change of their noises. No frame may be in flight.
-void writeMaterials(const Scene& scene, const NoiseHost& noises, GpuScene& gpu);
+/// Writes the materials' blocks of a frame; see UniformBlocks for `slot`.
+void writeMaterials(const Scene& scene, const NoiseHost& noises, const GpuScene& gpu,
+                    std::uint32_t slot);
 
 } // namespace lichen::renderer

@@ -11,10 +11,6 @@
 namespace lichen::renderer {
 namespace {
 
-/// Bytes between material blocks: a multiple of every device's minUniformBufferOffsetAlignment.
-constexpr std::uint32_t kBlockStride = 256;
-static_assert(LICHEN_TRIPLANAR_MATERIAL_BYTES <= kBlockStride);
-
 double clampTo(const NumberRange& range, double value) {
   return std::clamp(value, range.least, range.most);
 }
@@ -117,10 +113,8 @@ void NoiseHost::createSets(VulkanDevice& device, ObjectOwner& objects) {
   types[1] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
   types[2] = types[3] = VK_DESCRIPTOR_TYPE_SAMPLER;
   const VkDescriptorPool pool = objects.pool(noises_.size(), types);
-  blocks_ = take(device.createBuffer(VkDeviceSize(kBlockStride) * materials_.size(),
-                                     VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
-  // The dynamic offset of each draw is added to this offset of 0.
-  const VkDescriptorBufferInfo block{blocks_.handle, 0, LICHEN_TRIPLANAR_MATERIAL_BYTES};
+  blocks_ = UniformBlocks(device, materials_.size(), LICHEN_TRIPLANAR_MATERIAL_BYTES);
+  const VkDescriptorBufferInfo block = blocks_.descriptor().buffer;
   auto diagnostic = lichenStruct<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
   sets_.resize(noises_.size());
   for (std::uint32_t n = 0; n < noises_.size(); ++n)
@@ -180,7 +174,7 @@ void NoiseHost::change(const NoiseChanges& changes) {
     material.parameters = changed(material.own);
     readUse(material);
     noteFeatures(material);
-    fillBlock(m);
+    place(m);
   }
 }
 
@@ -227,7 +221,7 @@ void NoiseHost::setOrigin(const glm::dvec3& origin) {
   originNotes_.clear();
   for (std::size_t m = 0; m < materials_.size(); ++m)
     if (hasNoise(m))
-      fillBlock(m);
+      place(m);
 }
 
 std::vector<std::string> NoiseHost::notes() const {
@@ -237,10 +231,6 @@ std::vector<std::string> NoiseHost::notes() const {
   return all;
 }
 
-std::uint32_t NoiseHost::dynamicOffset(std::size_t material) const {
-  return kBlockStride * std::uint32_t(material);
-}
-
 double NoiseHost::tileSide(std::size_t material) const {
   const LichenMaterialParameters& parameters = materials_[material].parameters;
   return hasNoise(material) && parameters.mapping != LICHEN_MAPPING_UV
@@ -248,15 +238,16 @@ double NoiseHost::tileSide(std::size_t material) const {
              : 0.0;
 }
 
-/// Where a material's noise lies, and what positions it takes; see docs/integration.md,
+/// Sets where a material's noise lies, and what positions it takes; see docs/integration.md,
 /// "Far from the origin".
-LichenPlacement NoiseHost::place(std::size_t material) {
-  auto placement = lichenStruct<LichenPlacement>(LICHEN_STRUCTURE_PLACEMENT);
+void NoiseHost::place(std::size_t material) {
+  LichenPlacement& placement = materials_[material].placement;
+  LICHEN_INIT(placement, LICHEN_STRUCTURE_PLACEMENT);
   NoiseUse& use = materials_[material].use;
   use.fromTileOrigin = glm::vec3(0.0f);
   const double side = tileSide(material);
   if (side == 0.0 || use.inObjectSpace)
-    return placement;
+    return;
   constexpr double kFarthest = 1099511627776; // 2^40 tiles, as LichenPlacement states
   const glm::dvec3 tiles = glm::floor(origin_ / side);
   const glm::dvec3 clamped = glm::clamp(tiles, -kFarthest, kFarthest);
@@ -268,15 +259,15 @@ LichenPlacement NoiseHost::place(std::size_t material) {
   use.fromTileOrigin = glm::vec3(origin_ - side * clamped);
   for (int axis = 0; axis < 3; ++axis)
     placement.tileOrigin[axis] = std::int64_t(clamped[axis]);
-  return placement;
 }
 
-void NoiseHost::fillBlock(std::size_t material) {
-  const LichenPlacement placement = place(material);
+void NoiseHost::fillBlocks(std::uint32_t slot) const {
   auto diagnostic = lichenStruct<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
-  checkLichen(lichenFillMaterial(&materials_[material].parameters, &placement,
-                                 blocks_.mapped + dynamicOffset(material), &diagnostic),
-              diagnostic);
+  for (std::size_t m = 0; m < materials_.size(); ++m)
+    if (hasNoise(m))
+      checkLichen(lichenFillMaterial(&materials_[m].parameters, &materials_[m].placement,
+                                     blocks_.data(slot, m), &diagnostic),
+                  diagnostic);
 }
 
 } // namespace lichen::renderer

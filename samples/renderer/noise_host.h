@@ -7,6 +7,7 @@
 #include "noise_changes.h"
 #include "noise_context.h"
 #include "scene.h"
+#include "uniform_blocks.h"
 
 #include <lichen/lichen.h>
 #include <lichen/lichen_vulkan.h>
@@ -53,13 +54,15 @@ public:
             const Scene& scene);
 
   /// Replaces the changes applied to the scene's noises. The results of all functions below may
-  /// change. No frame may be in flight. Throws a Failure: usage for a noise that the bundle does
-  /// not contain.
+  /// change. Throws a Failure: usage for a noise that the bundle does not contain.
   void change(const NoiseChanges& changes);
 
   /// Sets the point that device positions are relative to, for noises in world space; initially the
-  /// world's origin. No frame may be in flight.
+  /// world's origin.
   void setOrigin(const glm::dvec3& origin);
+
+  /// Writes the materials' blocks of a frame; see UniformBlocks for `slot`.
+  void fillBlocks(std::uint32_t slot) const;
 
   /// Whether a material renders with a noise. Some materials with the extension do not, for example
   /// for an unknown revision.
@@ -71,7 +74,9 @@ public:
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const {
     return sets_[materials_[material].parameters.noise];
   }
-  [[nodiscard]] std::uint32_t dynamicOffset(std::size_t material) const;
+  [[nodiscard]] std::uint32_t dynamicOffset(std::uint32_t slot, std::size_t material) const {
+    return blocks_.offset(slot, material);
+  }
   /// Names of the bundle's noises as stored in the file; may be empty strings.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const NoiseUse& use(std::size_t material) const { return materials_[material].use; }
@@ -88,6 +93,7 @@ private:
     LichenMaterialProperties properties{};
     LichenMaterialParameters own{};        ///< of the file
     LichenMaterialParameters parameters{}; ///< with the changes
+    LichenPlacement placement{};
     NoiseUse use;
   };
 
@@ -98,13 +104,12 @@ private:
   [[nodiscard]] LichenMaterialParameters changed(const LichenMaterialParameters& own) const;
   void readUse(MaterialState& material);
   void noteFeatures(const MaterialState& material);
-  [[nodiscard]] LichenPlacement place(std::size_t material);
-  void fillBlock(std::size_t material);
+  void place(std::size_t material);
 
   // In order of dependency: destroyed last to first.
   LichenOwned<LichenBundle> bundle_;
   LichenOwned<LichenVulkanAssets> assets_;
-  DeviceBuffer blocks_;               ///< one for each material, kBlockStride bytes apart
+  UniformBlocks blocks_;              ///< one for each material
   std::vector<VkDescriptorSet> sets_; ///< by noise
   std::vector<std::string> names_;
   std::vector<LichenNoiseProperties> noises_; ///< of the bundle

@@ -43,14 +43,18 @@ void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView col
 
 } // namespace
 
-void SceneRenderer::drawFrame(std::uint32_t index) {
+void SceneRenderer::recordFrame(const FrameCommands& frame, std::uint32_t index) {
   const FrameView view = frameView(inputs_, index);
-  std::memcpy(frameData_.mapped, &view.data, sizeof view.data);
-  take(device_.submit([&](VkCommandBuffer commands) {
-    recordDepthMaps(commands, view);
-    recordSurfaces(commands);
-    recordAccumulate(commands, index);
-  }));
+  std::memcpy(frameData_.data(frame.slot), &view.data, sizeof view.data);
+  writeMaterials(scene_, noises_, gpu_, frame.slot);
+  noises_.fillBlocks(frame.slot);
+  recordDepthMaps(frame, view);
+  recordSurfaces(frame);
+  recordAccumulate(frame.buffer, index);
+}
+
+void SceneRenderer::drawFrame(std::uint32_t index) {
+  take(device_.submit([&](VkCommandBuffer commands) { recordFrame({commands, 0}, index); }));
 }
 
 LinearImage SceneRenderer::average(std::uint32_t frames) {
@@ -88,100 +92,103 @@ SurfaceKind SceneRenderer::kindOf(std::size_t material) const {
           properties.alphaMode == AlphaMode::blend};
 }
 
-void SceneRenderer::bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout,
+void SceneRenderer::bindMaterial(const FrameCommands& frame, VkPipelineLayout layout,
                                  std::size_t material) const {
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL, 1,
-                          &gpu_.materialSets[material], 0, nullptr);
+  const std::uint32_t data = gpu_.materialData.offset(frame.slot, material);
+  vkCmdBindDescriptorSets(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL, 1,
+                          &gpu_.materialSets[material], 1, &data);
   if (!noises_.hasNoise(material))
     return;
   const VkDescriptorSet noise = noises_.set(material);
-  const std::uint32_t block = noises_.dynamicOffset(material);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_NOISE, 1, &noise,
-                          1, &block);
+  const std::uint32_t block = noises_.dynamicOffset(frame.slot, material);
+  vkCmdBindDescriptorSets(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_NOISE, 1,
+                          &noise, 1, &block);
 }
 
-void SceneRenderer::recordDepthMap(VkCommandBuffer commands, VkImageView view, std::uint32_t side,
+void SceneRenderer::recordDepthMap(const FrameCommands& frame, VkImageView view, std::uint32_t side,
                                    const glm::mat4& clipFromWorld) const {
-  beginRendering(commands, {side, side}, VK_NULL_HANDLE, view, 1.0f);
-  bindGeometry(commands);
+  beginRendering(frame.buffer, {side, side}, VK_NULL_HANDLE, view, 1.0f);
+  bindGeometry(frame.buffer);
   for (const Instance& instance : scene_.instances) {
     const Material& material = materialOf(instance);
     const std::size_t m = scene_.primitives[instance.primitive].material;
     const bool hasGaps = material.alphaMode != AlphaMode::opaque;
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS,
+    vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS,
                       hasGaps ? pipelines_.depthWithGaps[noises_.hasNoise(m) ? 1 : 0]
                               : pipelines_.depthOpaque);
     if (hasGaps)
-      bindMaterial(commands, pipelines_.depthLayout, m);
+      bindMaterial(frame, pipelines_.depthLayout, m);
     const glm::mat4 placed = relativeTo(inputs_.origin, instance.worldFromObject);
     const shader::DepthData draw{clipFromWorld * placed, placed};
-    vkCmdPushConstants(commands, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
-                       &draw);
-    drawPrimitive(commands, instance.primitive);
+    vkCmdPushConstants(frame.buffer, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
+                       sizeof draw, &draw);
+    drawPrimitive(frame.buffer, instance.primitive);
   }
-  vkCmdEndRendering(commands);
+  vkCmdEndRendering(frame.buffer);
 }
 
-void SceneRenderer::recordDepthMaps(VkCommandBuffer commands, const FrameView& view) const {
-  transition(commands, lightMaps_.sunDepth, kUndefined, kDepthTarget);
-  transition(commands, lightMaps_.skyDepth, kUndefined, kDepthTarget);
-  recordDepthMap(commands, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun);
+void SceneRenderer::recordDepthMaps(const FrameCommands& frame, const FrameView& view) const {
+  transition(frame.buffer, lightMaps_.sunDepth, discarded(kSampled), kDepthTarget);
+  transition(frame.buffer, lightMaps_.skyDepth, discarded(kSampled), kDepthTarget);
+  recordDepthMap(frame, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun);
   for (std::size_t k = 0; k < std::size_t(view.data.counts.y); ++k)
-    recordDepthMap(commands, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k]);
-  transition(commands, lightMaps_.sunDepth, kDepthTarget, kSampled);
-  transition(commands, lightMaps_.skyDepth, kDepthTarget, kSampled);
+    recordDepthMap(frame, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k]);
+  transition(frame.buffer, lightMaps_.sunDepth, kDepthTarget, kSampled);
+  transition(frame.buffer, lightMaps_.skyDepth, kDepthTarget, kSampled);
 }
 
-void SceneRenderer::drawSurface(VkCommandBuffer commands, const Instance& instance,
+void SceneRenderer::drawSurface(const FrameCommands& frame, const Instance& instance,
                                 VkCullModeFlags cull) const {
   const std::size_t m = scene_.primitives[instance.primitive].material;
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
-  bindMaterial(commands, pipelines_.sceneLayout, m);
+  vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
+  bindMaterial(frame, pipelines_.sceneLayout, m);
   const shader::DrawData draw{relativeTo(inputs_.origin, instance.worldFromObject)};
   const bool mirrored = glm::determinant(glm::mat3(draw.worldFromObject)) < 0.0f;
-  vkCmdSetCullMode(commands, cull);
-  vkCmdSetFrontFace(commands, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-  vkCmdPushConstants(commands, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
-                     &draw);
-  drawPrimitive(commands, instance.primitive);
+  vkCmdSetCullMode(frame.buffer, cull);
+  vkCmdSetFrontFace(frame.buffer,
+                    mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
+                     sizeof draw, &draw);
+  drawPrimitive(frame.buffer, instance.primitive);
 }
 
-void SceneRenderer::drawOpaque(VkCommandBuffer commands, const Instance& instance) const {
+void SceneRenderer::drawOpaque(const FrameCommands& frame, const Instance& instance) const {
   const bool twoSided = materialOf(instance).doubleSided;
-  drawSurface(commands, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+  drawSurface(frame, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
 }
 
 /// Draws the back faces of a double-sided material first: on a convex body they are farther away.
-void SceneRenderer::drawBlended(VkCommandBuffer commands, const Instance& instance) const {
+void SceneRenderer::drawBlended(const FrameCommands& frame, const Instance& instance) const {
   if (materialOf(instance).doubleSided)
-    drawSurface(commands, instance, VK_CULL_MODE_FRONT_BIT);
-  drawSurface(commands, instance, VK_CULL_MODE_BACK_BIT);
+    drawSurface(frame, instance, VK_CULL_MODE_FRONT_BIT);
+  drawSurface(frame, instance, VK_CULL_MODE_BACK_BIT);
 }
 
-void SceneRenderer::recordSurfaces(VkCommandBuffer commands) const {
-  transition(commands, targets_.color, kUndefined, kColorTarget);
-  transition(commands, targets_.depth, kUndefined, kDepthTarget);
-  beginRendering(commands, {inputs_.width, inputs_.height}, targets_.color.view,
+void SceneRenderer::recordSurfaces(const FrameCommands& frame) const {
+  transition(frame.buffer, targets_.color, discarded(kSampled), kColorTarget);
+  transition(frame.buffer, targets_.depth, discarded(kDepthTarget), kDepthTarget);
+  const std::uint32_t frameData = frameData_.offset(frame.slot);
+  beginRendering(frame.buffer, {inputs_.width, inputs_.height}, targets_.color.view,
                  targets_.depth.view, 0.0f);
-  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,
-                          SET_FRAME, 1, &frameSet_, 0, nullptr);
-  bindGeometry(commands);
+  vkCmdBindDescriptorSets(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,
+                          SET_FRAME, 1, &frameSet_, 1, &frameData);
+  bindGeometry(frame.buffer);
   for (const Instance& instance : scene_.instances)
     if (materialOf(instance).alphaMode != AlphaMode::blend)
-      drawOpaque(commands, instance);
+      drawOpaque(frame, instance);
   if (debugView_ == DEBUG_NONE) {
-    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sky);
-    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
-    vkCmdDraw(commands, 3, 1, 0, 0);
+    vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sky);
+    vkCmdSetCullMode(frame.buffer, VK_CULL_MODE_NONE);
+    vkCmdDraw(frame.buffer, 3, 1, 0, 0);
   }
   for (const std::size_t instance : blendedOrder_)
-    drawBlended(commands, scene_.instances[instance]);
-  vkCmdEndRendering(commands);
-  transition(commands, targets_.color, kColorTarget, kSampled);
+    drawBlended(frame, scene_.instances[instance]);
+  vkCmdEndRendering(frame.buffer);
+  transition(frame.buffer, targets_.color, kColorTarget, kSampled);
 }
 
 void SceneRenderer::recordAccumulate(VkCommandBuffer commands, std::uint32_t index) const {
-  transition(commands, targets_.sum, index == 0 ? kUndefined : kStorage, kStorage);
+  transition(commands, targets_.sum, index == 0 ? discarded(kStorage) : kStorage, kStorage);
   const bool shaded = debugView_ == DEBUG_NONE;
   const AccumulateSettings push{shaded ? std::exp2(exposureEv_) : 1.0f, shaded && toneMap_,
                                 index == 0};

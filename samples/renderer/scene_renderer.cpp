@@ -28,7 +28,7 @@ SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
       debugView_(take(debugViewValue(settings.debugView))), objects_(device.device()),
       store_(settings.pipelines ? *settings.pipelines : ownStore_.emplace(device)),
       noises_(device, objects_, store_.noiseContext(), scene),
-      gpu_(uploadScene(device, objects_, scene, noises_)) {
+      gpu_(uploadScene(device, objects_, scene)) {
   inputs_.subject = take(subjectOf(scene));
   const float aspect = float(settings.width) / float(settings.height);
   inputs_.lighting = arrangeLights(scene, inputs_.subject, settings.environment.has_value());
@@ -83,10 +83,9 @@ void SceneRenderer::createFrameSet(VkFilter depthFilter) {
   compare.compareEnable = VK_TRUE;
   compare.compareOp = VK_COMPARE_OP_LESS_OR_EQUAL;
   const VkSampler compareSampler = objects_.sampler(compare);
-  frameData_ = take(
-      device_.createBuffer(sizeof(shader::FrameData), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true));
+  frameData_ = UniformBlocks(device_, 1, sizeof(shader::FrameData));
   std::array<Descriptor, FRAME_BINDINGS> descriptors{};
-  descriptors[BINDING_FRAME] = uniformBlock(frameData_.handle, 0, sizeof(shader::FrameData));
+  descriptors[BINDING_FRAME] = frameData_.descriptor();
   descriptors[BINDING_SPECULAR] =
       sampledImage(environment_.clampSampler, environment_.specular.view);
   descriptors[BINDING_DIFFUSE] = sampledImage(environment_.clampSampler, environment_.diffuse.view);
@@ -143,10 +142,8 @@ void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {
 void SceneRenderer::setCamera(const Camera& camera) {
   inputs_.camera = camera;
   const glm::dvec3 origin = originNear(camera, inputs_.subject.center);
-  if (origin != std::exchange(inputs_.origin, origin)) {
+  if (origin != std::exchange(inputs_.origin, origin))
     noises_.setOrigin(origin);
-    writeMaterials(scene_, noises_, gpu_);
-  }
   if (hasHaze_) // a camera inside the subject counts as on its border
     inputs_.hazeDistance =
         kHazeDistance * std::max(glm::length(relativeTo(inputs_.subject.center, eyeOf(camera))),
@@ -175,7 +172,6 @@ void SceneRenderer::setDebugView(const std::string& name) {
 void SceneRenderer::setNoise(const NoiseChanges& changes) {
   const NoiseFeatures before = noises_.features();
   noises_.change(changes);
-  writeMaterials(scene_, noises_, gpu_);
   if (noises_.features() != before)
     choosePipelines();
 }

@@ -11,6 +11,7 @@
 #include "noise_host.h"
 #include "pipelines.h"
 #include "renderer.h"
+#include "uniform_blocks.h"
 
 #include <optional>
 #include <span>
@@ -21,8 +22,8 @@
 namespace lichen::renderer {
 
 /// Every non-const function may throw a Failure with the errors of renderScene(); after that the
-/// object may only be destroyed. Not thread-safe. The device is idle whenever no function runs, so
-/// data that frames read may change between calls.
+/// object may only be destroyed. Not thread-safe. What a recorded frame reads is its slot's or does
+/// not change, so all but setSize() and drawFrame() may be called while frames are in flight.
 class SceneRenderer {
 public:
   /// The device, the scene and the settings' pipeline store must outlive the object. The setters
@@ -37,16 +38,18 @@ public:
   [[nodiscard]] const std::vector<std::string>& noiseNames() const { return noises_.names(); }
 
   // After any of these calls, continue with frame 0.
-  void setSize(std::uint32_t width, std::uint32_t height);
-  void setFrames(std::uint32_t frames); ///< at least 1
-  void setPreview();                    ///< one quick frame, soon replaced by others
+  void setSize(std::uint32_t width, std::uint32_t height); ///< when no frame is in flight
+  void setFrames(std::uint32_t frames);                    ///< at least 1
+  void setPreview(); ///< one quick frame, soon replaced by others
   void setCamera(const Camera& camera);
   void setExposure(float exposureEv) { exposureEv_ = exposureEv; } ///< stops
   void setDebugView(const std::string& name);                      ///< see RenderSettings
   void setNoise(const NoiseChanges& changes);
 
-  /// Renders frame `index`, below `frames`, and adds it to the sum; frame 0 starts a new sum.
-  /// Blocks until the device has finished.
+  /// Records frame `index`, below `frames`: renders it and adds it to the sum; frame 0 starts a new
+  /// sum. No frame that was recorded with the slot may be in flight.
+  void recordFrame(const FrameCommands& frame, std::uint32_t index);
+  /// Records frame `index` with slot 0, submits it and blocks until the device has finished.
   void drawFrame(std::uint32_t index);
   /// The sum of frames, in GENERAL. Divided by the number of frames, it has the values of a
   /// Picture.
@@ -72,15 +75,17 @@ private:
   [[nodiscard]] std::vector<std::size_t> blendedOrder() const;
 
   void bindGeometry(VkCommandBuffer commands) const;
-  void bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t material) const;
+  void bindMaterial(const FrameCommands& frame, VkPipelineLayout layout,
+                    std::size_t material) const;
   void drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const;
-  void drawSurface(VkCommandBuffer commands, const Instance& instance, VkCullModeFlags cull) const;
-  void drawOpaque(VkCommandBuffer commands, const Instance& instance) const;
-  void drawBlended(VkCommandBuffer commands, const Instance& instance) const;
-  void recordDepthMap(VkCommandBuffer commands, VkImageView view, std::uint32_t side,
+  void drawSurface(const FrameCommands& frame, const Instance& instance,
+                   VkCullModeFlags cull) const;
+  void drawOpaque(const FrameCommands& frame, const Instance& instance) const;
+  void drawBlended(const FrameCommands& frame, const Instance& instance) const;
+  void recordDepthMap(const FrameCommands& frame, VkImageView view, std::uint32_t side,
                       const glm::mat4& clipFromWorld) const;
-  void recordDepthMaps(VkCommandBuffer commands, const FrameView& view) const;
-  void recordSurfaces(VkCommandBuffer commands) const;
+  void recordDepthMaps(const FrameCommands& frame, const FrameView& view) const;
+  void recordSurfaces(const FrameCommands& frame) const;
   void recordAccumulate(VkCommandBuffer commands, std::uint32_t index) const;
 
   VulkanDevice& device_;
@@ -101,7 +106,7 @@ private:
   GpuEnvironment environment_;
   FrameTargets targets_;
   LightMaps lightMaps_;
-  DeviceBuffer frameData_;
+  UniformBlocks frameData_;
   VkDescriptorSetLayout frameLayout_ = VK_NULL_HANDLE;
   VkDescriptorSetLayout accumulateLayout_ = VK_NULL_HANDLE;
   VkDescriptorSet frameSet_ = VK_NULL_HANDLE;

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One picture at a time: the host waits for each copy, so one acquire semaphore is enough. Every
-// surface supports the present mode FIFO.
+// Every surface supports the present mode FIFO.
 #include "swapchain.h"
 
 #include "failure.h"
-#include "gpu_objects.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -17,16 +15,9 @@ constexpr std::uint32_t kExtentOfWindow = std::numeric_limits<std::uint32_t>::ma
 constexpr std::uint64_t kNoTimeout = std::numeric_limits<std::uint64_t>::max();
 
 // The same stage as the semaphore wait, so that the barrier happens after it.
-constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, 0};
+constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, Swapchain::kCopyStages, 0};
 constexpr ImageState kPresented{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
 constexpr VkImageSubresourceRange kWholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-
-VkSemaphore makeSemaphore(VkDevice device) {
-  const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
-  VkSemaphore semaphore = VK_NULL_HANDLE;
-  check(vkCreateSemaphore(device, &info, nullptr, &semaphore), "cannot create a semaphore");
-  return semaphore;
-}
 
 } // namespace
 
@@ -41,29 +32,12 @@ Swapchain::Swapchain(VulkanDevice& device, VkSurfaceKHR surface)
                                                std::string(device.properties().deviceName) +
                                                "\" cannot present to this window"}};
   chooseFormat();
-  acquired_ = makeSemaphore(device.device());
-  const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
-  check(vkCreateFence(device.device(), &fence, nullptr, &done_), "cannot create a fence");
-  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-  pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  pool.queueFamilyIndex = device.queueFamily();
-  check(vkCreateCommandPool(device.device(), &pool, nullptr, &pool_),
-        "cannot create a command pool");
-  VkCommandBufferAllocateInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-  commands.commandPool = pool_;
-  commands.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  commands.commandBufferCount = 1;
-  check(vkAllocateCommandBuffers(device.device(), &commands, &commands_),
-        "cannot allocate a command buffer");
 }
 
 Swapchain::~Swapchain() {
   vkDeviceWaitIdle(device_.device());
   destroyImages();
   vkDestroySwapchainKHR(device_.device(), swapchain_, nullptr);
-  vkDestroyCommandPool(device_.device(), pool_, nullptr);
-  vkDestroyFence(device_.device(), done_, nullptr);
-  vkDestroySemaphore(device_.device(), acquired_, nullptr);
   vkDestroySurfaceKHR(device_.instance(), surface_, nullptr);
 }
 
@@ -92,8 +66,7 @@ void Swapchain::chooseFormat() {
 }
 
 void Swapchain::destroyImages() {
-  for (const VkSemaphore semaphore : copied_)
-    vkDestroySemaphore(device_.device(), semaphore, nullptr);
+  semaphores_.reset();
   copied_.clear();
   images_.clear();
 }
@@ -140,66 +113,44 @@ bool Swapchain::resize(VkExtent2D window) {
   images_.resize(count);
   check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, images_.data()),
         "cannot query the window's images");
+  semaphores_.emplace(device_.device());
   for (std::uint32_t i = 0; i < count; ++i)
-    copied_.push_back(makeSemaphore(device_.device()));
+    copied_.push_back(semaphores_->semaphore());
+  return true;
+}
+
+bool Swapchain::acquire(VkSemaphore acquired) {
+  const VkResult result = vkAcquireNextImageKHR(device_.device(), swapchain_, kNoTimeout, acquired,
+                                                VK_NULL_HANDLE, &index_);
+  if (result == VK_ERROR_OUT_OF_DATE_KHR)
+    return false;
+  if (result != VK_SUBOPTIMAL_KHR)
+    check(result, "cannot acquire an image of the window");
   return true;
 }
 
 /// Blits instead of copying, because the order of the channels may differ.
-void Swapchain::recordCopy(const DeviceImage& picture, VkImage target) {
-  VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-  check(vkBeginCommandBuffer(commands_, &begin), "cannot begin a command buffer");
-  transition(commands_, target, kWholeImage, kAcquired, kCopyTarget);
+void Swapchain::recordCopy(VkCommandBuffer commands, const DeviceImage& picture) const {
+  const VkImage target = images_[index_];
+  transition(commands, target, kWholeImage, kAcquired, kCopyTarget);
   VkImageBlit region{};
   region.srcSubresource = region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
   region.srcOffsets[1] = {std::int32_t(picture.info.extent.width),
                           std::int32_t(picture.info.extent.height), 1};
   region.dstOffsets[1] = {std::int32_t(extent_.width), std::int32_t(extent_.height), 1};
-  vkCmdBlitImage(commands_, picture.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
+  vkCmdBlitImage(commands, picture.handle, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, target,
                  kCopyTarget.layout, 1, &region, VK_FILTER_NEAREST);
-  transition(commands_, target, kWholeImage, kCopyTarget, kPresented);
-  check(vkEndCommandBuffer(commands_), "cannot end a command buffer");
+  transition(commands, target, kWholeImage, kCopyTarget, kPresented);
 }
 
-void Swapchain::submitCopy(std::uint32_t index) {
-  VkCommandBufferSubmitInfo commands{VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO};
-  commands.commandBuffer = commands_;
-  VkSemaphoreSubmitInfo wait{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-  wait.semaphore = acquired_;
-  wait.stageMask = kAcquired.stages;
-  VkSemaphoreSubmitInfo signal{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
-  signal.semaphore = copied_[index];
-  signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT; // includes the layout transition
-  VkSubmitInfo2 submit{VK_STRUCTURE_TYPE_SUBMIT_INFO_2};
-  submit.waitSemaphoreInfoCount = submit.signalSemaphoreInfoCount = 1;
-  submit.pWaitSemaphoreInfos = &wait;
-  submit.pSignalSemaphoreInfos = &signal;
-  submit.commandBufferInfoCount = 1;
-  submit.pCommandBufferInfos = &commands;
-  check(vkQueueSubmit2(device_.queue(), 1, &submit, done_), "cannot submit a picture");
-  check(vkWaitForFences(device_.device(), 1, &done_, VK_TRUE, kNoTimeout),
-        "cannot wait for a picture");
-  check(vkResetFences(device_.device(), 1, &done_), "cannot reset a fence");
-}
-
-bool Swapchain::present(const DeviceImage& picture) {
-  std::uint32_t index = 0;
-  VkResult result = vkAcquireNextImageKHR(device_.device(), swapchain_, kNoTimeout, acquired_,
-                                          VK_NULL_HANDLE, &index);
-  if (result == VK_ERROR_OUT_OF_DATE_KHR)
-    return false;
-  if (result != VK_SUBOPTIMAL_KHR)
-    check(result, "cannot acquire an image of the window");
-  recordCopy(picture, images_[index]);
-  submitCopy(index);
+bool Swapchain::present() {
   VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
   info.waitSemaphoreCount = 1;
-  info.pWaitSemaphores = &copied_[index];
+  info.pWaitSemaphores = &copied_[index_];
   info.swapchainCount = 1;
   info.pSwapchains = &swapchain_;
-  info.pImageIndices = &index;
-  result = vkQueuePresentKHR(device_.queue(), &info);
+  info.pImageIndices = &index_;
+  const VkResult result = vkQueuePresentKHR(device_.queue(), &info);
   if (result == VK_ERROR_OUT_OF_DATE_KHR || result == VK_SUBOPTIMAL_KHR)
     return false;
   check(result, "cannot present a picture");

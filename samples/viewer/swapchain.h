@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The images of a window, and copying finished pictures into them.
+// The images of a window: acquire one, record a copy of a picture into it, present it.
 #pragma once
+
+#include "gpu_objects.h"
 
 #include <lichen/vulkan_device.h>
 
+#include <optional>
 #include <vector>
 
 namespace lichen::renderer {
 
-/// Functions throw a Failure: environment for a surface that cannot be copied to. The device is
-/// idle whenever no function runs, except for presentation by the window system.
+/// Functions throw a Failure: environment for a surface that cannot be copied to.
 class Swapchain {
 public:
   /// Owns the surface. The device and the window must outlive the swapchain.
@@ -18,14 +20,24 @@ public:
   Swapchain(const Swapchain&) = delete;
   Swapchain& operator=(const Swapchain&) = delete;
 
-  /// Replaces the images to match a window of this size. Returns false while the window has no
-  /// area.
+  /// Waits until the device is idle, and replaces the images to match a window of this size.
+  /// Returns false while the window has no area.
   [[nodiscard]] bool resize(VkExtent2D window);
   [[nodiscard]] VkExtent2D extent() const { return extent_; }
 
-  /// Presents an image of size extent() in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, sRGB-encoded in a
-  /// UNORM format. Returns false if the window has changed: call resize() and present again.
-  [[nodiscard]] bool present(const DeviceImage& picture);
+  /// Acquires the next image; `acquired` is signalled when it may be written. Returns false if the
+  /// window has changed: call resize() and acquire again.
+  [[nodiscard]] bool acquire(VkSemaphore acquired);
+  /// Records a copy into the acquired image of a picture of size extent() in
+  /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, sRGB-encoded in a UNORM format.
+  void recordCopy(VkCommandBuffer commands, const DeviceImage& picture) const;
+  /// The stages that must wait until the image is acquired.
+  static constexpr VkPipelineStageFlags2 kCopyStages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
+  /// What presentation waits for: the submission of the copy signals it.
+  [[nodiscard]] VkSemaphore copied() const { return copied_[index_]; }
+  /// Presents the acquired image. Returns false if the window has changed: call resize() and
+  /// present again.
+  [[nodiscard]] bool present();
 
 private:
   struct SurfaceOnly {};
@@ -36,8 +48,6 @@ private:
 
   void chooseFormat();
   void destroyImages();
-  void recordCopy(const DeviceImage& picture, VkImage target);
-  void submitCopy(std::uint32_t index);
 
   VulkanDevice& device_;
   VkSurfaceKHR surface_;
@@ -47,10 +57,8 @@ private:
   std::vector<VkImage> images_;
   /// one per image; presentation waits for it, and the host cannot tell when that is over
   std::vector<VkSemaphore> copied_;
-  VkSemaphore acquired_ = VK_NULL_HANDLE;
-  VkFence done_ = VK_NULL_HANDLE;
-  VkCommandPool pool_ = VK_NULL_HANDLE;
-  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+  std::optional<ObjectOwner> semaphores_; ///< owns them
+  std::uint32_t index_ = 0;               ///< of the acquired image
 };
 
 } // namespace lichen::renderer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Events -> camera and look -> frames. While something changes, each picture is a single filtered
-// frame; otherwise frames accumulate into the finished picture.
+// frame; otherwise frames accumulate into the finished picture. While the device draws one frame,
+// the next is prepared.
 #include "viewer.h"
 
 #include "controls.h"
@@ -9,6 +10,7 @@
 #include "failure.h"
 #include "file_watch.h"
 #include "frame_data.h"
+#include "frame_queue.h"
 #include "orbit_camera.h"
 #include "picture.h"
 #include "pipelines.h"
@@ -49,10 +51,9 @@ public:
   /// `stamp`: the file stamp of the scene from before it was read.
   Viewer(const ViewCommand& command, Scene scene, std::optional<FileStamp> stamp,
          RenderSettings settings, VulkanDevice& device, Window& window)
-      : command_(command), settings_(std::move(settings)), device_(device),
-        pipelines_(device), window_(window), watch_(stamp),
-        swapchain_(device, window.createSurface(device.instance())), display_(device),
-        current_(prepare(std::move(scene))),
+      : command_(command), settings_(std::move(settings)), device_(device), pipelines_(device),
+        window_(window), watch_(stamp), swapchain_(device, window.createSurface(device.instance())),
+        display_(device), current_(prepare(std::move(scene))), queue_(device),
         camera_(current_->renderer->camera(), current_->renderer->subject()),
         controls_(current_->renderer->noiseNames(), startingLook()) {
     look_ = controls_.look();
@@ -63,6 +64,7 @@ public:
   void run() {
     followSize();
     while (!window_.shouldClose()) {
+      queue_.waitForSlot(); // before the events, so that the frame shows the latest
       const bool isIdle = finished() && !isStale_ && !needsResize_;
       const std::chrono::duration<double> timeout = FileWatch::kInterval;
       for (const WindowEvent& event : window_.events(isIdle || !hasArea_ ? timeout.count() : 0.0))
@@ -172,7 +174,8 @@ private:
     }
   }
 
-  /// Replaces the shown scene, keeping camera and look. Restores the previous scene on failure.
+  /// Replaces the shown scene, keeping camera and look, and retires the previous one. Restores it
+  /// on failure.
   void show(std::unique_ptr<LoadedScene> next) {
     next->renderer->setCamera(camera_.camera());
     std::swap(current_, next);
@@ -187,6 +190,7 @@ private:
       look_ = last;
       throw;
     }
+    queue_.retire(std::move(next));
     writeAllNotes();
     restart();
   }
@@ -232,7 +236,7 @@ private:
       return;
     settings_.width = extent.width;
     settings_.height = extent.height;
-    current_->renderer->setSize(extent.width, extent.height);
+    current_->renderer->setSize(extent.width, extent.height); // resize() has waited for all frames
     restart();
   }
 
@@ -244,27 +248,48 @@ private:
   [[nodiscard]] bool finished() const { return !isPreview_ && frames_ == settings_.frames; }
 
   void draw() {
+    if (!finished() || isStale_)
+      drawFrame();
+    if (finished() && std::exchange(screenshotRequested_, false))
+      writeScreenshot();
+  }
+
+  void drawFrame() {
+    const FrameCommands frame = queue_.begin();
+    const std::uint32_t shownFrames = recordScene(frame);
+    if (!isStale_) {
+      queue_.submit();
+      return;
+    }
+    if (!swapchain_.acquire(queue_.acquired())) {
+      queue_.submit();
+      needsResize_ = true;
+      return;
+    }
+    const DeviceImage& sum = current_->renderer->sum();
+    swapchain_.recordCopy(frame.buffer, display_.record(frame, sum, shownFrames));
+    queue_.submit(Swapchain::kCopyStages, swapchain_.copied());
+    isStale_ = false;
+    needsResize_ = !swapchain_.present();
+    showTitle(shownFrames);
+  }
+
+  /// Records the next frame of the scene, if one is left. Returns the number of frames in the sum.
+  std::uint32_t recordScene(const FrameCommands& frame) {
     SceneRenderer& renderer = *current_->renderer;
-    std::uint32_t shownFrames = frames_;
-    if (isPreview_) {
+    if (std::exchange(isPreview_, false)) {
       renderer.setPreview();
-      renderer.drawFrame(0);
-      shownFrames = 1;
-      isPreview_ = false;
+      renderer.recordFrame(frame, 0);
       isStale_ = true;
-    } else if (frames_ < settings_.frames) {
+      return 1;
+    }
+    if (frames_ < settings_.frames) {
       renderer.setFrames(settings_.frames);
-      renderer.drawFrame(frames_++);
-      shownFrames = frames_;
+      renderer.recordFrame(frame, frames_++);
       // With fewer frames, each with sharper textures, the sum looks noisier than the preview.
       isStale_ = isStale_ || frames_ >= std::min(settings_.frames, kMostSharpeningFrames);
     }
-    if (std::exchange(isStale_, false)) {
-      needsResize_ = !swapchain_.present(display_.show(renderer.sum(), shownFrames));
-      showTitle(shownFrames);
-    }
-    if (finished() && std::exchange(screenshotRequested_, false))
-      writeScreenshot();
+    return frames_;
   }
 
   void writeScreenshot() {
@@ -298,6 +323,7 @@ private:
   DisplayPass display_;
   std::set<std::string> writtenNotes_; ///< about the current scene
   std::unique_ptr<LoadedScene> current_;
+  FrameQueue queue_; ///< after all that its frames use, so that it is destroyed before them
   OrbitCamera camera_;
   Controls controls_;
   Look look_; ///< the look that the renderer shows
