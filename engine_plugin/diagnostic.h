@@ -8,7 +8,9 @@ namespace lichen::plugin {
 
 /// Formats one line into the host's diagnostic. Escapes control characters and invalid UTF-8, for
 /// example in names from a file, as \xNN. Truncates at a whole character if the line is too long.
-[[gnu::format(printf, 2, 3)]] void writeDiagnostic(LichenDiagnostic* diagnostic, const char* format,
-                                                   ...) noexcept;
+#ifdef __GNUC__
+[[gnu::format(printf, 2, 3)]]
+#endif
+void writeDiagnostic(LichenDiagnostic* diagnostic, const char* format, ...) noexcept;
 
 } // namespace lichen::plugin

@@ -2,7 +2,7 @@
 // A material's parameters and its placement -> LichenMaterial, the block that may change each
 // frame. Needs no bundle.
 #include "abi.h"
-#include "of_noise.h"
+#include "noise_summary.h"
 #include "plan.h"
 
 #include <lichen/lattice.h>
@@ -172,24 +172,23 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenPlacem
 
 namespace lichen::plugin {
 
-std::uint32_t checksumOf(const OfNoise& part) {
-  constexpr std::size_t kWords = offsetof(OfNoise, checksum) / sizeof(std::uint32_t);
+std::uint32_t checksumOf(const NoiseSummary& summary) {
+  constexpr std::size_t kWords = offsetof(NoiseSummary, checksum) / sizeof(std::uint32_t);
   std::array<std::uint32_t, kWords> words{};
-  std::memcpy(words.data(), &part, sizeof words);
+  std::memcpy(words.data(), &summary, sizeof words);
   std::uint32_t sum = 1;
   for (const std::uint32_t word : words)
     sum = pcg(sum ^ word);
   return sum;
 }
 
-LichenResult readOfNoise(const LichenMaterialParameters& source, OfNoise& part,
-                         LichenDiagnostic* diagnostic) {
-  std::memcpy(&part, source.ofNoise, sizeof part);
-  if (part.checksum == checksumOf(part))
+LichenResult readNoiseSummary(const LichenMaterialParameters& source, NoiseSummary& summary,
+                              LichenDiagnostic* diagnostic) {
+  std::memcpy(&summary, source.noiseSummary, sizeof summary);
+  if (summary.checksum == checksumOf(summary))
     return LICHEN_SUCCESS;
-  writeDiagnostic(diagnostic,
-                  "ofNoise is not what the library has written; get the parameters from "
-                  "lichenGetMaterialParameters or lichenGetDefaultParameters");
+  writeDiagnostic(diagnostic, "noiseSummary is not what the library wrote; get the parameters from "
+                              "lichenGetMaterialParameters or lichenGetDefaultParameters");
   return LICHEN_ERROR_USAGE;
 }
 
@@ -207,16 +206,16 @@ LichenResult lichenFillMaterial(const LichenMaterialParameters* hostParameters,
     }
     LichenMaterialParameters values{};
     LichenPlacement info{};
-    OfNoise noise{};
+    NoiseSummary summary{};
     MaterialNoise parameters;
     LichenResult result =
         readStruct(hostParameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS, values, diagnostic);
     if (result == LICHEN_SUCCESS && hostPlacement != nullptr)
       result = readStruct(hostPlacement, LICHEN_STRUCTURE_PLACEMENT, info, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = readOfNoise(values, noise, diagnostic);
+      result = readNoiseSummary(values, summary, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = readParameters(values, Method(noise.constants.method), parameters, diagnostic);
+      result = readParameters(values, Method(summary.constants.method), parameters, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkParameters(parameters, info, diagnostic);
     if (result != LICHEN_SUCCESS)
@@ -230,7 +229,7 @@ LichenResult lichenFillMaterial(const LichenMaterialParameters* hostParameters,
     placement.periodTilesY = info.periodTiles[1];
     placement.maxAnisotropy = double(info.maxAnisotropy);
     const shader::LichenTriplanarMaterial filled =
-        shaderMaterial(noise.constants, parameters, placement);
+        shaderMaterial(summary.constants, parameters, placement);
     std::memcpy(destination, &filled,
                 parameters.mapping == Mapping::triplanar ? sizeof filled : sizeof filled.material);
     return LICHEN_SUCCESS;
@@ -241,14 +240,14 @@ namespace {
 
 LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& source,
                              LichenMaterialParameters* parameters) {
-  OfNoise noise{};
-  noise.constants = plan.noises[source.noise].constants.noise;
+  NoiseSummary summary{};
+  summary.constants = plan.noises[source.noise].constants.noise;
   for (const NoiseMap& map : plan.bundle.noises[source.noise].maps) {
     const auto* tiling = std::get_if<TilingMap>(&map.data);
     const bool hasTable = tiling != nullptr && tableKindOf(*tiling) == TableKind::joint;
-    noise.tableKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
+    summary.tableKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
   }
-  noise.checksum = checksumOf(noise);
+  summary.checksum = checksumOf(summary);
   LichenMaterialParameters values{};
   values.noise = std::uint32_t(source.noise);
   values.mapping = mappingNumber(source.mapping);
@@ -268,7 +267,7 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
   values.mixWeight = source.mix.weight;
   std::copy(source.mix.start.begin(), source.mix.start.end(), values.mixStart);
   std::copy(source.mix.end.begin(), source.mix.end.end(), values.mixEnd);
-  std::memcpy(values.ofNoise, &noise, sizeof noise);
+  std::memcpy(values.noiseSummary, &summary, sizeof summary);
   return writeStruct(values, LICHEN_STRUCTURE_MATERIAL_PARAMETERS, parameters);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Materials -> the switches of the shader library that fit all of them.
 #include "abi.h"
-#include "of_noise.h"
+#include "noise_summary.h"
 
 #include <cstdio>
 #include <string>
@@ -21,7 +21,8 @@ struct Needs {
   bool rotation = false, sharpness = false, period = false, anisotropy = false;
 };
 
-void addTiling(const LichenMaterialParameters& parameters, const OfNoise& noise, Needs& needs) {
+void addTiling(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
+               Needs& needs) {
   needs.tiling = true;
   needs.tables = needs.tables || (noise.tableKinds & (1u << LICHEN_TABLE_JOINT)) != 0;
   needs.gaussianOnly = needs.gaussianOnly || (noise.tableKinds & (1u << LICHEN_TABLE_NONE)) != 0;
@@ -29,7 +30,8 @@ void addTiling(const LichenMaterialParameters& parameters, const OfNoise& noise,
   needs.sharpness = needs.sharpness || parameters.blendSharpness != 1.0;
 }
 
-void addTextons(const LichenMaterialParameters& parameters, const OfNoise& noise, Needs& needs) {
+void addTextons(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
+                Needs& needs) {
   const shader::LichenTexton& texton = noise.constants.texton;
   constexpr std::uint32_t kCubic = 3;
   needs.textons = true;
@@ -39,7 +41,8 @@ void addTextons(const LichenMaterialParameters& parameters, const OfNoise& noise
   needs.nearest = needs.nearest || texton.order == 0;
 }
 
-void addMaterial(const LichenMaterialParameters& parameters, const OfNoise& noise, Needs& needs) {
+void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
+                 Needs& needs) {
   needs.roles |= noise.constants.roles;
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? needs.triplanar : needs.otherMappings) = true;
   needs.surface = needs.surface || parameters.mapping == LICHEN_MAPPING_SURFACE;
@@ -91,11 +94,11 @@ LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* mate
     Needs needs;
     for (std::uint32_t i = 0; i < materialCount; ++i) {
       LichenMaterialParameters parameters{};
-      OfNoise noise{};
+      NoiseSummary noise{};
       LichenResult result =
           readStruct(materials[i], LICHEN_STRUCTURE_MATERIAL_PARAMETERS, parameters, diagnostic);
       if (result == LICHEN_SUCCESS)
-        result = readOfNoise(parameters, noise, diagnostic);
+        result = readNoiseSummary(parameters, noise, diagnostic);
       if (result != LICHEN_SUCCESS)
         return result;
       addMaterial(parameters, noise, needs);

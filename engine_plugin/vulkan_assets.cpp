@@ -142,20 +142,6 @@ LichenResult createViews(LichenVulkanAssets_T& assets, LichenBundle bundle,
   return LICHEN_SUCCESS;
 }
 
-/// A barrier of each image, from nothing.
-std::vector<VkImageMemoryBarrier> planBarriers(const LichenVulkanAssets_T& assets) {
-  std::vector<VkImageMemoryBarrier> barriers;
-  for (const LichenVulkanAssets_T::Image& image : assets.images) {
-    VkImageMemoryBarrier barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
-    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image.handle;
-    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.mipLevels, 0, 1};
-    barriers.push_back(barrier);
-  }
-  return barriers;
-}
-
 /// Assigns each mip level an offset in its batch's staging buffer.
 void planCopies(LichenVulkanAssets_T& assets, LichenBundle bundle) {
   for (std::uint32_t i = 0; i < assets.images.size(); ++i) {
@@ -225,7 +211,6 @@ LichenResult createUpload(LichenVulkanAssets_T& assets, LichenBundle bundle,
         result != LICHEN_SUCCESS)
       return result;
   fillStaging(assets, bundle);
-  assets.barriers = planBarriers(assets);
   assets.hasStaging = true;
   return LICHEN_SUCCESS;
 }
@@ -355,24 +340,67 @@ struct Scope {
   VkPipelineStageFlags stages;
   VkAccessFlags imageAccess, constantsAccess;
 };
-constexpr Scope kOtherQueueBefore{VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 0, 0};
-constexpr Scope kOtherQueueAfter{VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 0, 0};
+constexpr Scope kNothing{VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, 0, 0};
 constexpr Scope kCopies{VK_PIPELINE_STAGE_TRANSFER_BIT, VK_ACCESS_TRANSFER_WRITE_BIT,
                         VK_ACCESS_TRANSFER_WRITE_BIT};
 /// ALL_COMMANDS, because the host's shaders may run in any stage.
 constexpr Scope kReads{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_ACCESS_SHADER_READ_BIT,
                        VK_ACCESS_UNIFORM_READ_BIT | VK_ACCESS_SHADER_READ_BIT};
+/// The release of an ownership transfer orders nothing on its own queue: the semaphore that the
+/// host signals waits for all commands.
+constexpr Scope kAcquiredLater{VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, 0, 0};
+/// The acquisition comes after that semaphore in whichever stage the host waits for it.
+constexpr Scope kReleasedBefore{VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0};
+
+/// A transition of images and constants, from one queue family to another where they differ.
+struct Transition {
+  Scope before, after;
+  VkImageLayout oldLayout, newLayout;
+  std::uint32_t fromFamily = VK_QUEUE_FAMILY_IGNORED, toFamily = VK_QUEUE_FAMILY_IGNORED;
+};
+
+constexpr Transition kToCopies{kNothing, kCopies, VK_IMAGE_LAYOUT_UNDEFINED,
+                               VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+constexpr Transition kToReads{kCopies, kReads, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                              VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+
+std::vector<VkImageMemoryBarrier> imageBarriers(const LichenVulkanAssets_T& assets,
+                                                const Transition& transition) {
+  std::vector<VkImageMemoryBarrier> barriers;
+  for (const LichenVulkanAssets_T::Image& image : assets.images) {
+    VkImageMemoryBarrier barrier{};
+    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
+    barrier.srcAccessMask = transition.before.imageAccess;
+    barrier.dstAccessMask = transition.after.imageAccess;
+    barrier.oldLayout = transition.oldLayout;
+    barrier.newLayout = transition.newLayout;
+    barrier.srcQueueFamilyIndex = transition.fromFamily;
+    barrier.dstQueueFamilyIndex = transition.toFamily;
+    barrier.image = image.handle;
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, image.mipLevels, 0, 1};
+    barriers.push_back(barrier);
+  }
+  return barriers;
+}
+
+void recordTransition(const LichenVulkanAssets_T& assets, VkCommandBuffer commandBuffer,
+                      const Transition& transition,
+                      const std::vector<VkImageMemoryBarrier>& images) {
+  VkBufferMemoryBarrier constants{};
+  constants.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER;
+  constants.srcAccessMask = transition.before.constantsAccess;
+  constants.dstAccessMask = transition.after.constantsAccess;
+  constants.srcQueueFamilyIndex = transition.fromFamily;
+  constants.dstQueueFamilyIndex = transition.toFamily;
+  constants.buffer = assets.constants;
+  constants.size = VK_WHOLE_SIZE;
+  assets.context->functions.cmdPipelineBarrier(
+      commandBuffer, transition.before.stages, transition.after.stages, 0, 0, nullptr, 1,
+      &constants, std::uint32_t(images.size()), images.data());
+}
 
 void recordCopies(const LichenVulkanAssets_T& assets, VkCommandBuffer commandBuffer) {
   const LichenVulkanFunctions& f = assets.context->functions;
-  std::vector<VkImageMemoryBarrier> toWrite = assets.barriers;
-  for (VkImageMemoryBarrier& barrier : toWrite) {
-    barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-  }
-  f.cmdPipelineBarrier(commandBuffer, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT,
-                       VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 0, nullptr, 0, nullptr,
-                       std::uint32_t(toWrite.size()), toWrite.data());
   for (const LichenVulkanAssets_T::Image& image : assets.images)
     f.cmdCopyBufferToImage(commandBuffer, assets.batches[image.batch].staging, image.handle,
                            VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, std::uint32_t(image.copies.size()),
@@ -381,35 +409,9 @@ void recordCopies(const LichenVulkanAssets_T& assets, VkCommandBuffer commandBuf
                   &assets.constantsCopy);
 }
 
-/// The transition to what shaders read, from one queue family to another where they differ.
-void recordTransition(const LichenVulkanAssets_T& assets, VkCommandBuffer commandBuffer,
-                      const Scope& before, const Scope& after, std::uint32_t fromFamily,
-                      std::uint32_t toFamily) {
-  std::vector<VkImageMemoryBarrier> images = assets.barriers;
-  for (VkImageMemoryBarrier& barrier : images) {
-    barrier.srcAccessMask = before.imageAccess;
-    barrier.dstAccessMask = after.imageAccess;
-    barrier.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
-    barrier.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
-    barrier.srcQueueFamilyIndex = fromFamily;
-    barrier.dstQueueFamilyIndex = toFamily;
-  }
-  VkBufferMemoryBarrier constants{};
-  constants.sType = VK_STRUCTURE_TYPE_BUFFER_MEMORY_BARRIER;
-  constants.srcAccessMask = before.constantsAccess;
-  constants.dstAccessMask = after.constantsAccess;
-  constants.srcQueueFamilyIndex = fromFamily;
-  constants.dstQueueFamilyIndex = toFamily;
-  constants.buffer = assets.constants;
-  constants.size = VK_WHOLE_SIZE;
-  assets.context->functions.cmdPipelineBarrier(commandBuffer, before.stages, after.stages, 0, 0,
-                                               nullptr, 1, &constants, std::uint32_t(images.size()),
-                                               images.data());
-}
-
-/// Copies, and the transition into `after` by the family that copies.
+/// Copies, and a transition by the family that copies.
 LichenResult recordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuffer,
-                          const Scope& after, std::uint32_t fromFamily, std::uint32_t toFamily) {
+                          const Transition& transition) {
   if (assets == nullptr || commandBuffer == VK_NULL_HANDLE)
     return LICHEN_ERROR_USAGE;
   if (assets->images.empty())
@@ -417,8 +419,12 @@ LichenResult recordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuff
   if (!assets->hasStaging)
     return LICHEN_ERROR_USAGE; // staging is released
   return guarded(nullptr, [&] {
+    // Allocate before the first command: a failure then records nothing.
+    const std::vector<VkImageMemoryBarrier> toCopies = imageBarriers(*assets, kToCopies);
+    const std::vector<VkImageMemoryBarrier> afterCopies = imageBarriers(*assets, transition);
+    recordTransition(*assets, commandBuffer, kToCopies, toCopies);
     recordCopies(*assets, commandBuffer);
-    recordTransition(*assets, commandBuffer, kCopies, after, fromFamily, toFamily);
+    recordTransition(*assets, commandBuffer, transition, afterCopies);
     return LICHEN_SUCCESS;
   });
 }
@@ -426,15 +432,18 @@ LichenResult recordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuff
 } // namespace
 
 LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets, VkCommandBuffer commandBuffer) {
-  return recordUpload(assets, commandBuffer, kReads, VK_QUEUE_FAMILY_IGNORED,
-                      VK_QUEUE_FAMILY_IGNORED);
+  return recordUpload(assets, commandBuffer, kToReads);
 }
 
 LichenResult lichenVulkanRecordTransfer(LichenVulkanAssets assets, VkCommandBuffer commandBuffer,
                                         std::uint32_t transferFamily, std::uint32_t family) {
   if (transferFamily == family)
     return LICHEN_ERROR_USAGE;
-  return recordUpload(assets, commandBuffer, kOtherQueueAfter, transferFamily, family);
+  Transition release = kToReads;
+  release.after = kAcquiredLater;
+  release.fromFamily = transferFamily;
+  release.toFamily = family;
+  return recordUpload(assets, commandBuffer, release);
 }
 
 LichenResult lichenVulkanRecordAcquire(LichenVulkanAssets assets, VkCommandBuffer commandBuffer,
@@ -443,8 +452,12 @@ LichenResult lichenVulkanRecordAcquire(LichenVulkanAssets assets, VkCommandBuffe
     return LICHEN_ERROR_USAGE;
   if (assets->images.empty())
     return LICHEN_SUCCESS;
+  Transition acquisition = kToReads;
+  acquisition.before = kReleasedBefore;
+  acquisition.fromFamily = transferFamily;
+  acquisition.toFamily = family;
   return guarded(nullptr, [&] {
-    recordTransition(*assets, commandBuffer, kOtherQueueBefore, kReads, transferFamily, family);
+    recordTransition(*assets, commandBuffer, acquisition, imageBarriers(*assets, acquisition));
     return LICHEN_SUCCESS;
   });
 }
@@ -461,7 +474,10 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
       return LICHEN_ERROR_USAGE;
     }
     if (assets->context->setLayout == VK_NULL_HANDLE) {
-      writeDiagnostic(diagnostic, "the host has given no Vulkan functions for sets");
+      writeDiagnostic(
+          diagnostic,
+          "the host has given no Vulkan functions for sets; set the four descriptor set "
+          "functions of LichenVulkanFunctions");
       return LICHEN_ERROR_USAGE;
     }
     if (material->buffer == VK_NULL_HANDLE || material->range < LICHEN_MATERIAL_BYTES) {

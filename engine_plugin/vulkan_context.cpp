@@ -185,13 +185,18 @@ LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* 
   case VK_ERROR_OUT_OF_DEVICE_MEMORY:
     writeDiagnostic(diagnostic, "%s: out of device memory", what);
     return LICHEN_ERROR_OUT_OF_DEVICE_MEMORY;
+  case VK_ERROR_TOO_MANY_OBJECTS:
+    writeDiagnostic(diagnostic,
+                    "%s: more objects than the device allows; destroy some, or set a "
+                    "deviceAllocator that takes memory from larger blocks",
+                    what);
+    return LICHEN_ERROR_OUT_OF_DEVICE_MEMORY;
   case VK_ERROR_OUT_OF_POOL_MEMORY:
   case VK_ERROR_FRAGMENTED_POOL:
-    writeDiagnostic(
-        diagnostic,
-        "%s: the descriptor pool is too small; lichenVulkanGetSetLayout says what a set "
-        "takes",
-        what);
+    writeDiagnostic(diagnostic,
+                    "%s: the descriptor pool is too small: a set takes 2 uniform buffers, 2 "
+                    "samplers and %d sampled images",
+                    what, LICHEN_SET_IMAGES);
     return LICHEN_ERROR_OUT_OF_POOL_MEMORY;
   default:
     writeDiagnostic(diagnostic, "%s: VkResult %d", what, int(result));

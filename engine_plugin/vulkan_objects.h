@@ -57,8 +57,7 @@ struct LichenVulkanAssets_T {
   std::vector<Noise> noises;
   VkBuffer constants = VK_NULL_HANDLE; // LICHEN_NOISE_BYTES of each noise
   std::optional<LichenDeviceMemory> constantsMemory;
-  VkBufferCopy constantsCopy{};               // from the last batch's staging buffer
-  std::vector<VkImageMemoryBarrier> barriers; // one per image, from nothing
+  VkBufferCopy constantsCopy{}; // from the last batch's staging buffer
   std::vector<Batch> batches;
   bool hasStaging = false; // true until lichenVulkanReleaseStaging()
   LichenVulkanAssets nextRetired = nullptr;

@@ -163,8 +163,13 @@ TEST_CASE("any failing Vulkan call gives a code and a message, and leaks nothing
       break;
     }
     ++failures;
-    ofPool += created.result == LICHEN_ERROR_OUT_OF_POOL_MEMORY ? 1 : 0;
     INFO("call " << n << ": " << created.message);
+    if (created.result == LICHEN_ERROR_OUT_OF_POOL_MEMORY) {
+      ++ofPool;
+      CHECK(created.message ==
+            "allocating a descriptor set: the descriptor pool is too small: a set takes 2 uniform "
+            "buffers, 2 samplers and 12 sampled images");
+    }
     CHECK((created.result == LICHEN_ERROR_OUT_OF_DEVICE_MEMORY ||
            created.result == LICHEN_ERROR_OUT_OF_HOST_MEMORY ||
            created.result == LICHEN_ERROR_OUT_OF_POOL_MEMORY));
@@ -215,6 +220,60 @@ TEST_CASE("any failing host allocation in the plugin gives a code and leaks noth
   }
   Proxy::enter = Proxy::leave = [] {};
   CHECK(failures > 10);
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("a failing host allocation while recording leaves the command buffer unchanged") {
+  const Fixture fixture;
+  static int commands;
+  LichenVulkanFunctions functions = loadedFunctions();
+  functions.cmdPipelineBarrier = [](auto...) { ++commands; };
+  functions.cmdCopyBufferToImage = [](auto...) { ++commands; };
+  functions.cmdCopyBuffer = [](auto...) { ++commands; };
+  LichenVulkanInfo info = defaultVulkanInfo(*fixture.device);
+  info.functions = &functions;
+  LichenVulkanContext context = nullptr;
+  LichenVulkanAssets assets = nullptr;
+  REQUIRE(lichenVulkanCreateContext(&info, &context, nullptr) == LICHEN_SUCCESS);
+  REQUIRE(lichenVulkanCreateAssets(context, fixture.bundle, &assets, nullptr) == LICHEN_SUCCESS);
+  const auto anyBuffer = reinterpret_cast<VkCommandBuffer>(&commands); // is not used
+  const auto failEachAllocation = [&](const auto& record) {
+    for (int n = 1;; ++n) {
+      commands = 0;
+      LichenResult result = LICHEN_SUCCESS;
+      bool reached = false;
+      {
+        const ExhaustedMemory memory(n, 0, Failing::nth);
+        result = record();
+        reached = memory.reached();
+      }
+      INFO("allocation " << n);
+      CHECK(result == (reached ? LICHEN_ERROR_OUT_OF_HOST_MEMORY : LICHEN_SUCCESS));
+      CHECK((commands == 0) == reached);
+      if (!reached)
+        return;
+    }
+  };
+  failEachAllocation([&] { return lichenVulkanRecordUpload(assets, anyBuffer); });
+  failEachAllocation([&] { return lichenVulkanRecordTransfer(assets, anyBuffer, 2, 0); });
+  lichenVulkanReleaseStaging(assets); // an acquisition needs none
+  failEachAllocation([&] { return lichenVulkanRecordAcquire(assets, anyBuffer, 2, 0); });
+  lichenVulkanDestroyAssets(assets);
+  lichenVulkanDestroyContext(context);
+  CHECK(fixture.messages() == std::vector<std::string>{});
+}
+
+TEST_CASE("a device that allows no more allocations is out of device memory") {
+  const Fixture fixture;
+  LichenVulkanFunctions functions = Proxy::functions();
+  functions.allocateMemory = [](VkDevice, const VkMemoryAllocateInfo*, const VkAllocationCallbacks*,
+                                VkDeviceMemory*) { return VK_ERROR_TOO_MANY_OBJECTS; };
+  const Created created = createWith(fixture, functions);
+  CHECK(created.result == LICHEN_ERROR_OUT_OF_DEVICE_MEMORY);
+  CHECK(created.message ==
+        "memory for the images: more objects than the device allows; destroy some, or set a "
+        "deviceAllocator that takes memory from larger blocks");
+  CHECK(Proxy::alive == 0);
   CHECK(fixture.messages() == std::vector<std::string>{});
 }
 

@@ -91,10 +91,11 @@ VkDescriptorPool PluginContext::createPool(std::uint32_t sets) const {
   return pool;
 }
 
-PluginHost::PluginHost(PluginContext& context, std::span<const std::byte> glb)
-    : context_(context), bundle_(parseOrThrow(glb)), pool_(context.createPool(1)) {
+PluginHost::PluginHost(PluginContext& context, std::shared_ptr<LichenBundle_T> bundle)
+    : context_(context), bundle_(std::move(bundle)), pool_(context.createPool(1)) {
   LichenDiagnostic diagnostic = emptyDiagnostic();
-  require(lichenVulkanCreateAssets(context.context(), bundle_, &assets_, &diagnostic), diagnostic);
+  require(lichenVulkanCreateAssets(context.context(), bundle_.get(), &assets_, &diagnostic),
+          diagnostic);
   materialBuffer_ = context.device()
                         .createBuffer(2 * kBlockStride, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
                         .value();
@@ -102,10 +103,10 @@ PluginHost::PluginHost(PluginContext& context, std::span<const std::byte> glb)
 }
 
 void PluginHost::setNoise(std::uint32_t noise) {
-  require(lichenGetNoiseConstants(bundle_, noise, &constants_), "no noise");
+  require(lichenGetNoiseConstants(bundle_.get(), noise, &constants_), "no noise");
   LichenMapProperties map;
   LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
-  require(lichenGetMapProperties(bundle_, noise, 0, &map), "no map");
+  require(lichenGetMapProperties(bundle_.get(), noise, 0, &map), "no map");
   role_ = std::uint32_t(map.target);
   vkResetDescriptorPool(context_.device().device(), pool_, 0);
   LichenDiagnostic diagnostic = emptyDiagnostic();
@@ -116,14 +117,14 @@ void PluginHost::setNoise(std::uint32_t noise) {
 PluginHost::~PluginHost() {
   vkDestroyDescriptorPool(context_.device().device(), pool_, nullptr);
   lichenVulkanDestroyAssets(assets_);
-  lichenDestroyBundle(bundle_);
 }
 
 MaterialUse PluginHost::use(std::uint32_t material) const {
   MaterialUse use;
   LICHEN_INIT(use.parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
   LICHEN_INIT(use.placement, LICHEN_STRUCTURE_PLACEMENT);
-  require(lichenGetMaterialParameters(bundle_, material, &use.parameters), "no such material");
+  require(lichenGetMaterialParameters(bundle_.get(), material, &use.parameters),
+          "no such material");
   return use;
 }
 

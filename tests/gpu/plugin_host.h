@@ -58,7 +58,9 @@ private:
 /// A set of a noise of a bundle, of the first one at first.
 class PluginHost {
 public:
-  PluginHost(PluginContext& context, std::span<const std::byte> glb);
+  PluginHost(PluginContext& context, std::shared_ptr<LichenBundle_T> bundle);
+  PluginHost(PluginContext& context, std::span<const std::byte> glb)
+      : PluginHost(context, {parseOrThrow(glb), lichenDestroyBundle}) {}
   PluginHost(VulkanDevice& device, std::span<const std::byte> glb, const LichenVulkanInfo& info)
       : PluginHost(std::make_unique<PluginContext>(device, info), glb) {}
   PluginHost(VulkanDevice& device, std::span<const std::byte> glb)
@@ -67,7 +69,7 @@ public:
   PluginHost(const PluginHost&) = delete;
   PluginHost& operator=(const PluginHost&) = delete;
 
-  [[nodiscard]] LichenBundle bundle() const { return bundle_; }
+  [[nodiscard]] LichenBundle bundle() const { return bundle_.get(); }
   [[nodiscard]] LichenVulkanAssets assets() const { return assets_; }
   [[nodiscard]] PluginContext& context() const { return context_; }
   /// Evaluates another noise of the bundle from now on.
@@ -112,7 +114,7 @@ private:
 
   std::unique_ptr<PluginContext> own_;
   PluginContext& context_;
-  LichenBundle bundle_ = nullptr;
+  std::shared_ptr<LichenBundle_T> bundle_;
   LichenVulkanAssets assets_ = nullptr;
   VkDescriptorPool pool_ = VK_NULL_HANDLE;
   VkDescriptorSet set_ = VK_NULL_HANDLE;

@@ -89,8 +89,10 @@ struct Engine {
   /// The last use of the bundle.
   std::array<NoiseMaterial, kMaterials> addMaterials(NoiseBundle& loaded) {
     std::array<NoiseMaterial, kMaterials> materials{};
-    for (std::uint32_t k = 0; k < kMaterials; ++k)
+    for (std::uint32_t k = 0; k < kMaterials; ++k) {
       REQUIRE(addMaterial(&host, &loaded, k, k, &materials[k], &diagnostic) == LICHEN_SUCCESS);
+      std::copy(std::begin(kCameraTile), std::end(kCameraTile), materials[k].placement.tileOrigin);
+    }
     finishLoading(&loaded);
     return materials;
   }
@@ -102,7 +104,7 @@ struct Engine {
     std::array<std::uint32_t, kMaterials> offsets{};
     for (std::uint32_t k = 0; k < kMaterials; ++k)
       REQUIRE(updateMaterial(&host, &materials[k], std::uint32_t(frame % kFramesInFlight),
-                             kCameraTile, &offsets[k], &diagnostic) == LICHEN_SUCCESS);
+                             &offsets[k], &diagnostic) == LICHEN_SUCCESS);
     std::array<ComputeRun, kMaterials> runs;
     for (std::uint32_t k = 0; k < kMaterials; ++k) {
       setArrays<Values::value_type>(runs[k], points, kMaps.size());

@@ -8,11 +8,10 @@
  * Every struct starts with type, size and next. Set type and size (LICHEN_INIT does, and zeroes the
  * rest, padding too), leave the rest zero for the defaults; next must be NULL.
  * ..._MAX_ENUM keeps enums 32 bits wide and is no value.
- * `reserved` members fill structs up to their alignment: 0, and refused as what a newer header
- * names where they are not. A struct smaller than the library's is an older header's: what it lacks
- * is zero on the way in and not written on the way out. A larger one is a newer header's: on the
- * way in it is refused unless what the library does not know is zero, on the way out that is not
- * written.
+ * `reserved` members pad structs and must be 0; another value in an input is LICHEN_ERROR_VERSION.
+ * A smaller struct comes from an older header: its missing members read as 0 and are not written. A
+ * larger struct comes from a newer header: an input is refused if a member that this library does
+ * not know is not 0; in outputs such members are not written.
  *
  * Functions that can fail return a LichenResult, and outputs are untouched where that is not
  * LICHEN_SUCCESS. Those with a `diagnostic` then write one line into it, unless it is NULL, that
@@ -55,10 +54,10 @@ typedef enum LichenResult {
   LICHEN_ERROR_BAD_BUNDLE = 3,  /* the bundle is at fault, or needs what this version lacks */
   LICHEN_ERROR_UNSUPPORTED = 4, /* the device cannot filter an image, or has no memory for it */
   LICHEN_ERROR_OUT_OF_HOST_MEMORY = 5,
-  LICHEN_ERROR_OUT_OF_DEVICE_MEMORY = 6,
-  LICHEN_ERROR_OUT_OF_POOL_MEMORY = 7, /* the descriptor pool is too small: give another */
-  LICHEN_ERROR_DEVICE = 8,             /* another failure of a Vulkan call, such as a lost device */
-  LICHEN_ERROR_INTERNAL = 9,           /* a fault of this library */
+  LICHEN_ERROR_OUT_OF_DEVICE_MEMORY = 6, /* or more allocations than the device allows */
+  LICHEN_ERROR_OUT_OF_POOL_MEMORY = 7,   /* the descriptor pool is too small: give another */
+  LICHEN_ERROR_DEVICE = 8,   /* another failure of a Vulkan call, such as a lost device */
+  LICHEN_ERROR_INTERNAL = 9, /* a fault of this library */
   LICHEN_RESULT_MAX_ENUM = 0x7FFFFFFF
 } LichenResult;
 
@@ -200,9 +199,9 @@ typedef enum LichenChannel {
   LICHEN_CHANNEL_MAX_ENUM = 0x7FFFFFFF
 } LichenChannel;
 
-/* How a map's Gaussian values become its own, none for all of texton noise. Of tiling:
- * LICHEN_TABLES and LICHEN_GAUSSIAN_ONLY of the shader library may be 0 where no map has that
- * kind. */
+/* How the shader turns a map's Gaussian values into its values. Maps of texton noise are always
+ * LICHEN_TABLE_NONE. If no tiling map has a kind, its switch (LICHEN_TABLES or
+ * LICHEN_GAUSSIAN_ONLY) may be 0. */
 typedef enum LichenTableKind {
   LICHEN_TABLE_JOINT = 0,
   LICHEN_TABLE_NONE = 1,
@@ -420,7 +419,8 @@ typedef struct LichenMaterialParameters {
   LichenMixSource mixSource;
   double mixWeight;              /* [0, 1] */
   double mixStart[2], mixEnd[2]; /* [-1e6, 1e6], of LICHEN_MIX_DIRECTION 1e-6 apart */
-  uint32_t ofNoise[18];          /* what the library must know of the noise; leave it as it is */
+  /* What lichenFillMaterial and lichenGetShaderSwitches need of the noise. Leave it unchanged. */
+  uint32_t noiseSummary[18];
 } LichenMaterialParameters;
 
 /* Those of a material that has a noise; material < materialCount. */

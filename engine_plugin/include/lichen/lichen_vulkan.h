@@ -66,8 +66,9 @@ typedef struct LichenVulkanFunctions {
   PFN_vkUpdateDescriptorSets updateDescriptorSets;
 } LichenVulkanFunctions;
 
-/* What the plugin asks of the host's allocator: memory for one buffer, or for images of a bundle
- * one behind the other, as many as fit in 1 GiB: what every device allocates at once. */
+/* What the plugin asks of the host's allocator: memory for one buffer, or for several images of a
+ * bundle, packed one after another. A request for images is at most 1 GiB, unless a single image is
+ * larger. */
 typedef struct LichenMemoryRequest {
   LichenStructureType type;
   uint32_t size;
@@ -138,8 +139,8 @@ typedef struct LichenVulkanInfo {
 typedef struct LichenVulkanContext_T* LichenVulkanContext;
 typedef struct LichenVulkanAssets_T* LichenVulkanAssets;
 
-/* Creates two samplers and a set layout. Nothing that `info` points to is needed after the call,
- * but for what its members stand for: the device must outlive the context. */
+/* Creates two samplers and a set layout. The structs that `info` points to may go after the call;
+ * the device must outlive the context. */
 LICHEN_API LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* info,
                                                   LichenVulkanContext* context,
                                                   LichenDiagnostic* diagnostic);
@@ -156,11 +157,14 @@ LICHEN_API LichenResult lichenVulkanCreateAssets(LichenVulkanContext context, Li
 /* When no command buffer that may still run uses them. NULL is ignored. */
 LICHEN_API void lichenVulkanDestroyAssets(LichenVulkanAssets assets);
 
-/* Records the copies and their barriers. `commandBuffer`: being recorded, outside a render pass, of
- * a queue family with graphics or compute, the one on which the images will be sampled: they are
- * VK_SHARING_MODE_EXCLUSIVE, and no ownership transfer is recorded. Later commands in submission
- * order on that queue may sample them in any stage without a barrier; other queues of the family
- * wait for a semaphore. Submit it once. LICHEN_ERROR_USAGE after lichenVulkanReleaseStaging. */
+/* Records the copies and their barriers. `commandBuffer` is recording, is outside a render pass,
+ * and belongs to the queue family that will sample the images. The images are
+ * VK_SHARING_MODE_EXCLUSIVE; to upload on another family, use lichenVulkanRecordTransfer. Later
+ * commands in submission order on that queue may sample the images in any stage without a barrier;
+ * other queues of the family wait for a semaphore. Submit it once.
+ * This function and the next two record all of their commands or none. They fail only with
+ * LICHEN_ERROR_USAGE (a NULL argument, equal families, or a staging buffer that is released) and
+ * LICHEN_ERROR_OUT_OF_HOST_MEMORY. */
 LICHEN_API LichenResult lichenVulkanRecordUpload(LichenVulkanAssets assets,
                                                  VkCommandBuffer commandBuffer);
 /* The same on a queue of another family, such as one that can only transfer. `commandBuffer` is of
@@ -169,8 +173,10 @@ LICHEN_API LichenResult lichenVulkanRecordTransfer(LichenVulkanAssets assets,
                                                    VkCommandBuffer commandBuffer,
                                                    uint32_t transferFamily, uint32_t family);
 /* `commandBuffer` is of `family`: it acquires what lichenVulkanRecordTransfer released. Give both
- * the same families. Submit it after a semaphore that the transfer signals, and before what
- * samples the images. Needs no staging buffer. */
+ * the same families. Its submission waits for a semaphore that the transfer's submission signals;
+ * the wait stage may be any but BOTTOM_OF_PIPE, since the acquisition waits for ALL_COMMANDS. Later
+ * commands in submission order on that queue may sample the images, as after
+ * lichenVulkanRecordUpload. Needs no staging buffer. */
 LICHEN_API LichenResult lichenVulkanRecordAcquire(LichenVulkanAssets assets,
                                                   VkCommandBuffer commandBuffer,
                                                   uint32_t transferFamily, uint32_t family);
