@@ -31,7 +31,7 @@ bool encodingFits(MapTarget target, ValueEncoding encoding) {
   switch (target) {
   case MapTarget::baseColor:
   case MapTarget::emissive:
-    return encoding != ValueEncoding::slope;
+    return encoding == ValueEncoding::root || encoding == ValueEncoding::log2;
   case MapTarget::normal:
     return encoding == ValueEncoding::slope;
   case MapTarget::height:

@@ -71,39 +71,42 @@ layout(std140, set = LICHEN_SET,
   layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_TABLE(role))            \
       uniform texture3D lichenTable##role
 
+#define LICHEN_VALUE_HERE(role, place)                                                             \
+  lichenValue(lichenImage##role, lichenTable##role, place, lichenMapOf(role, lichenMaps[role]))
+
 #if (LICHEN_ROLES & 1) != 0
 LICHEN_DECLARE_ROLE(0);
-#define LICHEN_VALUE_0(place) lichenValue(lichenImage0, lichenTable0, place, lichenMaps[0])
+#define LICHEN_VALUE_0(place) LICHEN_VALUE_HERE(0, place)
 #else
 #define LICHEN_VALUE_0(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 2) != 0
 LICHEN_DECLARE_ROLE(1);
-#define LICHEN_VALUE_1(place) lichenValue(lichenImage1, lichenTable1, place, lichenMaps[1])
+#define LICHEN_VALUE_1(place) LICHEN_VALUE_HERE(1, place)
 #else
 #define LICHEN_VALUE_1(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 4) != 0
 LICHEN_DECLARE_ROLE(2);
-#define LICHEN_VALUE_2(place) lichenValue(lichenImage2, lichenTable2, place, lichenMaps[2])
+#define LICHEN_VALUE_2(place) LICHEN_VALUE_HERE(2, place)
 #else
 #define LICHEN_VALUE_2(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 8) != 0
 LICHEN_DECLARE_ROLE(3);
-#define LICHEN_VALUE_3(place) lichenValue(lichenImage3, lichenTable3, place, lichenMaps[3])
+#define LICHEN_VALUE_3(place) LICHEN_VALUE_HERE(3, place)
 #else
 #define LICHEN_VALUE_3(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 16) != 0
 LICHEN_DECLARE_ROLE(4);
-#define LICHEN_VALUE_4(place) lichenValue(lichenImage4, lichenTable4, place, lichenMaps[4])
+#define LICHEN_VALUE_4(place) LICHEN_VALUE_HERE(4, place)
 #else
 #define LICHEN_VALUE_4(place) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 32) != 0
 LICHEN_DECLARE_ROLE(5);
-#define LICHEN_VALUE_5(place) lichenValue(lichenImage5, lichenTable5, place, lichenMaps[5])
+#define LICHEN_VALUE_5(place) LICHEN_VALUE_HERE(5, place)
 #else
 #define LICHEN_VALUE_5(place) vec4(0.0)
 #endif

@@ -59,10 +59,12 @@ std::optional<std::string> problemOf(const TilingQuality& quality) {
 
 } // namespace
 
-/// The tiles at a point: where they are fetched, and what is fetched; 0 where a weight is.
+/// The tiles at a point: where they are fetched, and what is fetched; 0 where a weight is. The
+/// fourth component is the share of the variance that fetches lose on average.
 struct TilingEvaluator::Tiles {
   tiling::Taps taps;
   std::array<Value, 3> value{};
+  float lossShare = 1.0f; ///< what they lose here, over that
 };
 
 struct TilingEvaluator::Map {
@@ -176,8 +178,18 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float contr
                     ? decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
                                       {scaled, scaled, scaled})
                     : decodeTable(map, gaussian, within * within * lost);
+  // As lichenDecode has it.
+  if (isSlope(map.constants) && map.constants.decoding != LICHEN_DECODING_GAUSSIAN)
+    value[2] *= std::max(1.0f, 2.0f * contrast - 1.0f);
+  return value;
+}
+
+/// lichenDecodeTile.
+Value TilingEvaluator::decodeTile(const Map& map, const Value& tile, float lossShare,
+                                  float contrast) {
+  Value value = decode(map, {tile[0], tile[1], tile[2], lossShare * tile[3]}, contrast);
   if (isSlope(map.constants))
-    value[2] *= footprintShare(map, lost);
+    value[2] *= footprintShare(map, tile[3]);
   return value;
 }
 
@@ -186,14 +198,15 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
                                                 TileFootprint at) const {
   at.position[0] += material.offsetX;
   at.position[1] += material.offsetY;
-  Tiles tiles{tiling::tapsAt(material, noise_, at.position), {}};
+  Tiles tiles{tiling::tapsAt(material, noise_, at.position)};
   tiling::takeFewerTaps(tiles.taps, at, quality_);
   const float footprint = footprintLevel(at, noise_.tileTexelsX, noise_.tileTexelsY);
   const float level = sharpLevel(footprint + map.constants.levelOffset);
   const bool sharesTexels =
       map.constants.levelOffset == 0.0f &&
       tiling::turnsKeepTexels(tilingPart(material).tileRotation, noise_.tileAspect);
-  const float share = sharesTexels ? lossShare(noise_, at, footprint) : 1.0f;
+  if (sharesTexels)
+    tiles.lossShare = lossShare(noise_, at, footprint);
   for (std::size_t k = 0; k < 3; ++k) {
     if (tiles.taps.weight[k] == 0.0f)
       continue;
@@ -201,16 +214,14 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
     tiles.value[k] = map.image.at(x, y, level);
     for (std::size_t c = 0; c < 3; ++c)
       tiles.value[k][c] += 0.5f - kStoredGaussianMean;
-    tiles.value[k][3] *= share;
   }
   return tiles;
 }
 
-/// Of the variance of slopes over what fetches lose, the share that the footprint hides:
-/// interpolation between texels hides nothing.
-float TilingEvaluator::footprintShare(const Map& map, float lost) {
+/// lichenFootprintShare.
+float TilingEvaluator::footprintShare(const Map& map, float loss) {
   const float interpolation = map.constants.interpolationLoss;
-  return lost > interpolation ? (lost - interpolation) / (lost - lost * interpolation) : 0.0f;
+  return loss > interpolation ? (loss - interpolation) / (loss - loss * interpolation) : 0.0f;
 }
 
 Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenMaterial& material) {
@@ -236,7 +247,7 @@ Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
   for (std::size_t k = 0; k < 3; ++k) {
     if (tiles.taps.weight[k] == 0.0f)
       continue;
-    Value value = decode(map, tiles.value[k], 1.0f);
+    Value value = decodeTile(map, tiles.value[k], tiles.lossShare, 1.0f);
     if (turnsSlopes)
       turnSlopesBack(value, tiles.taps.turn[k]);
     for (std::size_t c = 0; c < 3; ++c)
@@ -256,7 +267,7 @@ Value TilingEvaluator::turnedSlopes(const Map& map, const Tiles& tiles,
     Value tile = tiles.value[k];
     for (std::size_t c = 0; c < 3; ++c)
       tile[c] = 0.5f + material.contrast * (tile[c] - 0.5f);
-    Value slopes = decode(map, tile, material.contrast);
+    Value slopes = decodeTile(map, tile, tiles.lossShare, material.contrast);
     turnSlopesBack(slopes, tiles.taps.turn[k]);
     const float share = tiles.taps.weight[k] / tiles.taps.norm;
     sum[0] += share * slopes[0];
@@ -268,7 +279,10 @@ Value TilingEvaluator::turnedSlopes(const Map& map, const Tiles& tiles,
 
 Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenMaterial& material,
                                 const TileFootprint& at) const {
-  return blended(tilesAt((*maps_)[mapIndex], material, at), material);
+  const Tiles tiles = tilesAt((*maps_)[mapIndex], material, at);
+  Value blend = blended(tiles, material);
+  blend[3] *= tiles.lossShare;
+  return blend;
 }
 
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenMaterial& material,
@@ -279,8 +293,7 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenMateri
     return blendedDecoded(map, tiles, material, blend);
   if (tiling::turnsTiles(material) && isSlope(map.constants))
     return turnedSlopes(map, tiles, material);
-  const Value gaussian = blended(tiles, material);
-  return decode(map, gaussian, material.contrast);
+  return decodeTile(map, blended(tiles, material), tiles.lossShare, material.contrast);
 }
 
 Value TilingEvaluator::gaussian(std::size_t mapIndex,

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The weight of a mix of textons where a host has it: from a mask, from vertex colours, or its own.
-// LichenImpacts + weight (and mask, screen-space gradients) -> LichenImpacts. Constants and
-// directions are in the uniform block, and the functions of uv.glsl use them.
+// LichenImpacts + weight and its derivative, or a mask's values -> LichenImpacts. The library fetches
+// no mask, since each host binds images in its own way. Constants and directions are in the uniform
+// block, and the functions of uv.glsl use them.
 #ifndef LICHEN_MIX_GLSL
 #define LICHEN_MIX_GLSL
 
 #include "../noise/texton_mix.glsl"
+
+/// Half the size of a texton [tiles].
+vec2 lichenImpactReach(LichenNoise noise) {
+  return 0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) /
+         vec2(noise.tileTexelsX, noise.tileTexelsY);
+}
 
 /// `weight` 0 is the first step, 1 the last. `gradient` is its derivative along x and y of tile
 /// space [1 / tile], which tells the weight at impacts around; it must not jump from point to point
@@ -16,25 +23,23 @@ void lichenSetMix(inout LichenImpacts impacts, float weight, vec2 gradient) {
   impacts.mixGradient = gradient;
 }
 
-/// From a channel (a unit vector) of a mask at `uv`, whose screen-space gradients are the columns
-/// of `uvGradients`; those of `tileGradients` are the tile coordinate's.
-void lichenMixByMask(inout LichenImpacts impacts, sampler2D mask, vec4 channel, vec2 uv,
-                     mat2 uvGradients, mat2 tileGradients, LichenNoise noise) {
-  // Differences as wide as the impacts lie: those of neighbouring texels would jump at the mask's
-  // texels, and what lies between two of them is often as wide as a texton.
-  vec2 reach = 0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) /
-               vec2(noise.tileTexelsX, noise.tileTexelsY);
+/// Where a mask is fetched beside the point itself: at its texture coordinates plus and minus each
+/// column, which lie along x and y of tile space. The columns of `uvGradients` are the screen-space
+/// gradients of those coordinates, of `tileGradients` those of the tile coordinate.
+mat2 lichenMaskReach(mat2 uvGradients, mat2 tileGradients, LichenNoise noise) {
+  // As wide as the impacts lie: differences of neighbouring texels would jump at the mask's texels,
+  // and what lies between two of them is often as wide as a texton.
   float area = determinant(tileGradients);
   mat2 uvPerTile = area != 0.0 ? uvGradients * inverse(tileGradients) : mat2(0.0);
-  vec2 alongX = reach.x * uvPerTile[0];
-  vec2 alongY = reach.y * uvPerTile[1];
-  vec2 dx = uvGradients[0];
-  vec2 dy = uvGradients[1];
-  vec2 rise = vec2(
-      dot(channel, textureGrad(mask, uv + alongX, dx, dy) - textureGrad(mask, uv - alongX, dx, dy)),
-      dot(channel,
-          textureGrad(mask, uv + alongY, dx, dy) - textureGrad(mask, uv - alongY, dx, dy)));
-  lichenSetMix(impacts, dot(channel, textureGrad(mask, uv, dx, dy)), rise / (2.0 * reach));
+  vec2 reach = lichenImpactReach(noise);
+  return mat2(reach.x * uvPerTile[0], reach.y * uvPerTile[1]);
+}
+
+/// From a mask: its value at the point, and for each column of lichenMaskReach the value at plus the
+/// column less that at minus the column.
+void lichenMixByMask(inout LichenImpacts impacts, float weight, vec2 differences,
+                     LichenNoise noise) {
+  lichenSetMix(impacts, weight, differences / (2.0 * lichenImpactReach(noise)));
 }
 
 #endif

@@ -47,9 +47,7 @@ LichenPlace lichenPlaceSurfaceGrad(vec3 position, vec3 positionGradientX, vec3 p
   place.noise = noise;
   place.point.impacts = lichenImpactsAt(vec2(0.0), toTiles * positionGradientX,
                                         toTiles * positionGradientY, material, noise);
-  // Right for a constant. For a direction, which texture coordinates have:
-  // lichenSetMix(place.point.impacts, lichenMixWeight(uv, material), vec2(0.0)).
-  place.point.impacts.mixWeight = lichenTextonMaterial(material).mixWeight;
+  lichenTakeMaterial(place.point, material, noise);
   place.surface = lichenSurfaceImpactsAt(tilesPerMetre * position, right, down, frame[2],
                                          place.point.impacts, material, noise);
   return place;

@@ -21,20 +21,6 @@ vec3 lichenPlaneWeights(vec3 normal, LichenMaterial material) {
   return weights * inversesqrt(dot(weights, weights));
 }
 
-/// The place in one plane, whose `weight` is above 0, at `position` [metres].
-LichenPlanePlace lichenPlanePlaceAt(int axis, float weight, vec3 position, vec3 gradientX,
-                                    vec3 gradientY, LichenTriplanarMaterial planes,
-                                    LichenNoise noise) {
-  LichenMaterial own = lichenMaterialOfPlane(axis, planes);
-  // Texels are square in space.
-  vec2 tilesPerUnit = vec2(1.0, noise.tileAspect) / noise.tileSizeMetres;
-  vec2 tile = vec2(own.offsetX, own.offsetY) +
-              tilesPerUnit * lichenUvToTile(lichenOntoPlane(position, axis), own);
-  vec2 tileX = tilesPerUnit * lichenUvToTile(lichenOntoPlane(gradientX, axis), own);
-  vec2 tileY = tilesPerUnit * lichenUvToTile(lichenOntoPlane(gradientY, axis), own);
-  return LichenPlanePlace(axis, weight, lichenPointAt(tile, tileX, tileY, own, noise));
-}
-
 /// The place at `position` [metres, relative to the host's integer tile origin], with the
 /// position's derivatives along the screen: usable in compute and in non-uniform control flow. The
 /// `normal` is not 0, of any length and either side.
@@ -56,27 +42,15 @@ LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3
   LichenPlace place;
   place.material = material;
   place.noise = noise;
+  place.triplanar.position = position;
+  place.triplanar.gradientX = positionGradientX;
+  place.triplanar.gradientY = positionGradientY;
   place.triplanar.normal = normalize(normal);
+  place.triplanar.weights = weights;
+  place.triplanar.order = ivec3(first, second, third);
   place.triplanar.count = int(weights.x > 0.0) + int(weights.y > 0.0) + int(weights.z > 0.0);
-  int rank = 0; // tested at both ends, as in lichenTriplanarBlend
-  while (rank < place.triplanar.count) {
-    int axis = rank == 0 ? first : (rank == 1 ? second : third);
-    LichenPlanePlace plane =
-        lichenPlanePlaceAt(axis, lichenAlongAxis(weights, axis), position, positionGradientX,
-                           positionGradientY, planes, noise);
-    if (rank == 0)
-      place.triplanar.plane0 = plane;
-    else if (rank == 1)
-      place.triplanar.plane1 = plane;
-    else
-      place.triplanar.plane2 = plane;
-    ++rank;
-    if (rank >= place.triplanar.count)
-      break;
-  }
-  // Right for a constant. For a direction, which texture coordinates have:
-  // lichenSetMix(place.point.impacts, lichenMixWeight(uv, material), vec2(0.0)).
-  place.point.impacts.mixWeight = lichenTextonMaterial(material).mixWeight;
+  place.triplanar.planes = planes;
+  lichenTakeMaterial(place.point, material, noise);
   return place;
 }
 

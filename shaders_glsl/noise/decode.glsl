@@ -19,6 +19,21 @@
 #define LICHEN_GAUSSIAN_ONLY 1
 #endif
 
+/// The map of a role, whose encoding compilers then know but for whether values are above 1: they
+/// leave out the code of other encodings.
+LichenMap lichenMapOf(int role, LichenMap map) {
+  // docs/gltf_extension/README.md, "Maps".
+  bool isColor = role == LICHEN_BASE_COLOR || role == LICHEN_EMISSIVE;
+  bool isAboveOne = map.encoding == uint(LICHEN_ENCODING_LOG2);
+  if (role == LICHEN_NORMAL)
+    map.encoding = uint(LICHEN_ENCODING_SLOPE);
+  else if (isColor)
+    map.encoding = uint(isAboveOne ? LICHEN_ENCODING_LOG2 : LICHEN_ENCODING_ROOT);
+  else
+    map.encoding = uint(isAboveOne ? LICHEN_ENCODING_LOG2 : LICHEN_ENCODING_LINEAR);
+  return map;
+}
+
 /// By an inverse table, each of whose mip levels averages over what it lacks.
 vec4 lichenDecodeTable(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, LichenMap map) {
   // Levels are equidistant in the amplitude that is left: 1, 0.8, ... 0.2. Where all is lost,
@@ -55,28 +70,22 @@ vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
   return vec4(stored * stored + variance, 1.0);
 }
 
-/// The share of what fetches lose that the footprint hides, and roughness shows: interpolation
-/// between texels hides nothing.
-float lichenFootprintShare(float lost, LichenMap map) {
-  float interpolation = map.interpolationLoss;
-  return lost > interpolation ? (lost - interpolation) / (lost - lost * interpolation) : 0.0;
-}
-
 /// By whichever the map has. `contrast` is the factor on the Gaussian value about its mean, which
-/// scales what is lost with what is there. A table averages over no more than all of it.
+/// scales what is lost with what is there.
 vec4 lichenDecode(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, float contrast, LichenMap map) {
   // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
   bool hasTables = bool(LICHEN_TABLES);
   bool hasGaussian = bool(LICHEN_GAUSSIAN_ONLY);
-  float within = min(contrast, 1.0);
   bool isGaussian = !hasTables || map.decoding == uint(LICHEN_DECODING_GAUSSIAN);
-  vec4 value;
   if (hasGaussian && isGaussian)
-    value = lichenDecodeGaussian(gaussian, vec3(contrast * contrast * lost), map);
-  else
-    value = lichenDecodeTable(table, gaussian, within * within * lost, map);
+    return lichenDecodeGaussian(gaussian, vec3(contrast * contrast * lost), map);
+  // A table averages over no more than all of it.
+  float within = min(contrast, 1.0);
+  vec4 value = lichenDecodeTable(table, gaussian, within * within * lost, map);
+  // The variance of c g clamped to the table, over that of g, is 2 c - 1 within 1 % up to c = 2 and
+  // within a third up to 4.
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
-    value.z *= lichenFootprintShare(lost, map);
+    value.z *= max(1.0, 2.0 * contrast - 1.0);
   return value;
 }
 

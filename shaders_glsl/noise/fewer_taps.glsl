@@ -39,11 +39,11 @@ float lichenOneTapShare(vec2 gradientX, vec2 gradientY) {
 }
 
 /// Exchanges two vertices if the first has less weight.
-void lichenOrder(inout float weightA, inout ivec2 vertexA, inout float weightB,
-                 inout ivec2 vertexB) {
+void lichenOrder(inout float weightA, inout uvec2 vertexA, inout float weightB,
+                 inout uvec2 vertexB) {
   bool isSwapped = weightA < weightB;
   float weight = isSwapped ? weightA : weightB;
-  ivec2 vertex = isSwapped ? vertexA : vertexB;
+  uvec2 vertex = isSwapped ? vertexA : vertexB;
   weightA = isSwapped ? weightB : weightA;
   vertexA = isSwapped ? vertexB : vertexA;
   weightB = weight;

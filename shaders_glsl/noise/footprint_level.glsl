@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: MIT
-// At which mip level a trilinear sampler fetches a pixel: its derivatives (two float2, texels) ->
-// level. The CPU twin is analysis/sampling/footprint_level; decision 018 has the measurements.
+// At which mip level a trilinear sampler fetches a pixel, and what a bilinear fetch loses between
+// texels: a position and its derivatives (float2, texels) -> level; share of the mean loss. The CPU
+// twin is analysis/sampling/footprint_level; decision 018 has the measurements.
 #ifndef LICHEN_FOOTPRINT_LEVEL_GLSL
 #define LICHEN_FOOTPRINT_LEVEL_GLSL
+
+// 1 when the images' sampler is anisotropic: fetches then pass gradients, not a level. A literal.
+#ifndef LICHEN_ANISOTROPIC
+#define LICHEN_ANISOTROPIC 0
+#endif
 
 /// log2 of the side [texels] of a pixel's footprint, at least 0: of a slanted one a quarter of the
 /// way from the longer side to the shorter.
@@ -19,6 +25,18 @@ float lichenFootprintLevel(vec2 texelsX, vec2 texelsY) {
 /// variance of a pixel's average.
 float lichenSharpLevel(float footprintLevel) {
   return max(0.5 * footprintLevel, footprintLevel - 0.5);
+}
+
+/// What a bilinear fetch at `texel` loses, over the mean of all positions; taps share theirs between
+/// texels. 0 at a texel's centre, where a view of one texel a pixel is exact. 1 where it is
+/// magnified, since the texels would show as a mesh, and minified.
+float lichenLossShare(vec2 texel, vec2 texelsX, vec2 texelsY, float footprintLevel) {
+  // Of a texel and its neighbour with weights 1 - f and f, the loss is in proportion to f (1 - f),
+  // 1/6 on average on each axis.
+  vec2 fromCentre = abs(fract(texel) - 0.5);
+  float here = 3.0 * dot(fromCentre, 1.0 - fromCentre);
+  float squared = min(1.0, max(dot(texelsX, texelsX), dot(texelsY, texelsY)));
+  return mix(1.0, here, squared * squared * (1.0 - min(footprintLevel, 1.0)));
 }
 
 #endif

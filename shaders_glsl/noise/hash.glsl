@@ -5,13 +5,13 @@
 #ifndef LICHEN_HASH_GLSL
 #define LICHEN_HASH_GLSL
 
-/// Vertex (i, j) of the lattice -> two random halves of 16 bits.
-uint lichenVertexHash(int i, int j, uint seedWord) {
+/// Vertex (i, j) of the lattice, modulo 2^32 -> two random halves of 16 bits.
+uint lichenVertexHash(uint i, uint j, uint seedWord) {
   // i is mixed before j is added: of a sum of products i A + j B vertices repeat in rows. The seed
   // comes in between, so that no two seeds give one field shifted. Then the finalizer of
   // MurmurHash3 [A16], but for its first shift.
-  uint h = uint(i) * 0x9E3779B1u;
-  h = ((h ^ (h >> 15u)) + uint(j)) ^ seedWord;
+  uint h = i * 0x9E3779B1u;
+  h = ((h ^ (h >> 15u)) + j) ^ seedWord;
   h *= 0x85EBCA6Bu;
   h = (h ^ (h >> 15u)) * 0xC2B2AE35u;
   return h ^ (h >> 16u);

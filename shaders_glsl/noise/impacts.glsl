@@ -14,11 +14,8 @@
 #include "material_parts.glsl"
 #include "periodic_lattice.glsl"
 
-// 1 when the images' sampler is anisotropic: the textons are then fetched with gradients.
-#ifndef LICHEN_ANISOTROPIC
-#define LICHEN_ANISOTROPIC 0
-#endif
-// 0 where every material's point process is stratified. Likewise.
+// 0 where every material's point process is stratified. A literal, or the host's specialization
+// constant.
 #ifndef LICHEN_POISSON_POINTS
 #define LICHEN_POISSON_POINTS 1
 #endif
@@ -56,22 +53,22 @@ struct LichenWalk {
 };
 
 /// A whole float below 2^47 in magnitude, modulo 2^32.
-int lichenLowWord(float whole) {
+uint lichenLowWord(float whole) {
   // Conversion of a float that no int holds is undefined: the two halves of the word by themselves.
   const float kHalfWord = 65536.0;
   float high = floor(whole / kHalfWord);
-  return int(high) * int(kHalfWord) + int(whole - high * kHalfWord);
+  return uint(int(high)) * 65536u + uint(int(whole - high * kHalfWord));
 }
 
 /// The number of a cell, a whole float below 2^47 in magnitude: modulo 2^32, or where there is a
 /// period, at most 2^29, whole periods from it: less than 2^22 of them from [0, period), or below
 /// 2^44 where these are of few cells.
-int lichenCellNumber(float cell, int period) {
-  int number = lichenLowWord(cell);
+uint lichenCellNumber(float cell, int period) {
+  uint number = lichenLowWord(cell);
   // A quotient of floats is off by few periods, which lichenWrapped mends; their product would be
   // rounded, but modulo 2^32 it is exact, and so is what is left of the number.
   if (bool(LICHEN_PERIODIC_LATTICE) && period != 0)
-    number -= lichenLowWord(floor(cell / float(period))) * period;
+    number -= lichenLowWord(floor(cell / float(period))) * uint(period);
   return number;
 }
 
@@ -205,9 +202,10 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
   impacts.start = shift + (inside - first) * impacts.cellTexels;
   // Half a cell further than the last: sums of sides are rounded.
   impacts.end = impacts.start - (last - first + 0.5) * impacts.cellTexels;
-  impacts.firstCell =
-      ivec2(first) + ivec2(lichenCellNumber(cell.x, material.periodColumns) + material.cellI,
-                           lichenCellNumber(cell.y, material.periodRows) + material.cellJ);
+  impacts.firstCell = ivec2(
+      uvec2(ivec2(first)) +
+      uvec2(lichenCellNumber(cell.x, material.periodColumns) + uint(material.cellI),
+            lichenCellNumber(cell.y, material.periodRows) + uint(material.cellJ)));
   if (bool(LICHEN_PERIODIC_LATTICE)) {
     impacts.firstCell.x = lichenWrapped(impacts.firstCell.x, material.periodColumns);
     impacts.firstCell.y = lichenWrapped(impacts.firstCell.y, material.periodRows);

@@ -40,6 +40,23 @@ void lichenTakeUv(inout LichenPoint point, vec2 uv, LichenMaterial material, Lic
 #endif
 }
 
+/// A point of a mapping without texture coordinates: the weight of a mix where it is a constant. Of a
+/// direction, which texture coordinates have, a host sets it:
+/// lichenSetMix(place.point.impacts, lichenMixWeight(uv, material), vec2(0.0)).
+void lichenTakeMaterial(inout LichenPoint point, LichenMaterial material, LichenNoise noise) {
+#ifndef LICHEN_OMIT_TEXTONS
+  if (lichenIsTexton(noise))
+    point.impacts.mixWeight = lichenTextonMaterial(material).mixWeight;
+#endif
+}
+
+/// What a point takes from another: the weight of a mix.
+void lichenTakeMix(inout LichenPoint point, LichenPoint other) {
+#ifndef LICHEN_OMIT_TEXTONS
+  point.impacts.mixWeight = other.impacts.mixWeight;
+#endif
+}
+
 /// What was fetched of one map at a point. Compilers do not fetch once what is written twice, where
 /// images and samplers are separate.
 struct LichenFetched {
@@ -60,10 +77,9 @@ LichenFetched lichenFetch(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPo
   }
 #endif
   fetched.tiles = lichenTilingTiles(image, point.taps, map);
-  vec4 blend = lichenTilingBlend(fetched.tiles.tile0, fetched.tiles.tile1, fetched.tiles.tile2,
-                                 point.taps.point.weights, point.taps.point.contrast);
+  vec4 blend = lichenTilesBlend(fetched.tiles, point.taps);
   fetched.gaussian = blend.rgb;
-  fetched.lost = blend.aaa;
+  fetched.lost = vec3(fetched.tiles.lossShare * blend.a);
   return fetched;
 }
 

@@ -29,13 +29,15 @@ vec2 lichenSkewedWithin(vec2 position, LichenMaterial material) {
 /// Reduces a vertex to one period and returns the whole periods taken away [tiles]; an infinite
 /// lattice is left alone. The cells of a periodic one are near the origin, which the host reduces
 /// to one period: |i|, |j| < 2^22.
-vec2 lichenReduceToPeriod(inout ivec2 vertex, LichenMaterial material) {
+vec2 lichenReduceToPeriod(inout uvec2 vertex, LichenMaterial material) {
   if (!bool(LICHEN_PERIODIC_LATTICE) || material.periodRows == 0)
     return vec2(0.0);
-  int rows = lichenFloorDivide(vertex.y, material.periodRows);
-  vertex += rows * ivec2(material.periodRows / 2, -material.periodRows);
-  int columns = lichenFloorDivide(vertex.x, material.periodColumns);
-  vertex.x -= columns * material.periodColumns;
+  ivec2 near = ivec2(vertex);
+  int rows = lichenFloorDivide(near.y, material.periodRows);
+  near += rows * ivec2(material.periodRows / 2, -material.periodRows);
+  int columns = lichenFloorDivide(near.x, material.periodColumns);
+  near.x -= columns * material.periodColumns;
+  vertex = uvec2(near);
   return vec2(float(columns) * material.periodTilesX, float(rows) * material.periodTilesY);
 }
 

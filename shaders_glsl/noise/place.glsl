@@ -23,8 +23,7 @@ struct LichenPlace {
 vec4 lichenValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPlace place, LichenMap map) {
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(place.material))
-    return lichenTriplanarValue(image, table, place.triplanar, place.point.impacts.mixWeight,
-                                place.material, place.noise, map);
+    return lichenTriplanarValue(image, table, place.triplanar, place.point, place.noise, map);
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(place.noise) && lichenIsSurface(place.material))

@@ -20,7 +20,7 @@ struct LichenSurfaceImpacts {
   vec3 place;  // of the point seen from its cube's corner
   mat3 axes;   // `way * axes` is how much less the place is, seen from the way's end
   vec3 radius; // of places from which impacts reach the point
-  ivec3 cell;  // the cube that holds the point
+  uvec3 cell;  // the cube that holds the point, modulo 2^32
   vec2 firstColumn, lastColumn; // those of cubes, all along z, that may reach the point
   // Where along z the places of a column are in reach, by each of their parts: half the length of
   // it, the middle of it in the column (0, 0), and how that moves from column to column.
@@ -64,8 +64,8 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   vec3 inside = grid - cell;
   // 2^28 tiles of 16384 texels have 2^46 cubes: cubes of 0.08 texels, for 1000 impacts of one
   // texel.
-  surface.cell = ivec3(lichenLowWord(cell.x), lichenLowWord(cell.y), lichenLowWord(cell.z)) +
-                 ivec3(material.cellI, material.cellJ, lichenTextonMaterial(material).cellK);
+  surface.cell = uvec3(lichenLowWord(cell.x), lichenLowWord(cell.y), lichenLowWord(cell.z)) +
+                 uvec3(ivec3(material.cellI, material.cellJ, lichenTextonMaterial(material).cellK));
   // An impact has the middle of its coefficients at its own place.
   vec2 shift =
       0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) - impacts.middle;
@@ -102,7 +102,7 @@ void lichenEnterColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surfac
   // Where nothing is in reach it has one cube, which is looked at in vain.
   walk.cube = floor(max(low.x, max(low.y, low.z)));
   walk.lastCube = floor(min(high.x, min(high.y, high.z)));
-  uvec2 cell = uvec2(surface.cell.xy + ivec2(walk.column));
+  uvec2 cell = surface.cell.xy + uvec2(ivec2(walk.column));
   walk.columnHash = lichenPcg3d(uvec3(cell, material.seedWord)).xy;
 }
 
@@ -139,7 +139,7 @@ void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surfac
                        LichenMaterial material, LichenNoise noise) {
   bool isPoisson = bool(LICHEN_POISSON_POINTS) &&
                    lichenTextonMaterial(material).pointProcess == uint(LICHEN_POINTS_POISSON);
-  uint cell = uint(surface.cell.z + int(walk.cube));
+  uint cell = surface.cell.z + uint(int(walk.cube));
   uint word = lichenPcg(walk.columnHash.x + cell);
   uint count = 1u;
   if (isPoisson) {

@@ -29,7 +29,7 @@ bool lichenTurnsKeepTexels(uint tileRotation, float tileAspect) {
 }
 
 /// The (cosine, sine) of a vertex's tile.
-vec2 lichenTileTurn(ivec2 vertex, uint tileRotation, uint seedWord) {
+vec2 lichenTileTurn(uvec2 vertex, uint tileRotation, uint seedWord) {
   int steps = int(tileRotation);
   // Hashed again: both halves of the vertex's hash are the offset.
   uint hash = lichenPcg(lichenVertexHash(vertex.x, vertex.y, seedWord));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Histogram-preserving tiling and blending [HN18], from top to bottom: a point on the plane of
 // tiles and its footprint -> three taps and their weights, once for all maps -> the Gaussian value
-// of each map, with the share of its variance that filtering lost. decode.glsl makes the material's
-// value of it. The CPU twin is analysis/tiling/evaluate. [HN18] Heitz and Neyret 2018, Algorithm 1.
+// of each map, with the share of its variance that fetches lose. tiling_decode.glsl makes the
+// material's value of it. The CPU twin is analysis/tiling/evaluate. [HN18] Heitz and Neyret 2018, Algorithm 1.
 // Deviations, with reasons: docs/decisions/.
 #ifndef LICHEN_TILING_GLSL
 #define LICHEN_TILING_GLSL
@@ -14,7 +14,7 @@
 
 /// The triangle of the simplex lattice that holds a point.
 struct LichenTriangle {
-  ivec2 vertex0, vertex1, vertex2;
+  uvec2 vertex0, vertex1, vertex2; // modulo 2^32
   vec3 weights; // barycentric, in [0, 1], sum 1
 };
 
@@ -23,7 +23,7 @@ struct LichenTilingPoint {
   vec2 uv0, uv1, uv2; // [tiles] where the tile of each vertex is fetched
   vec3 weights;
   float footprintLevel; // [mip levels] of the widest map
-  float lossShare; // what a fetch loses here, over its average between texels; of the widest map
+  float lossShare; // what a fetch loses at this position, over its mean; of the widest map
   float contrast;  // the material's
 };
 
@@ -39,48 +39,32 @@ LichenTriangle lichenTriangle(vec2 skewed, LichenMaterial material) {
   vec2 inside = skewed - cell;
   float third = 1.0 - inside.x - inside.y;
   bool isUpper = third <= 0.0;
-  // Float to int, never to uint: float to uint of a negative is undefined.
-  ivec2 corner = ivec2(cell) + ivec2(material.cellI, material.cellJ);
+  // Through int: float to uint of a negative is undefined.
+  uvec2 corner = uvec2(ivec2(cell)) + uvec2(ivec2(material.cellI, material.cellJ));
   LichenTriangle triangle;
-  triangle.vertex0 = corner + (isUpper ? 1 : 0);
-  triangle.vertex1 = corner + ivec2(1, 0);
-  triangle.vertex2 = corner + ivec2(0, 1);
+  triangle.vertex0 = corner + (isUpper ? 1u : 0u);
+  triangle.vertex1 = corner + uvec2(1u, 0u);
+  triangle.vertex2 = corner + uvec2(0u, 1u);
   triangle.weights = isUpper ? vec3(-third, 1.0 - inside.yx) : vec3(third, inside);
   return triangle;
 }
 
 /// The random offset of a vertex's tile, a whole number of texels; images repeat. [tiles]
-vec2 lichenTileOffset(ivec2 vertex, LichenMaterial material, LichenNoise noise) {
+vec2 lichenTileOffset(uvec2 vertex, LichenMaterial material, LichenNoise noise) {
   uint hash = lichenVertexHash(vertex.x, vertex.y, material.seedWord);
   // Through int: float of uint is slower on devices with only signed conversions.
   ivec2 steps = ivec2(uvec2(hash & 0x7ffu, hash >> 21u));
   return vec2(steps) * vec2(noise.offsetStepX, noise.offsetStepY);
 }
 
-/// What a bilinear fetch at `texel` loses, over the average of all positions: all taps share their
-/// position between texels. 0 at the centre of a texel, where a view of one texel a pixel is exact.
-/// The average where it is magnified, and would show the texels as a mesh, or minified.
-float lichenLossShare(vec2 texel, vec2 texelsX, vec2 texelsY, float footprintLevel) {
-  // Of a texel and its neighbour with weights 1 - f and f, the loss is in proportion to f (1 - f),
-  // 1/6 on average on each axis.
-  vec2 fromCentre = abs(fract(texel) - 0.5);
-  float here = 3.0 * dot(fromCentre, 1.0 - fromCentre);
-  float squared = min(1.0, max(dot(texelsX, texelsX), dot(texelsY, texelsY)));
-  return mix(1.0, here, squared * squared * (1.0 - min(footprintLevel, 1.0)));
-}
-
-/// What of a point is about its footprint and its blend. The gradients [tiles / pixel] are those of
-/// `position` [tiles]; those of the taps jump between triangles.
-void lichenSetTilingShares(inout LichenTilingPoint point, vec3 weights, vec2 position,
-                           vec2 gradientX, vec2 gradientY, LichenMaterial material,
-                           LichenNoise noise) {
+/// Sets what depends on the footprint, by the gradients [tiles / pixel] of `position` [tiles]: those
+/// of the taps jump between triangles.
+void lichenSetTilingFootprint(inout LichenTilingPoint point, vec2 position, vec2 gradientX,
+                              vec2 gradientY, LichenNoise noise) {
   vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
-  vec2 texelsX = gradientX * texels;
-  vec2 texelsY = gradientY * texels;
-  point.weights = weights;
-  point.footprintLevel = lichenFootprintLevel(texelsX, texelsY);
-  point.lossShare = lichenLossShare(position * texels, texelsX, texelsY, point.footprintLevel);
-  point.contrast = material.contrast;
+  point.footprintLevel = lichenFootprintLevel(gradientX * texels, gradientY * texels);
+  point.lossShare = lichenLossShare(position * texels, gradientX * texels, gradientY * texels,
+                                    point.footprintLevel);
 }
 
 /// Taps and weights at `position` [tiles, relative to the host's integer tile origin] of a pixel
@@ -92,7 +76,9 @@ LichenTilingPoint lichenTilingPoint(vec2 position, vec2 gradientX, vec2 gradient
   point.uv0 = position + lichenTileOffset(triangle.vertex0, material, noise);
   point.uv1 = position + lichenTileOffset(triangle.vertex1, material, noise);
   point.uv2 = position + lichenTileOffset(triangle.vertex2, material, noise);
-  lichenSetTilingShares(point, triangle.weights, position, gradientX, gradientY, material, noise);
+  point.weights = triangle.weights;
+  point.contrast = material.contrast;
+  lichenSetTilingFootprint(point, position, gradientX, gradientY, noise);
   return point;
 }
 
@@ -106,8 +92,8 @@ float lichenTilingLossShare(LichenTilingPoint point, LichenMap map) {
   return map.levelOffset == 0.0 ? point.lossShare : 1.0;
 }
 
-/// Three fetches blended: mean 1/2 and deviation 1/6 where nothing is minified, and in alpha the
-/// share of the variance that filtering lost, which the image holds for each of its mip levels.
+/// Three fetches blended: mean 1/2 and deviation 1/6 where nothing is minified. Alpha is the share of
+/// the variance that fetches lose on average, which the image holds for each of its mip levels.
 vec4 lichenTilingBlend(vec4 fetch0, vec4 fetch1, vec4 fetch2, vec3 weights, float contrast) {
   // [HN18] eq. 8 on Gaussian values, about their mean. The image holds it as a value of 8 bits.
   const float kStoredMean = 128.0 / 255.0;
@@ -116,14 +102,12 @@ vec4 lichenTilingBlend(vec4 fetch0, vec4 fetch1, vec4 fetch2, vec3 weights, floa
   return vec4(0.5 + gain * (blend.rgb - kStoredMean), blend.a);
 }
 
-/// The Gaussian value of a map.
+/// The Gaussian value of a map, and in alpha that loss; tiling_decode.glsl has what it stands for.
 vec4 lichenTilingGaussian(LICHEN_IMAGE_2D gaussian, LichenTilingPoint point, LichenMap map) {
   float level = lichenTilingLevel(point, map);
-  vec4 blend = lichenTilingBlend(
+  return lichenTilingBlend(
       LICHEN_SAMPLE_2D(gaussian, point.uv0, level), LICHEN_SAMPLE_2D(gaussian, point.uv1, level),
       LICHEN_SAMPLE_2D(gaussian, point.uv2, level), point.weights, point.contrast);
-  blend.a *= lichenTilingLossShare(point, map);
-  return blend;
 }
 
 #endif

@@ -9,10 +9,10 @@
 vec4 lichenTilingBlendDecoded(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table,
                               LichenTilingTaps taps, float gain, LichenMap map) {
   LichenTiles tiles = lichenTilingTiles(gaussian, taps, map);
-  const float kShift = 0.5 - 128.0 / 255.0; // to the mean 1/2
-  vec4 value0 = lichenDecode(table, tiles.tile0.rgb + kShift, tiles.tile0.a, 1.0, map);
-  vec4 value1 = lichenDecode(table, tiles.tile1.rgb + kShift, tiles.tile1.a, 1.0, map);
-  vec4 value2 = lichenDecode(table, tiles.tile2.rgb + kShift, tiles.tile2.a, 1.0, map);
+  const vec4 kShift = vec4(vec3(0.5 - 128.0 / 255.0), 0.0); // to the mean 1/2
+  vec4 value0 = lichenTilingDecode(table, tiles.tile0 + kShift, tiles.lossShare, 1.0, map);
+  vec4 value1 = lichenTilingDecode(table, tiles.tile1 + kShift, tiles.lossShare, 1.0, map);
+  vec4 value2 = lichenTilingDecode(table, tiles.tile2 + kShift, tiles.lossShare, 1.0, map);
   vec4 middle = map.mean;
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isTurned) {
     value0.xy = lichenSlopesTurnedBack(value0.xy, taps.turn0);

@@ -5,19 +5,15 @@
 #ifndef LICHEN_TILING_OPTIONS_GLSL
 #define LICHEN_TILING_OPTIONS_GLSL
 
-#include "decode.glsl"
 #include "fewer_taps.glsl"
 #include "periodic_lattice.glsl"
 #include "tile_rotation.glsl"
 #include "tiling.glsl"
+#include "tiling_decode.glsl"
 
 // 0 where every material's blendSharpness is 1. A literal, or the host's specialization constant.
 #ifndef LICHEN_BLEND_SHARPNESS
 #define LICHEN_BLEND_SHARPNESS 1
-#endif
-// 1 when the images' sampler is anisotropic.
-#ifndef LICHEN_ANISOTROPIC
-#define LICHEN_ANISOTROPIC 0
 #endif
 
 /// What all maps of a noise share at one point.
@@ -34,16 +30,17 @@ struct LichenTilingTaps {
 };
 
 /// The way to a point from a vertex that is not reduced to a period. [tiles]
-vec2 lichenWayFromVertex(ivec2 vertex, vec2 skewed, LichenMaterial material) {
+vec2 lichenWayFromVertex(uvec2 vertex, vec2 skewed, LichenMaterial material) {
   // From the cell's corner to the point in cells, and from there to the vertex in whole ones: as
   // exact far from the origin as near it.
   vec2 cell = floor(skewed);
-  vec2 cells = skewed - cell - vec2(vertex - ivec2(cell) - ivec2(material.cellI, material.cellJ));
+  uvec2 corner = uvec2(ivec2(cell)) + uvec2(ivec2(material.cellI, material.cellJ));
+  vec2 cells = skewed - cell - vec2(ivec2(vertex - corner));
   return vec2((cells.x + 0.5 * cells.y) / material.columnsPerTile, cells.y / material.rowsPerTile);
 }
 
 /// Where the tile of a vertex is fetched [tiles]; its angle.
-vec2 lichenTilingTap(ivec2 vertex, vec2 position, vec2 skewed, LichenMaterial material,
+vec2 lichenTilingTap(uvec2 vertex, vec2 position, vec2 skewed, LichenMaterial material,
                      LichenNoise noise, out vec2 turn) {
   uint rotation = lichenTileRotation(material);
   vec2 way = lichenWayFromVertex(vertex, skewed, material);
@@ -77,8 +74,9 @@ LichenTilingTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY,
   if (LICHEN_TILING_TAPS > 2)
     taps.point.uv2 =
         lichenTilingTap(triangle.vertex2, position, skewed, material, noise, taps.turn2);
-  lichenSetTilingShares(taps.point, triangle.weights, position, gradientX, gradientY, material,
-                        noise);
+  taps.point.weights = triangle.weights;
+  taps.point.contrast = material.contrast;
+  lichenSetTilingFootprint(taps.point, position, gradientX, gradientY, noise);
   uint rotation = lichenTileRotation(material);
   taps.isTurned = rotation > 1u;
   if (taps.isTurned && !lichenTurnsKeepTexels(rotation, noise.tileAspect))
@@ -126,9 +124,10 @@ vec4 lichenTilingFetch(LICHEN_IMAGE_2D gaussian, vec2 tap, vec2 turn, float weig
 #endif
 }
 
-/// The Gaussian values of the tiles, each with the share of its variance that filtering lost.
+/// The Gaussian values of the tiles, in alpha the share of the variance that fetches lose on average.
 struct LichenTiles {
   vec4 tile0, tile1, tile2;
+  float lossShare; // what they lose here, over that
 };
 
 LichenTiles lichenTilingTiles(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, LichenMap map) {
@@ -148,20 +147,20 @@ LichenTiles lichenTilingTiles(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, L
   // Alpha does not tell what an anisotropic sampler's probes lose together.
   tiles.tile0.a = tiles.tile1.a = tiles.tile2.a =
       LICHEN_SAMPLE_2D(gaussian, taps.point.uv0, level).a;
-#else
-  float lossShare = lichenTilingLossShare(taps.point, map);
-  tiles.tile0.a *= lossShare;
-  tiles.tile1.a *= lossShare;
-  tiles.tile2.a *= lossShare;
 #endif
+  tiles.lossShare = lichenTilingLossShare(taps.point, map);
   return tiles;
+}
+
+/// The blend of the tiles, with the loss in alpha as they have it.
+vec4 lichenTilesBlend(LichenTiles tiles, LichenTilingTaps taps) {
+  return lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, taps.point.weights,
+                           taps.point.contrast);
 }
 
 /// As lichenTilingGaussian.
 vec4 lichenTilingGaussian(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, LichenMap map) {
-  LichenTiles tiles = lichenTilingTiles(gaussian, taps, map);
-  return lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, taps.point.weights,
-                           taps.point.contrast);
+  return lichenTilesBlend(lichenTilingTiles(gaussian, taps, map), taps);
 }
 
 /// The value of one map, of its tiles at these taps.
@@ -169,7 +168,7 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
                       LichenMap map) {
   float contrast = taps.point.contrast;
   vec3 weights = taps.point.weights;
-  vec4 blend = lichenTilingBlend(tiles.tile0, tiles.tile1, tiles.tile2, weights, contrast);
+  vec4 blend = lichenTilesBlend(tiles, taps);
   // The slopes of turned tiles are decoded one by one, turned back and blended about 0, where
   // turning leaves their mean: a joint table knows slopes as they lie in the exemplar. One loop for
   // both, tested at both ends, as lichenTriplanarBlend has it: devices that run both sides of a
@@ -181,8 +180,11 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
   int tile = 0;
   while (tile < count) {
     vec4 each = tile == 0 ? tiles.tile0 : (tile == 1 ? tiles.tile1 : tiles.tile2);
-    vec3 gaussianValue = isEach ? 0.5 + contrast * (each.rgb - 128.0 / 255.0) : blend.rgb;
-    vec4 value = lichenDecode(table, gaussianValue, isEach ? each.a : blend.a, contrast, map);
+    if (isEach)
+      each.rgb = 0.5 + contrast * (each.rgb - 128.0 / 255.0);
+    else
+      each = blend;
+    vec4 value = lichenTilingDecode(table, each, tiles.lossShare, contrast, map);
     vec2 turn = tile == 0 ? taps.turn0 : (tile == 1 ? taps.turn1 : taps.turn2);
     float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
     if (isEach)

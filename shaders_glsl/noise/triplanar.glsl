@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A noise in three planes, blended as one: places in the planes that count -> the material's value.
-// The planes are blended before they are decoded, with the variance of one, so that one inverse
+// A noise in three planes, blended as one: a point in space and the weights of the planes -> the
+// material's value. The planes are blended before they are decoded, with the variance of one, so that one inverse
 // table gives the exemplar's histogram everywhere. The CPU twin is analysis/triplanar/.
 // [HN18] Heitz and Neyret 2018, section 4.3 and figure 16; slopes as volume gradients, [M20]
 // Mikkelsen 2020. Specified in docs/gltf_extension/README.md.
@@ -10,18 +10,22 @@
 #include "method.glsl"
 #include "tile_frame.glsl"
 
-/// The noise in one plane at one point.
-struct LichenPlanePlace {
-  int axis;     // along which the plane looks: 0 x, 1 y, 2 z
-  float weight; // squares of the weights sum to 1
-  LichenPoint point;
-};
-
 /// What all maps of a triplanar noise share at one point.
 struct LichenTriplanar {
-  int count;                               // of planes that count, [1, 3]
-  vec3 normal;                             // of unit length
-  LichenPlanePlace plane0, plane1, plane2; // those that count first
+  vec3 position;             // [metres]
+  vec3 gradientX, gradientY; // [metres / pixel]
+  vec3 normal;               // of unit length
+  vec3 weights; // of the planes that look along x, y, z; their squares sum to 1
+  ivec3 order;  // axes of the planes, the greatest weight first
+  int count;    // of planes whose weight is above 0, [1, 3]
+  LichenTriplanarMaterial planes;
+};
+
+/// The noise in one plane at one point.
+struct LichenPlanePlace {
+  int axis; // along which the plane looks: 0 x, 1 y, 2 z
+  float weight;
+  LichenPoint point;
 };
 
 float lichenAlongAxis(vec3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
@@ -50,13 +54,22 @@ vec3 lichenSlopesToSpace(vec2 slopes, int axis, LichenMaterial material) {
   return axis == 0 ? vec3(0.0, s.y, -s.x) : (axis == 1 ? vec3(s.x, 0.0, -s.y) : vec3(s, 0.0));
 }
 
-/// The place in the plane of this rank.
-LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank) {
-  if (rank == 0)
-    return at.plane0;
-  if (rank == 1)
-    return at.plane1;
-  return at.plane2;
+/// The place in the plane of this rank. Each map computes it anew: kept for all maps, three of them
+/// would take a GPU's registers, and a detour through memory on llvmpipe.
+LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank, LichenPoint point,
+                                  LichenNoise noise) {
+  int axis = rank == 0 ? at.order.x : (rank == 1 ? at.order.y : at.order.z);
+  LichenMaterial own = lichenMaterialOfPlane(axis, at.planes);
+  // Texels are square in space.
+  vec2 tilesPerUnit = vec2(1.0, noise.tileAspect) / noise.tileSizeMetres;
+  vec2 tile = vec2(own.offsetX, own.offsetY) +
+              tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.position, axis), own);
+  vec2 tileX = tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.gradientX, axis), own);
+  vec2 tileY = tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.gradientY, axis), own);
+  LichenPlanePlace plane = LichenPlanePlace(axis, lichenAlongAxis(at.weights, axis),
+                                            lichenPointAt(tile, tileX, tileY, own, noise));
+  lichenTakeMix(plane.point, point);
+  return plane;
 }
 
 /// What the decoded slopes of one plane add to the gradient in space, and in w to the variance of a
@@ -77,60 +90,48 @@ struct LichenPlanesBlend {
   vec4 value;    // decoded
 };
 
-/// All planes that count.
+/// All planes that count. `point` is what they share: a mix's weight.
 LichenPlanesBlend lichenTriplanarBlend(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
-                                       LichenTriplanar at, LichenMaterial material,
-                                       LichenNoise noise, LichenMap map) {
+                                       LichenTriplanar at, LichenPoint point, LichenNoise noise,
+                                       LichenMap map) {
+  LichenMaterial material = at.planes.material;
   // Slopes are decoded plane by plane: a joint table knows them as they lie in the exemplar, and
   // those of three planes point in other directions.
   bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
-  vec3 sum = vec3(0.0);
-  LichenPlanesBlend blend;
-  blend.lost = vec3(0.0);
-  blend.value = vec4(0.0);
+  LichenPlanesBlend blend = LichenPlanesBlend(vec3(0.5), vec3(0.0), vec4(0.0));
   // A loop, in which pixels of other planes run together, and devices without a skip of branches
-  // stop when none of them has more. They run each loop once at least, so slopes have none of their
-  // own. It is tested at both ends: at its beginning alone, they would run it once more for no
-  // pixel, and at its end alone, Mesa 22.3's lavapipe gives some pixels what others have.
+  // stop when none of them has more. It is tested at both ends: at its beginning alone, they would
+  // run it once more for no pixel, and at its end alone, Mesa 22.3's lavapipe gives some pixels
+  // what others have.
   int rank = 0;
   while (rank < at.count) {
-    LichenPlanePlace plane = lichenPlanePlace(at, rank);
+    LichenPlanePlace plane = lichenPlanePlace(at, rank, point, noise);
     LichenFetched fetched = lichenFetch(image, table, plane.point, material, noise, map);
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
-    sum += plane.weight * (fetched.gaussian - 0.5);
+    blend.gaussian += plane.weight * (fetched.gaussian - 0.5);
     blend.lost += plane.weight * plane.weight * fetched.lost;
-    ++rank;
-    bool isLast = rank >= at.count; // of what is not a slope, only the whole is decoded
     if (isSlope)
       blend.value +=
           lichenPlaneSlopes(
               lichenFetchedValue(table, fetched, plane.point, material, noise, map).xyz, plane,
               at.normal, material);
-    else if (isLast)
-      blend.value = lichenDecodeAt(table, 0.5 + sum, blend.lost, plane.point, material, noise, map);
-    if (isLast)
+    ++rank;
+    if (rank >= at.count)
       break;
   }
-  blend.gaussian = 0.5 + sum;
+  if (!isSlope)
+    blend.value =
+        lichenDecodeAt(table, blend.gaussian, blend.lost, point, material, noise, map);
   return blend;
-}
-
-/// The place in a mix, of all impacts of all planes.
-void lichenSetTriplanarMix(inout LichenTriplanar at, float mixWeight) {
-  at.plane0.point.impacts.mixWeight = mixWeight;
-  at.plane1.point.impacts.mixWeight = mixWeight;
-  at.plane2.point.impacts.mixWeight = mixWeight;
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, xyz is
 /// their gradient in space, for lichenNormalFromGradient, and w the variance of a slope that the
-/// footprint hides. `mixWeight` is that of the point.
+/// footprint hides.
 vec4 lichenTriplanarValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
-                          float mixWeight, LichenMaterial material, LichenNoise noise,
-                          LichenMap map) {
-  lichenSetTriplanarMix(at, mixWeight);
-  return lichenTriplanarBlend(image, table, at, material, noise, map).value;
+                          LichenPoint point, LichenNoise noise, LichenMap map) {
+  return lichenTriplanarBlend(image, table, at, point, noise, map).value;
 }
 
 #endif

@@ -35,8 +35,10 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
     return lichenTilingLinear(image, table, taps, map);
   if (kOperator == kOperatorVariance)
     return lichenTilingVariance(image, table, taps, map);
-  if (kOperator == kOperatorGaussian)
-    return lichenTilingGaussian(image, taps, map);
+  if (kOperator == kOperatorGaussian) {
+    vec4 gaussian = lichenTilingGaussian(image, taps, map);
+    return vec4(gaussian.rgb, gaussian.a * lichenTilingLossShare(taps.point, map));
+  }
   return lichenTiling(image, table, taps, map);
 }
 

@@ -37,9 +37,8 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
     return vec4(lichenPlaneWeights(point.normal.xyz, lichenMaterial),
                 float(place.triplanar.count));
   if (kQuantity == kGaussian) {
-    lichenSetTriplanarMix(place.triplanar, place.point.impacts.mixWeight);
     LichenPlanesBlend blend =
-        lichenTriplanarBlend(image, table, place.triplanar, lichenMaterial, lichenNoise, map);
+        lichenTriplanarBlend(image, table, place.triplanar, place.point, lichenNoise, map);
     return vec4(blend.gaussian, blend.lost.x);
   }
   return lichenValue(image, table, place, map);

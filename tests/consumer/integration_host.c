@@ -19,7 +19,7 @@ LichenResult createContext(const Host* host, LichenVulkanContext* context,
   return result;
 }
 
-/* Records the upload into `commands`: submit it before or with the first frame that draws. */
+/* Records the upload into `commands`. Submit it before or with the first frame that draws. */
 LichenResult loadBundle(LichenVulkanContext context, const void* file, size_t fileBytes,
                         VkCommandBuffer commands, NoiseBundle* loaded,
                         LichenDiagnostic* diagnostic) {
@@ -54,10 +54,10 @@ void unloadBundle(NoiseBundle* loaded, uint64_t lastFrame) {
   memset(loaded, 0, sizeof *loaded);
 }
 
-/* `slot`: of the uniform buffer, another for each material that is drawn. */
+/* Each material has its own `slot` of the uniform buffer. */
 LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t index, uint32_t slot,
                          NoiseMaterial* material, LichenDiagnostic* diagnostic) {
-  /* The dynamic offset of each draw is added to this offset of 0. */
+  /* Each draw adds its dynamic offset to this offset of 0. */
   const VkDescriptorBufferInfo block = {host->uniformBuffer, 0, LICHEN_TRIPLANAR_MATERIAL_BYTES};
   LichenMaterialProperties properties;
   LichenResult result;
@@ -65,9 +65,10 @@ LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t i
   material->slot = slot;
   LICHEN_INIT(properties, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
   LICHEN_INIT(material->parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
+  LICHEN_INIT(material->placement, LICHEN_STRUCTURE_PLACEMENT);
 
   result = lichenGetMaterialProperties(loaded->bundle, index, &properties);
-  /* LICHEN_NO_NOISE: draw it as any other material. This host's shader has texture coordinates. */
+  /* This host draws a material without a noise, or of another mapping, with its core textures. */
   if (result == LICHEN_SUCCESS &&
       (properties.noise == LICHEN_NO_NOISE || properties.mapping != LICHEN_MAPPING_UV))
     result = LICHEN_ERROR_UNSUPPORTED;
@@ -80,13 +81,8 @@ LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t i
 }
 
 LichenResult updateMaterial(const Host* host, const NoiseMaterial* material, uint32_t frameInFlight,
-                            const int64_t cameraTile[2], uint32_t* dynamicOffset,
-                            LichenDiagnostic* diagnostic) {
-  LichenPlacement placement;
-  LICHEN_INIT(placement, LICHEN_STRUCTURE_PLACEMENT);
-  placement.tileOrigin[0] = cameraTile[0]; /* far from the origin: see below */
-  placement.tileOrigin[1] = cameraTile[1];
+                            uint32_t* dynamicOffset, LichenDiagnostic* diagnostic) {
   *dynamicOffset = (material->slot * host->framesInFlight + frameInFlight) * BLOCK_STRIDE;
-  return lichenFillMaterial(&material->parameters, &placement,
+  return lichenFillMaterial(&material->parameters, &material->placement,
                             host->mappedUniforms + *dynamicOffset, diagnostic);
 }

@@ -34,7 +34,8 @@ typedef struct NoiseBundle {
 typedef struct NoiseMaterial {
   uint32_t slot; /* of the uniform buffer */
   VkDescriptorSet set;
-  LichenMaterialParameters parameters; /* to change as you like */
+  LichenMaterialParameters parameters; /* change these two as you like */
+  LichenPlacement placement;
 } NoiseMaterial;
 
 LichenResult createContext(const Host* host, LichenVulkanContext* context,
@@ -47,8 +48,7 @@ void unloadBundle(NoiseBundle* loaded, uint64_t lastFrame);
 LichenResult addMaterial(const Host* host, const NoiseBundle* loaded, uint32_t index, uint32_t slot,
                          NoiseMaterial* material, LichenDiagnostic* diagnostic);
 LichenResult updateMaterial(const Host* host, const NoiseMaterial* material, uint32_t frameInFlight,
-                            const int64_t cameraTile[2], uint32_t* dynamicOffset,
-                            LichenDiagnostic* diagnostic);
+                            uint32_t* dynamicOffset, LichenDiagnostic* diagnostic);
 
 #ifdef __cplusplus
 }

@@ -20,10 +20,14 @@ constexpr int kExemplarSide = 48, kPictureSide = 96; // a texel a pixel, so that
 constexpr double kTilesAcross = 2.0;  // of the plane, whose texture coordinates are 0 to 1
 constexpr double kPatchTexels = 10.0; // a side of the exemplar's patches of one material, or less
 
-MapExemplar smallExemplar() {
-  MapExemplar exemplar = threeMaterials(kExemplarSide, kExemplarSide, 5);
-  exemplar.encoding = ValueEncoding::linear; // as the picture's colours
-  return exemplar;
+MapExemplar smallExemplar() { return threeMaterials(kExemplarSide, kExemplarSide, 5); }
+
+/// The exemplar's light, as the picture holds it.
+std::vector<float> lightOf(const MapExemplar& exemplar) {
+  std::vector<float> light;
+  for (const float code : exemplar.values)
+    light.push_back(srgbToLinear(code));
+  return light;
 }
 
 template <class Bake>
@@ -43,7 +47,10 @@ BundleFile bundleOf(Result<Bake> bake) {
 
 /// The colours of a plane that fills the picture.
 LinearImage pictureOf(const BundleFile& file) {
-  GltfScene scene(encodeGlb(file).value());
+  Result<std::vector<std::byte>> glb = encodeGlb(file);
+  if (!glb)
+    FAIL(glb.error().message);
+  GltfScene scene(std::move(glb).value());
   const std::size_t positions = scene.addFloats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, 3);
   const std::size_t normals = scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
   const std::size_t texCoords = scene.addFloats({0, 1, 1, 1, 1, 0, 0, 0}, 2);
@@ -71,8 +78,9 @@ Moments momentsOf(const std::vector<float>& values, std::size_t channel) {
 }
 
 void checkLooksLike(const LinearImage& picture, const MapExemplar& exemplar) {
+  const std::vector<float> light = lightOf(exemplar);
   for (std::size_t c = 0; c < 3; ++c) {
-    const Moments drawn = momentsOf(picture.values, c), wanted = momentsOf(exemplar.values, c);
+    const Moments drawn = momentsOf(picture.values, c), wanted = momentsOf(light, c);
     INFO("channel " << c);
     // Each patch has independent colours: four deviations of their mean.
     const double patchesAcross = kPictureSide / kPatchTexels;

@@ -239,11 +239,13 @@ std::array<double, 4> valueDeviation(const TilingReference& reference, const Syn
   for (std::size_t k = 0; k < 4; ++k) {
     if (k >= std::size_t(map.dimensions) && k < 3)
       continue;
-    std::array<double, 4> low = sample.gaussian, high = low;
+    std::array<double, 4> low = sample.gaussian;
+    low[3] = sample.loss;
+    std::array<double, 4> high = low;
     low[k] = k == 3 ? std::max(0.0, low[k] - kStep) : low[k] - kStep;
     high[k] = k == 3 ? std::min(1.0, high[k] + kStep) : high[k] + kStep;
-    const auto below = reference.decoded(low, low[3], contrast);
-    const auto above = reference.decoded(high, high[3], contrast);
+    const auto below = reference.decoded(low, low[3], sample.here, contrast);
+    const auto above = reference.decoded(high, high[3], sample.here, contrast);
     const double deviation = kFetchDeviation * (k == 3 ? 1.0 : contrast);
     for (std::size_t c = 0; c < 3; ++c)
       variance[c] += std::pow(deviation * (above[c] - below[c]) / (high[k] - low[k]), 2.0);
@@ -427,10 +429,11 @@ TEST_CASE("the comparison operators blend the decoded tiles linearly, and about 
 
 TEST_CASE("gradients passed to the sampler change only the driver's level of detail") {
   // lavapipe approximates the level, and levels of independent texels differ strongly: measured
-  // 0.016, and 0.025 with contrast 1.4.
+  // 0.016 of the Gaussian value, and 0.025 with contrast 1.4; of values, which have that times the
+  // table's slope, 0.033.
   for (const Parity& parity :
        parities({3, 64, 64}, tiling_evaluate_comp_anisotropic, FetchedBy::gradients)) {
-    CHECK(parity.value.largest <= 0.03);
+    CHECK(parity.value.largest <= 0.04);
     CHECK(parity.gaussian.largest <= 0.03);
   }
 }

@@ -291,15 +291,18 @@ TilingReference::Decoded TilingReference::withoutTable(const Decoded& gaussian, 
   return value;
 }
 
-TilingReference::Decoded TilingReference::decoded(const Decoded& gaussian, double lost,
+TilingReference::Decoded TilingReference::decoded(const Decoded& gaussian, double loss, double here,
                                                   double contrast) const {
+  const double lost = here * loss;
   Decoded value = tiling_.inverseTable
                       ? fromTable(gaussian, std::pow(std::min(contrast, 1.0), 2.0) * lost)
                       : withoutTable(gaussian, contrast * contrast * lost);
-  // Step 8: interpolation between texels hides nothing.
+  if (map_.encoding != ValueEncoding::slope)
+    return value;
+  if (tiling_.inverseTable)
+    value[2] *= std::max(1.0, 2.0 * contrast - 1.0);
   const double between = double(levels_.front().values[levels_.front().channels - 1]);
-  if (map_.encoding == ValueEncoding::slope)
-    value[2] *= lost > between ? (lost - between) / (lost * (1.0 - between)) : 0.0;
+  value[2] *= loss > between ? (loss - between) / (loss * (1.0 - between)) : 0.0;
   return value;
 }
 
@@ -324,11 +327,11 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
   const double side = widest + double(shaderMap_.levelOffset);
   const double lambda =
       fetchedBy_ == FetchedBy::gradients ? side : (side < 1.0 ? side / 2.0 : side - 0.5);
-  const bool sharesTexels =
-      shaderMap_.levelOffset == 0.0f && !turnsAboutVertices(u) && fetchedBy_ == FetchedBy::level;
-  const double lossShare = sharesTexels ? lossShareOf(texels(p), texelsX, texelsY, widest) : 1.0;
+  const bool sharesTexels = shaderMap_.levelOffset == 0.0f && !turnsAboutVertices(u);
+  const double here =
+      sharesTexels ? lossShareOf(texels(p), texelsX, texelsY, sideOf(texelsX, texelsY)) : 1.0;
 
-  // Step 4.
+  // Steps 4 and 5.
   const double lod = std::clamp(lambda, 0.0, double(levels_.size() - 1));
   const auto lower = std::size_t(lod);
   const std::size_t upper = std::min(lower + 1, levels_.size() - 1);
@@ -347,8 +350,8 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
       fetched[c] = c < last ? low[c] + t * (high[c] - low[c]) + 0.5 - 128.0 / 255.0 : 0.5;
       sample.gaussian[c] += vertex.weight * (fetched[c] - 0.5);
     }
-    fetched[3] = lossShare * (low[last] + t * (high[last] - low[last]));
-    sample.gaussian[3] = fetched[3];
+    fetched[3] = low[last] + t * (high[last] - low[last]);
+    sample.gaussian[3] = here * fetched[3];
     taps.emplace_back(fetched, tap);
     weights.push_back(vertex.weight);
     squares += vertex.weight * vertex.weight;
@@ -356,15 +359,17 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
   for (std::size_t c = 0; c < 3; ++c)
     sample.gaussian[c] =
         0.5 + double(u.material.contrast) * sample.gaussian[c] / std::sqrt(squares);
-  const double lost = sample.gaussian[3];
+  const double loss = taps.front().first[3];
+  sample.loss = loss;
+  sample.here = here;
 
   if (shaderMap_.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(u))
-    // Step 8, with rotated tiles.
+    // Step 6, with rotated tiles.
     for (std::size_t k = 0; k < taps.size(); ++k) {
       Decoded& gaussian = taps[k].first;
       for (std::size_t c = 0; c < 3; ++c)
         gaussian[c] = 0.5 + double(u.material.contrast) * (gaussian[c] - 0.5);
-      const Decoded slopes = decoded(gaussian, lost, double(u.material.contrast));
+      const Decoded slopes = decoded(gaussian, loss, here, double(u.material.contrast));
       const double share = weights[k] / std::sqrt(squares);
       const std::complex<double> turned =
           taps[k].second.turn * std::complex<double>(slopes[0], slopes[1]);
@@ -373,7 +378,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
       sample.value[2] += share * share * slopes[2];
     }
   else
-    sample.value = decoded(sample.gaussian, lost, double(u.material.contrast));
+    sample.value = decoded(sample.gaussian, loss, here, double(u.material.contrast));
   return sample;
 }
 

@@ -45,12 +45,15 @@ public:
   struct Sample {
     std::array<double, 4> value{};
     std::array<double, 4> gaussian{};
+    double loss = 0.0; ///< of a fetch, on average between texels
+    double here = 1.0; ///< of one at the point, over that
   };
   [[nodiscard]] Sample evaluate(const Point& point, const shader::LichenMaterial& material) const;
 
   using Decoded = std::array<double, 4>;
-  /// Steps 6 and 8: the value of a Gaussian value, `lost` being the lost variance.
-  [[nodiscard]] Decoded decoded(const Decoded& gaussian, double lost, double contrast) const;
+  /// Step 6: the value of a Gaussian value. `loss` and `here`: as in Sample.
+  [[nodiscard]] Decoded decoded(const Decoded& gaussian, double loss, double here,
+                                double contrast) const;
 
 private:
   [[nodiscard]] Decoded fromTable(const Decoded& gaussian, double lost) const;

@@ -68,7 +68,9 @@ private:
                                             BlendOperator blend);
   [[nodiscard]] static Value turnedSlopes(const Map& map, const Tiles& tiles,
                                           const shader::LichenMaterial& material);
-  [[nodiscard]] static float footprintShare(const Map& map, float lost);
+  [[nodiscard]] static float footprintShare(const Map& map, float loss);
+  [[nodiscard]] static Value decodeTile(const Map& map, const Value& tile, float lossShare,
+                                        float contrast);
   [[nodiscard]] static Value lookup(const Map& map, const Value& uniform, std::size_t level);
   [[nodiscard]] static Value decodeTable(const Map& map, const Value& gaussian, float lost);
   [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float contrast);

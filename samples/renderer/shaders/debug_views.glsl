@@ -97,12 +97,12 @@ vec3 surfaceDebug(LichenPlace place) {
 
 #ifndef LICHEN_OMIT_TRIPLANAR
 /// Views of the contributing planes, blended like their values.
-vec3 planesDebug(LichenTriplanar triplanar) {
+vec3 planesDebug(LichenPlace place) {
   vec3 shown = vec3(0.0);
   float impacts = 0.0;
   int rank = 0;
-  while (rank < triplanar.count) {
-    LichenPlanePlace plane = lichenPlanePlace(triplanar, rank);
+  while (rank < place.triplanar.count) {
+    LichenPlanePlace plane = lichenPlanePlace(place.triplanar, rank, place.point, lichenNoise);
     float share = plane.weight * plane.weight;
 #ifndef LICHEN_OMIT_TEXTONS
     if (lichenIsTexton(lichenNoise)) {
@@ -118,17 +118,14 @@ vec3 planesDebug(LichenTriplanar triplanar) {
   return counts ? ramp(impacts / (kImpactsInSpace * kMostImpacts)) : shown;
 }
 
-vec3 triplanarDebug(LichenTriplanar triplanar, float mixWeight) {
-  if (kDebugView == DEBUG_PLANES) {
-    vec3 weights = lichenPlaneWeights(triplanar.normal, lichenMaterial);
-    return weights * weights;
-  }
+vec3 triplanarDebug(LichenPlace place) {
+  if (kDebugView == DEBUG_PLANES)
+    return place.triplanar.weights * place.triplanar.weights;
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return planesDebug(triplanar);
-  lichenSetTriplanarMix(triplanar, mixWeight);
+    return planesDebug(place);
   return shownGaussian(lichenTriplanarBlend(LICHEN_IMAGE(LICHEN_BASE_COLOR),
-                                            LICHEN_TABLE(LICHEN_BASE_COLOR), triplanar,
-                                            lichenMaterial, lichenNoise, shownMap())
+                                            LICHEN_TABLE(LICHEN_BASE_COLOR), place.triplanar,
+                                            place.point, lichenNoise, shownMap())
                            .gaussian);
 }
 #endif
@@ -137,7 +134,7 @@ vec3 noiseDebug(Footprint footprint) {
   LichenPlace place = noisePlace(footprint);
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(lichenMaterial))
-    return triplanarDebug(place.triplanar, place.point.impacts.mixWeight);
+    return triplanarDebug(place);
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenIsTexton(lichenNoise) && lichenIsSurface(lichenMaterial))

@@ -107,6 +107,12 @@ vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
 }
 
 #ifndef WITHOUT_NOISE
+/// The weight that a mask says, at a way from its place.
+float mixMask(TexturePlace place, vec2 way) {
+  vec4 value = textureGrad(mixTexture, place.uv + way, place.gradients[0], place.gradients[1]);
+  return value[material.mixSource.z];
+}
+
 /// Sets the weight of a mix whose source is not the uniform block. The gradients of the tile
 /// coordinate are 0 if there is none: with surface mapping, all impacts use the weight at the
 /// point.
@@ -116,9 +122,10 @@ void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
   if (material.mixSource.x != MIX_FROM_MASK)
     return;
   TexturePlace mask = texturePlace(TEXTURE_MIX, material.mixSource.y, f);
-  vec4 channel = vec4(equal(ivec4(0, 1, 2, 3), ivec4(material.mixSource.z)));
-  lichenMixByMask(impacts, mixTexture, channel, mask.uv, mask.gradients, tileGradients,
-                  lichenNoise);
+  mat2 reach = lichenMaskReach(mask.gradients, tileGradients, lichenNoise);
+  vec2 differences = vec2(mixMask(mask, reach[0]) - mixMask(mask, -reach[0]),
+                          mixMask(mask, reach[1]) - mixMask(mask, -reach[1]));
+  lichenMixByMask(impacts, mixMask(mask, vec2(0.0)), differences, lichenNoise);
 }
 
 /// Sets the weight of a mix for triplanar and surface mapping, which may still be mixed by texture

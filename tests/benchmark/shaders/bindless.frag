@@ -44,7 +44,7 @@ void main() {
     Layer layer = layers[layerIndices[k]];
     uint noise = layer.material.noise;
     LichenPlace place = lichenPlaceUvGrad(uv, dx, dy, layer.material, noises[noise].noise);
-    color += weights[k] * lichenValue(layer.image, layer.table, place,
-                                      noises[noise].maps[LICHEN_BASE_COLOR]);
+    LichenMap map = lichenMapOf(LICHEN_BASE_COLOR, noises[noise].maps[LICHEN_BASE_COLOR]);
+    color += weights[k] * lichenValue(layer.image, layer.table, place, map);
   }
 }

@@ -28,7 +28,7 @@ void main() {
     LichenNoise noise;
     noise.offsetStepX = 1.0;
     noise.offsetStepY = 1.0;
-    ivec2 vertex = ivec2(question.xy);
+    uvec2 vertex = question.xy;
     second.xy = uvec2(ivec2(lichenTileOffset(vertex, material, noise)));
     second.z = lichenVertexHash(vertex.x, vertex.y, question.z);
     third.zw = floatBitsToUint(lichenTileTurn(vertex, 7u, question.z));
@@ -38,8 +38,8 @@ void main() {
     material.cellI = int(question.z);
     material.cellJ = int(question.w);
     LichenTriangle triangle = lichenTriangle(lichenSkewed(uintBitsToFloat(question.xy)), material);
-    first.xyz = uvec3(ivec3(triangle.vertex0.x, triangle.vertex1.x, triangle.vertex2.x));
-    second.xyz = uvec3(ivec3(triangle.vertex0.y, triangle.vertex1.y, triangle.vertex2.y));
+    first.xyz = uvec3(triangle.vertex0.x, triangle.vertex1.x, triangle.vertex2.x);
+    second.xyz = uvec3(triangle.vertex0.y, triangle.vertex1.y, triangle.vertex2.y);
     third.xyz = floatBitsToUint(triangle.weights);
   } else if (kFunction == kCdf) {
     first.xyz = floatBitsToUint(lichenGaussianCdf(uintBitsToFloat(question.xyz)));
@@ -51,9 +51,9 @@ void main() {
   } else {
     int period = int(question.w);
     vec3 cells = uintBitsToFloat(question.xyz);
-    first.xyz = uvec3(lichenWrapped(lichenCellNumber(cells.x, period), period),
-                      lichenWrapped(lichenCellNumber(cells.y, period), period),
-                      lichenWrapped(lichenCellNumber(cells.z, period), period));
+    first.xyz = uvec3(lichenWrapped(int(lichenCellNumber(cells.x, period)), period),
+                      lichenWrapped(int(lichenCellNumber(cells.y, period)), period),
+                      lichenWrapped(int(lichenCellNumber(cells.z, period)), period));
   }
   answers[3u * index] = first;
   answers[3u * index + 1u] = second;

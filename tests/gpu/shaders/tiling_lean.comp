@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// One map of a tiling noise by tiling.glsl and decode.glsl alone, without the options, as a host
+// One map of a tiling noise by tiling.glsl and tiling_decode.glsl alone, without the options, as a host
 // with descriptors of its own calls them: points[k] (uv and its gradients) -> values[k].
 #include "interface/lichen_interface.h"
 
@@ -14,8 +14,8 @@ layout(set = 0, binding = LICHEN_BINDING_TABLE_SAMPLER) uniform sampler tableSam
   textureGrad(sampler2D(image, imageSampler), uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(sampler3D(image, tableSampler), uvw, level)
 #define LICHEN_GATHER_2D(image, uv) textureGather(sampler2D(image, imageSampler), uv, 0)
-#include "noise/decode.glsl"
 #include "noise/tiling.glsl"
+#include "noise/tiling_decode.glsl"
 
 layout(std140, set = 0, binding = LICHEN_BINDING_NOISE) uniform NoiseBlock {
   LichenNoiseConstants constants;
@@ -58,9 +58,10 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
       lichenTilingPoint(position, toTile * point.uvAndGradientX.zw, toTile * point.gradientY.xy,
                         material, constants.noise);
   vec4 gaussian = lichenTilingGaussian(image, at, map);
+  float lossShare = lichenTilingLossShare(at, map);
   return kQuantity == kGaussian
-             ? gaussian
-             : lichenDecode(table, gaussian.rgb, gaussian.a, material.contrast, map);
+             ? vec4(gaussian.rgb, gaussian.a * lossShare)
+             : lichenTilingDecode(table, gaussian, lossShare, material.contrast, map);
 }
 
 void main() {
