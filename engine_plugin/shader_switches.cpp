@@ -13,8 +13,7 @@ namespace {
 
 /// What some material needs.
 struct Needs {
-  std::uint32_t roles = 0;
-  bool tiling = false, textons = false;
+  std::uint32_t roles = 0, methods = 0; // bits
   bool tables = false, gaussianOnly = false; // of tiling
   bool triplanar = false, otherMappings = false, surface = false;
   bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
@@ -23,7 +22,6 @@ struct Needs {
 
 void addTiling(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
                Needs& needs) {
-  needs.tiling = true;
   needs.tables = needs.tables || (noise.tableKinds & (1u << LICHEN_TABLE_JOINT)) != 0;
   needs.gaussianOnly = needs.gaussianOnly || (noise.tableKinds & (1u << LICHEN_TABLE_NONE)) != 0;
   needs.rotation = needs.rotation || parameters.tileRotation > 1;
@@ -34,7 +32,6 @@ void addTextons(const LichenMaterialParameters& parameters, const NoiseSummary& 
                 Needs& needs) {
   const shader::LichenTexton& texton = noise.constants.texton;
   constexpr std::uint32_t kCubic = 3;
-  needs.textons = true;
   needs.mixes = needs.mixes || texton.steps > 1;
   needs.poisson = needs.poisson || parameters.pointProcess == LICHEN_POINT_PROCESS_POISSON;
   needs.cubic = needs.cubic || texton.order == kCubic;
@@ -44,6 +41,7 @@ void addTextons(const LichenMaterialParameters& parameters, const NoiseSummary& 
 void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
                  Needs& needs) {
   needs.roles |= noise.constants.roles;
+  needs.methods |= 1u << noise.constants.method;
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? needs.triplanar : needs.otherMappings) = true;
   needs.surface = needs.surface || parameters.mapping == LICHEN_MAPPING_SURFACE;
   (noise.constants.method == LICHEN_METHOD_TEXTON ? addTextons : addTiling)(parameters, noise,
@@ -51,25 +49,24 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
 }
 
 std::string switchesOf(const Needs& needs) {
-  char roles[32]; // std::to_string() would export a symbol of the standard library
-  std::snprintf(roles, sizeof roles, "-DLICHEN_ROLES=%u", needs.roles);
-  std::string text = roles;
+  char bits[64]; // std::to_string() would export a symbol of the standard library
+  std::snprintf(bits, sizeof bits, "-DLICHEN_ROLES=%u -DLICHEN_METHODS=%u", needs.roles,
+                needs.methods);
+  std::string text = bits;
   const auto unless = [&](bool isNeeded, const char* name) {
     if (!isNeeded)
       text += std::string(" -DLICHEN_") + name;
   };
-  unless(needs.textons, "OMIT_TEXTONS");
-  unless(needs.tiling, "TILING_NOISES=0");
   unless(needs.triplanar, "OMIT_TRIPLANAR");
   unless(needs.otherMappings, "OTHER_MAPPINGS=0");
-  if (needs.textons) {
+  if ((needs.methods & (1u << LICHEN_METHOD_TEXTON)) != 0) {
     unless(needs.surface, "OMIT_SURFACE_TEXTONS");
     unless(needs.mixes, "MIXED_TEXTONS=0");
     unless(needs.poisson, "POISSON_POINTS=0");
     unless(needs.cubic, "CUBIC_TEXTONS=0");
     unless(needs.nearest, "NEAREST_TEXTONS=0");
   }
-  if (needs.tiling) {
+  if ((needs.methods & (1u << LICHEN_METHOD_TILING)) != 0) {
     unless(needs.tables, "TABLES=0");
     unless(needs.gaussianOnly, "GAUSSIAN_ONLY=0");
     unless(needs.rotation, "TILE_ROTATION=0");

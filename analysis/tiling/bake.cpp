@@ -103,7 +103,7 @@ MapKind kindOf(const MapExemplar& map, const exemplar::ColorSpace& space,
 /// The work of the steps of a map's bake, in units of transporting a pixel with the default effort.
 struct MapWork {
   double fit = 0.0;
-  double rest = 0.0; ///< mips, losses and slabs
+  double rest = 0.0; ///< mips, losses and the table's levels
 
   [[nodiscard]] double whole() const { return fit + rest; }
 };
@@ -114,8 +114,8 @@ constexpr double kKindWork = 0.02;
 
 /// The work of a map. With `others` before it, it correlates with them and reuses their share.
 MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
-  // Nearly the same for every exemplar; measured on 256 x 256.
-  constexpr double kSlabs = 0.4 * 65536.0;
+  // The table's levels. Nearly the same for every exemplar; measured on 256 x 256.
+  constexpr double kTableLevelsWork = 0.4 * 65536.0;
   // Per pixel, measured on 1024 x 1024: mips and losses; sorting an axis once; a Gaussian image.
   constexpr double kMips = 0.08;
   constexpr double kSort = 0.03;
@@ -137,7 +137,7 @@ MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort,
   case MapKind::transported:
     const FitWork fit = fitWork(planned.map, periodic, effort);
     work.fit = joining * fit.fit + (others ? 0.0 : fit.trial);
-    work.rest += kSlabs;
+    work.rest += kTableLevelsWork;
   }
   return work;
 }

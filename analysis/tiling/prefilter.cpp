@@ -22,7 +22,7 @@ constexpr int kPlacesOnAxis = 256;
 /// Gaussian samples per cell for the rest of the loss. The stratified set is whitened, so a linear
 /// table is averaged exactly for any number of samples. Against 4096 samples of the whole loss, on
 /// the generated rust, terrazzo and a photograph of dirt, of 256 x 256, a cell is off by 0.1 to 0.7
-/// codes of 8 bits (root mean square, by slab; at worst 6); 64 samples of the whole loss are off by
+/// codes of 8 bits (root mean square, by loss; at worst 6); 64 samples of the whole loss are off by
 /// 0.5 to 1.2 and take twice as long.
 constexpr std::size_t kSamplesPerCell = 32;
 

@@ -207,7 +207,7 @@ void NoiseHost::readUse(MaterialState& material) {
 void NoiseHost::noteFeatures(const MaterialState& material) {
   const LichenMaterialParameters& parameters = material.parameters;
   const LichenNoiseProperties& noise = noises_[parameters.noise];
-  (noise.method == LICHEN_NOISE_TILING ? features_.tilingNoises : features_.textonNoises) = true;
+  features_.methods |= 1u << noise.method;
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? features_.triplanarNoises
                                                   : features_.otherMappings) = true;
   features_.surfaceNoises = features_.surfaceNoises || parameters.mapping == LICHEN_MAPPING_SURFACE;

@@ -35,14 +35,16 @@ struct NoiseUse {
 /// What the noises that are rendered use of the shaders.
 struct NoiseFeatures {
   bool gaussianOnly = false;  ///< some tiling map has no inverse table
-  bool tilingNoises = false;  ///< some noise is a tiling noise
-  bool textonNoises = false;  ///< some noise is a texton noise
+  std::uint32_t methods = 0;  ///< bit m: some noise has the method m
   bool surfaceNoises = false; ///< some noise uses surface mapping
   bool triplanarNoises = false;
   bool otherMappings = false; ///< some noise uses a mapping other than triplanar
   bool mixes = false;         ///< some texton noise is a mix
   bool objectSpaces = false;  ///< some noise is placed in object space
   bool tileRotation = false;  ///< some noise rotates its tiles
+  [[nodiscard]] bool hasMethod(LichenNoiseMethod method) const {
+    return ((methods >> method) & 1u) != 0;
+  }
   [[nodiscard]] bool operator==(const NoiseFeatures&) const = default;
 };
 

@@ -163,7 +163,7 @@ struct Constants {
   VkBool32 hasNormalMap = VK_FALSE;
   std::int32_t debugView = DEBUG_NONE;
   VkBool32 gaussianOnly = VK_FALSE;
-  VkBool32 tilingNoises = VK_FALSE;
+  std::uint32_t methods = 0;
   VkBool32 mixedTextons = VK_FALSE;
   VkBool32 triplanar = VK_FALSE;
   VkBool32 otherMappings = VK_FALSE;
@@ -175,7 +175,7 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, gaussianOnly), sizeof(VkBool32)},
-    VkSpecializationMapEntry{4, offsetof(Constants, tilingNoises), sizeof(VkBool32)},
+    VkSpecializationMapEntry{4, offsetof(Constants, methods), sizeof(std::uint32_t)},
     VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)},
     VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)},
     VkSpecializationMapEntry{7, offsetof(Constants, otherMappings), sizeof(VkBool32)},
@@ -195,9 +195,10 @@ struct FragmentCode {
 FragmentCode fragmentCodeFor(const NoiseFeatures& noises, bool hasNoise) {
   if (!hasNoise)
     return {scene_frag_bare, depth_frag_bare};
-  if (!noises.textonNoises && !noises.triplanarNoises)
+  const bool hasTextons = noises.hasMethod(LICHEN_NOISE_TEXTON);
+  if (!hasTextons && !noises.triplanarNoises)
     return {scene_frag_tiling, depth_frag_tiling};
-  if (!noises.textonNoises)
+  if (!hasTextons)
     return {scene_frag_triplanar_tiling, depth_frag_triplanar_tiling};
   if (noises.triplanarNoises)
     return {scene_frag, depth_frag};
@@ -210,7 +211,7 @@ Constants constantsOf(const SurfaceConstants& shared) {
   const NoiseFeatures& noises = shared.noises;
   return {.debugView = shared.debugView,
           .gaussianOnly = noises.gaussianOnly,
-          .tilingNoises = noises.tilingNoises,
+          .methods = noises.methods,
           .mixedTextons = noises.mixes,
           .triplanar = noises.triplanarNoises,
           .otherMappings = noises.otherMappings,

@@ -124,8 +124,8 @@ void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   bool hasBaseColor = false;
   for (std::size_t m = 0; m < scene_.materials.size(); ++m)
     hasBaseColor = hasBaseColor || (noises_.hasNoise(m) && noises_.use(m).hasBaseColor);
-  const bool hasTiling = noises_.features().tilingNoises,
-             hasTextons = noises_.features().textonNoises;
+  const bool hasTiling = noises_.features().hasMethod(LICHEN_NOISE_TILING),
+             hasTextons = noises_.features().hasMethod(LICHEN_NOISE_TEXTON);
   const auto note = [&](const char* view, bool isThere, const char* needed) {
     if (!isThere)
       notes.push_back(fmt::format("debug view {}: no material of the scene has {}, so all surfaces "

@@ -37,7 +37,7 @@
 #define LICHEN_MIX_KEPT 2      // and up: amplitudes that mip 0, 1, ... keeps of each channel
 #define LICHEN_MIX_ROWS 18     // LICHEN_MIX_KEPT + LICHEN_MAX_MIPS
 
-// Maps by role. A noise that lacks one has a placeholder there (lichenHas).
+// Maps by role. Where a noise has no map of a role, a placeholder is bound (LICHEN_HAS).
 #define LICHEN_BASE_COLOR 0
 #define LICHEN_NORMAL 1
 #define LICHEN_OCCLUSION_ROUGHNESS_METALLIC 2

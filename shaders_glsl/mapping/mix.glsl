@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The weight of a mix of textons where a host has it: from a mask, from vertex colours, or its own.
-// LichenImpacts + weight and its derivative, or a mask's values -> LichenImpacts. The library fetches
-// no mask, since each host binds images in its own way. Constants and directions are in the uniform
-// block, and the functions of uv.glsl use them.
+// LichenImpacts + weight and its derivative, or a mask's values -> LichenImpacts. The library
+// fetches no mask, since each host binds images in its own way. Constants and directions are in the
+// uniform block, and the functions of uv.glsl use them.
 #ifndef LICHEN_MIX_GLSL
 #define LICHEN_MIX_GLSL
 
@@ -15,9 +15,9 @@ vec2 lichenImpactReach(LichenNoise noise) {
 }
 
 /// `weight` 0 is the first step, 1 the last. `gradient` is its derivative along x and y of tile
-/// space [1 / tile], which tells the weight at impacts around; it must not jump from point to point
-/// where the weight does not. 0 where it may, as of vertex colours, which bend at every edge: all
-/// impacts then have the point's own weight, and steps are near enough for that.
+/// space [1 / tile], which gives the weight at the impacts around. Where the weight is continuous,
+/// the gradient must be too. Pass 0 where it is not, as for vertex colours, which bend at every
+/// edge: all impacts then have the point's own weight, and neighbouring steps differ little.
 void lichenSetMix(inout LichenImpacts impacts, float weight, vec2 gradient) {
   impacts.mixWeight = weight;
   impacts.mixGradient = gradient;
@@ -35,8 +35,8 @@ mat2 lichenMaskReach(mat2 uvGradients, mat2 tileGradients, LichenNoise noise) {
   return mat2(reach.x * uvPerTile[0], reach.y * uvPerTile[1]);
 }
 
-/// From a mask: its value at the point, and for each column of lichenMaskReach the value at plus the
-/// column less that at minus the column.
+/// From a mask: its value at the point, and for each column of lichenMaskReach the value at plus
+/// the column less that at minus the column.
 void lichenMixByMask(inout LichenImpacts impacts, float weight, vec2 differences,
                      LichenNoise noise) {
   lichenSetMix(impacts, weight, differences / (2.0 * lichenImpactReach(noise)));

@@ -7,6 +7,7 @@
 #ifndef LICHEN_SURFACE_GLSL
 #define LICHEN_SURFACE_GLSL
 
+#include "../noise/mix_point.glsl"
 #include "../noise/place.glsl"
 
 /// The columns point to the right, down and outward in the exemplar as it lies on the surface:
@@ -30,6 +31,10 @@ mat3 lichenSurfaceFrame(vec3 normal, vec4 tangent) {
 LichenPlace lichenPlaceSurfaceGrad(vec3 position, vec3 positionGradientX, vec3 positionGradientY,
                                    vec3 normal, vec4 tangent, LichenMaterial material,
                                    LichenNoise noise) {
+  LichenPlace place;
+  place.material = material;
+  place.noise = noise;
+#ifndef LICHEN_OMIT_SURFACE_TEXTONS
   // As on texture coordinates, the exemplar is turned against the surface, and scaled.
   vec2 turn = vec2(material.uvToTileXX, material.uvToTileXY); // (cos, sin) / scale
   float perScale = length(turn);
@@ -42,14 +47,12 @@ LichenPlace lichenPlaceSurfaceGrad(vec3 position, vec3 positionGradientX, vec3 p
   vec2 tiles = tilesPerMetre * vec2(1.0, noise.tileAspect);
   mat3x2 toTiles = mat3x2(tiles * vec2(right.x, down.x), tiles * vec2(right.y, down.y),
                           tiles * vec2(right.z, down.z));
-  LichenPlace place;
-  place.material = material;
-  place.noise = noise;
-  place.point.impacts = lichenImpactsAt(vec2(0.0), toTiles * positionGradientX,
-                                        toTiles * positionGradientY, material, noise);
+  lichenSetPoint(place.point.texton, vec2(0.0), toTiles * positionGradientX,
+                 toTiles * positionGradientY, material, noise);
   lichenTakeMaterial(place.point, material, noise);
   place.surface = lichenSurfaceImpactsAt(tilesPerMetre * position, right, down, frame[2],
-                                         place.point.impacts, material, noise);
+                                         place.point.texton, material, noise);
+#endif
   return place;
 }
 

@@ -6,11 +6,12 @@
 #ifndef LICHEN_TRIPLANAR_MAPPING_GLSL
 #define LICHEN_TRIPLANAR_MAPPING_GLSL
 
+#include "../noise/mix_point.glsl"
 #include "../noise/place.glsl"
 
-// What is taken from each plane's weight, the greatest being 1: a plane of less is not looked at,
-// and one that begins to count does so from 0. Below it a plane moves a value of an 8-bit picture,
-// whose deviation is an eighth of the range, by less than half a step.
+// Subtracted from the weights, of which the largest is 1. A plane with a smaller weight is skipped,
+// and weights stay continuous. A plane with this weight moves a value of an 8-bit picture, with a
+// deviation of an eighth of the range, by half a step.
 #define LICHEN_LEAST_PLANE_WEIGHT (1.0 / 64.0)
 
 /// Weights of the planes that look along x, y and z; their squares sum to 1.

@@ -5,6 +5,7 @@
 #ifndef LICHEN_UV_GLSL
 #define LICHEN_UV_GLSL
 
+#include "../noise/mix_point.glsl"
 #include "../noise/place.glsl"
 #include "../noise/texton_gradient.glsl"
 #include "../noise/tile_frame.glsl"

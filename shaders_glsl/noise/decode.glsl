@@ -10,8 +10,8 @@
 #include "../interface/lichen_interface.h"
 #include "gaussian_cdf.glsl"
 
-// 0 where no map has an inverse table, or none lacks one. Literals, or the host's specialization
-// constants. Not both are 0.
+// LICHEN_TABLES is 0 where no map has an inverse table, LICHEN_GAUSSIAN_ONLY where every map has
+// one. Literals, or the host's specialization constants. Not both are 0.
 #ifndef LICHEN_TABLES
 #define LICHEN_TABLES 1
 #endif
@@ -19,8 +19,8 @@
 #define LICHEN_GAUSSIAN_ONLY 1
 #endif
 
-/// The map of a role, whose encoding compilers then know but for whether values are above 1: they
-/// leave out the code of other encodings.
+/// `map` with the encoding that its role implies, except whether values exceed 1. Compilers can
+/// then leave out the code of other encodings.
 LichenMap lichenMapOf(int role, LichenMap map) {
   // docs/gltf_extension/README.md, "Maps".
   bool isColor = role == LICHEN_BASE_COLOR || role == LICHEN_EMISSIVE;
@@ -34,7 +34,7 @@ LichenMap lichenMapOf(int role, LichenMap map) {
   return map;
 }
 
-/// By an inverse table, each of whose mip levels averages over what it lacks.
+/// Decodes by an inverse table. Each mip level holds averages over the variance that is lost there.
 vec4 lichenDecodeTable(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, LichenMap map) {
   // Levels are equidistant in the amplitude that is left: 1, 0.8, ... 0.2. Where all is lost,
   // blended losses are rounded to a little more than 1.
@@ -46,7 +46,8 @@ vec4 lichenDecodeTable(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, LichenM
   return isRoot ? value * value : value;
 }
 
-/// Without a table: the stored values are Gaussian, and each lacks its own share.
+/// Decodes without a table. Stored values are Gaussian; channel c has lost the share lost[c] of its
+/// variance.
 vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
   vec3 centred = gaussian - 0.5;
   vec3 stored = vec3(map.row0.w, map.row1.w, map.row2.w) +
@@ -70,8 +71,8 @@ vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
   return vec4(stored * stored + variance, 1.0);
 }
 
-/// By whichever the map has. `contrast` is the factor on the Gaussian value about its mean, which
-/// scales what is lost with what is there.
+/// Decodes by the map's table, or without one. `contrast` is the factor on the Gaussian value about
+/// its mean. It scales the lost part too.
 vec4 lichenDecode(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, float contrast, LichenMap map) {
   // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
   bool hasTables = bool(LICHEN_TABLES);

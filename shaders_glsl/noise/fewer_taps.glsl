@@ -50,8 +50,8 @@ void lichenOrder(inout float weightA, inout uvec2 vertexA, inout float weightB,
   vertexB = vertex;
 }
 
-/// Sorts the vertices, the one of the most weight first, and takes weight away from all until so
-/// many are 0 as the quality says. `triangle.weights` sum to 1, before and after.
+/// Sorts the vertices by weight, the largest first, and subtracts the same amount from all weights,
+/// so that as many become 0 as the switches ask. `triangle.weights` sum to 1, before and after.
 void lichenTakeFewerTaps(inout LichenTriangle triangle, vec2 gradientX, vec2 gradientY) {
   lichenOrder(triangle.weights.x, triangle.vertex0, triangle.weights.y, triangle.vertex1);
   lichenOrder(triangle.weights.y, triangle.vertex1, triangle.weights.z, triangle.vertex2);

@@ -27,9 +27,10 @@ float lichenSharpLevel(float footprintLevel) {
   return max(0.5 * footprintLevel, footprintLevel - 0.5);
 }
 
-/// What a bilinear fetch at `texel` loses, over the mean of all positions; taps share theirs between
-/// texels. 0 at a texel's centre, where a view of one texel a pixel is exact. 1 where it is
-/// magnified, since the texels would show as a mesh, and minified.
+/// What a bilinear fetch at `texel` loses, over the mean of all positions. All taps lie alike
+/// between texels. With one texel per pixel it is 0 at a texel's centre, where the view is exact.
+/// In magnified views it is 1, because otherwise the texels would show as a mesh; in minified ones
+/// too.
 float lichenLossShare(vec2 texel, vec2 texelsX, vec2 texelsY, float footprintLevel) {
   // Of a texel and its neighbour with weights 1 - f and f, the loss is in proportion to f (1 - f),
   // 1/6 on average on each axis.

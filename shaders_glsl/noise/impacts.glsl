@@ -24,8 +24,9 @@
 #define LICHEN_CUBIC_TEXTONS 1
 #endif
 
-/// What all maps of a texton noise share at one point. A place is [texels], in the frame of an
-/// impact's texton, from the middle of what it reaches.
+/// What all maps of a texton noise share at one point. A place is an offset from an impact or a
+/// cell's corner to the point [texels], in the frame of the impact's texton, from the middle of its
+/// reach.
 struct LichenImpacts {
   float footprintLevel; // of the mip that shows what the footprint does, at least 0
   float level;          // likewise, as far as the textons have mips
@@ -60,9 +61,9 @@ uint lichenLowWord(float whole) {
   return uint(int(high)) * 65536u + uint(int(whole - high * kHalfWord));
 }
 
-/// The number of a cell, a whole float below 2^47 in magnitude: modulo 2^32, or where there is a
-/// period, at most 2^29, whole periods from it: less than 2^22 of them from [0, period), or below
-/// 2^44 where these are of few cells.
+/// The number of a cell, a whole float below 2^47 in magnitude, or below 2^44 with a period of few
+/// cells. Without a period: modulo 2^32. With one, of at most 2^29 cells: whole periods from the
+/// cell, and fewer than 2^22 of them from [0, period).
 uint lichenCellNumber(float cell, int period) {
   uint number = lichenLowWord(cell);
   // A quotient of floats is off by few periods, which lichenWrapped mends; their product would be
@@ -81,7 +82,8 @@ int lichenWrapped(int value, int period) {
   return rest < 0 ? rest + period : (rest >= period ? rest - period : rest);
 }
 
-/// A mip's texels: half of one outside the coefficients, a bilinear fetch is 0. [texels]
+/// The part of a frame outside of which bilinear fetches of a mip are 0: the coefficients, and half
+/// a texel of the mip around them. [texels]
 void lichenMipReach(float level, vec2 coefficients, out vec2 low, out vec2 high) {
   float side = exp2(ceil(level));
   low = vec2(-0.5 * side);
@@ -91,7 +93,7 @@ void lichenMipReach(float level, vec2 coefficients, out vec2 low, out vec2 high)
 #if LICHEN_ANISOTROPIC
 /// The level of a footprint whose axes have these lengths [texels]: of a square of the same area.
 float lichenAnisotropicLevel(float major, float minor, float maxAnisotropy) {
-  // As lichenTilingLevel has it.
+  // The same rule as in lichenAnisotropicTilingLevel.
   return max(0.0, log2(major) - 0.5 * log2(clamp(major / minor, 1.0, maxAnisotropy)));
 }
 #endif
@@ -191,7 +193,7 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
   high += margin * exp2(impacts.level);
   impacts.middle = 0.5 * (low + high);
   impacts.radius = high - impacts.middle;
-  // An impact has the middle of its coefficients at its own place.
+  // The centre of a texton's coefficients lies on its impact.
   vec2 grid = position * cellsPerTile;
   vec2 cell = floor(grid);
   vec2 inside = grid - cell;
@@ -216,16 +218,16 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
   return impacts;
 }
 
-/// Those of values.
-LichenImpacts lichenImpactsAt(vec2 position, vec2 gradientX, vec2 gradientY,
-                              LichenMaterial material, LichenNoise noise) {
-  return lichenImpactsWithin(0.0, position, gradientX, gradientY, material, noise);
+/// Those of values; see method.glsl.
+void lichenSetPoint(out LichenImpacts impacts, vec2 position, vec2 gradientX, vec2 gradientY,
+                    LichenMaterial material, LichenNoise noise) {
+  impacts = lichenImpactsWithin(0.0, position, gradientX, gradientY, material, noise);
 }
 
 /// Where an impact lies in its cell, [0, 1).
 vec2 lichenImpactInCell(uint word) {
-  // 15 bits each, below the sign, and the middle of what they tell apart: the first of the 23 bits
-  // of a float in [1, 2), and half of the last one's worth. Exact.
+  // 15 bits for each axis, below the sign's bit. They become the highest of the 23 mantissa bits of
+  // a float in [1, 2), plus half a step: the middle of an interval. Exact.
   const uint kPlaceBits = 0x7fff00u;
   const uint kOneAndHalfAStep = 0x3f800080u;
   return uintBitsToFloat((uvec2(word >> 8u, word << 7u) & kPlaceBits) | kOneAndHalfAStep) - 1.0;
@@ -305,8 +307,8 @@ void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial mat
 /// Whether a walk has not come to the end of its cells.
 bool lichenGoesOn(LichenWalk walk, LichenImpacts impacts) { return walk.corner.y > impacts.end.y; }
 
-/// Goes on to the next impact that reaches the point, but not further than over one that does not:
-/// with a loop here, devices that compute pixels together would run it for the slowest of them.
+/// Advances to the next impact in reach, skipping at most one. A loop would run until the slowest
+/// pixel of a group finds one.
 void lichenNextImpact(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material,
                       LichenNoise noise) {
   lichenStep(walk, impacts, material, noise);

@@ -1,36 +1,51 @@
 // SPDX-License-Identifier: MIT
-// Which method a noise has and how it is mapped, known at compile time where a host says so.
+// The methods that there are, which of them a noise has, and how it is mapped: known at compile
+// time where a host says so.
 #ifndef LICHEN_METHOD_CHOICE_GLSL
 #define LICHEN_METHOD_CHOICE_GLSL
 
 #include "../interface/lichen_interface.h"
 #include "material_parts.glsl"
 
-// 0 where no noise is of this method. Literals, or the host's specialization constants. Where
-// LICHEN_OMIT_TEXTONS is defined, textons are not called at all, and where
-// LICHEN_OMIT_SURFACE_TEXTONS is, those on surfaces are not: some drivers take longer to drop the
-// code of a constant that is false than to compile the rest.
-#ifdef LICHEN_OMIT_TEXTONS
-#define LICHEN_TEXTON_NOISES 0
+// Bit m: the method m (LICHEN_METHOD_...) is compiled. A literal.
+#ifndef LICHEN_METHODS
+#define LICHEN_METHODS 3
+#endif
+// Bit m: some noise has the method m, of those that are compiled. A literal, or the host's
+// specialization constant; some drivers take longer to drop the code of such a constant than to
+// compile the rest.
+#ifndef LICHEN_USED_METHODS
+#define LICHEN_USED_METHODS LICHEN_METHODS
+#endif
+
+// DO(name, Type, LICHEN_METHOD_...) for each method that is compiled: its member of LichenPoint,
+// and the type of that, for which the method has the functions that method.glsl lists. One line a
+// method.
+#define LICHEN_EACH_METHOD(DO) LICHEN_EACH_TILING(DO) LICHEN_EACH_TEXTON(DO)
+#if (LICHEN_METHODS & 1) != 0
+#define LICHEN_EACH_TILING(DO) DO(tiling, LichenTilingTaps, LICHEN_METHOD_TILING)
+#else
+#define LICHEN_EACH_TILING(DO)
+#endif
+#if (LICHEN_METHODS & 2) != 0
+#define LICHEN_HAS_TEXTONS
+#define LICHEN_EACH_TEXTON(DO) DO(texton, LichenImpacts, LICHEN_METHOD_TEXTON)
+#else
+#define LICHEN_EACH_TEXTON(DO)
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
 #define LICHEN_OMIT_SURFACE_TEXTONS
 #endif
 #endif
+
+// 0 where no texton noise is mapped onto a surface. A literal, or the host's specialization
+// constant; where LICHEN_OMIT_SURFACE_TEXTONS is defined it is not compiled.
 #ifdef LICHEN_OMIT_SURFACE_TEXTONS
 #define LICHEN_SURFACE_TEXTONS 0
 #endif
-#ifndef LICHEN_TILING_NOISES
-#define LICHEN_TILING_NOISES 1
-#endif
-#ifndef LICHEN_TEXTON_NOISES
-#define LICHEN_TEXTON_NOISES 1
-#endif
-// 0 where no texton noise is mapped onto a surface. Likewise.
 #ifndef LICHEN_SURFACE_TEXTONS
 #define LICHEN_SURFACE_TEXTONS 1
 #endif
-// 0 where no material's mapping is triplanar. Likewise, and where LICHEN_OMIT_TRIPLANAR is defined
-// it is not called at all.
+// 0 where no material's mapping is triplanar. Likewise; LICHEN_OMIT_TRIPLANAR.
 #ifdef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR 0
 #endif
@@ -42,12 +57,11 @@
 #define LICHEN_OTHER_MAPPINGS 1
 #endif
 
-/// Whether this is texton noise; known at compile time where a method is left out.
-bool lichenIsTexton(LichenNoise noise) {
-  // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
-  bool hasTexton = bool(LICHEN_TEXTON_NOISES);
-  bool hasTiling = bool(LICHEN_TILING_NOISES);
-  return hasTexton && (!hasTiling || noise.method == uint(LICHEN_METHOD_TEXTON));
+/// Whether a noise has this method; known at compile time where there is only one, or not this.
+bool lichenHasMethod(int method, LichenNoise noise) {
+  int used = int(LICHEN_USED_METHODS);
+  int bit = 1 << method;
+  return used == bit || ((used & bit) != 0 && noise.method == uint(method));
 }
 
 /// Whether texton noise is mapped onto a surface; known at compile time where none is.
@@ -57,7 +71,8 @@ bool lichenIsSurface(LichenMaterial material) {
 
 /// Whether the mapping is triplanar; known at compile time where none is, or all are.
 bool lichenIsTriplanar(LichenMaterial material) {
-  bool hasTriplanar = bool(LICHEN_TRIPLANAR); // in variables, as above
+  // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
+  bool hasTriplanar = bool(LICHEN_TRIPLANAR);
   bool hasOther = bool(LICHEN_OTHER_MAPPINGS);
   return hasTriplanar && (!hasOther || material.planeSharpness > 0.0);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What of a map's variance the mips of its image keep.
+// The amplitude that each mip of a map's image retains.
 #ifndef LICHEN_MIP_VARIANCE_GLSL
 #define LICHEN_MIP_VARIANCE_GLSL
 
 #include "../interface/lichen_interface.h"
 
-/// The amplitude that the texels of a mip keep, of that of the Gaussian value: `bytes` are those of
-/// a channel, LichenMap::mipKept0 and so on.
+/// The amplitude of a mip's texels, as a share of the Gaussian value's. `bytes` are those of a
+/// channel: LichenMap::mipKept0, mipKept1 or mipKept2.
 float lichenMipKept(int mip, uvec4 bytes) {
   // Chosen, not indexed: a copied array that is indexed lives in memory on most devices.
   int byte = min(mip, LICHEN_MAX_MIPS - 1);

@@ -26,11 +26,11 @@ vec4 lichenValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPlace place
     return lichenTriplanarValue(image, table, place.triplanar, place.point, place.noise, map);
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenIsTexton(place.noise) && lichenIsSurface(place.material))
-    return lichenSurfaceTexton(image, table, place.point.impacts, place.surface, place.material,
+  if (lichenHasMethod(LICHEN_METHOD_TEXTON, place.noise) && lichenIsSurface(place.material))
+    return lichenSurfaceTexton(image, table, place.point.texton, place.surface, place.material,
                                place.noise, map);
 #endif
-  return lichenPointValue(image, table, place.point, place.material, place.noise, map);
+  return lichenValueAt(image, table, place.point, place.material, place.noise, map);
 }
 
 #endif

@@ -12,18 +12,18 @@
 #include "hash.glsl"
 #include "impacts.glsl"
 
-/// What all maps of a surface noise share at one point, beside its LichenImpacts. Ways are in
-/// cubes, from the corner of the one that holds the point. A place of the point seen from an impact
-/// has three parts: two in texels, in the frame of the impact's texton, from the middle of what
-/// that reaches, and the height over the tangent plane in units of the greatest that counts.
+/// What all maps of a surface noise share at one point, beside its LichenImpacts. A way is an
+/// offset from the corner of the cube that holds the point [cubes]. A place is an offset from an
+/// impact to the point: x and y [texels] in the frame of the impact's texton, from the middle of
+/// its reach, and the height over the tangent plane, in units of the height where the weight is 0.
 struct LichenSurfaceImpacts {
-  vec3 place;  // of the point seen from its cube's corner
-  mat3 axes;   // `way * axes` is how much less the place is, seen from the way's end
-  vec3 radius; // of places from which impacts reach the point
+  vec3 place;  // from the corner of the point's cube
+  mat3 axes;   // an impact at `way` has the place `place - way * axes`
+  vec3 radius; // impacts with smaller places reach the point
   uvec3 cell;  // the cube that holds the point, modulo 2^32
   vec2 firstColumn, lastColumn; // those of cubes, all along z, that may reach the point
-  // Where along z the places of a column are in reach, by each of their parts: half the length of
-  // it, the middle of it in the column (0, 0), and how that moves from column to column.
+  // The part of a column, along z, in which each component of the place is in reach: half its
+  // length, its middle in the column (0, 0), and how the middle moves from column to column.
   vec3 columnReach, columnMiddle, columnStepX, columnStepY;
 };
 
@@ -66,7 +66,7 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   // texel.
   surface.cell = uvec3(lichenLowWord(cell.x), lichenLowWord(cell.y), lichenLowWord(cell.z)) +
                  uvec3(ivec3(material.cellI, material.cellJ, lichenTextonMaterial(material).cellK));
-  // An impact has the middle of its coefficients at its own place.
+  // The centre of a texton's coefficients lies on its impact.
   vec2 shift =
       0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) - impacts.middle;
   surface.place = inside * surface.axes + vec3(shift, 0.0);
@@ -77,8 +77,8 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   reach = reach.x * abs(right) + reach.y * abs(down) + reach.z * abs(outward);
   surface.firstColumn = floor(middle.xy - reach.xy);
   surface.lastColumn = floor(middle.xy + reach.xy);
-  // Where a column comes out of the box through each pair of its faces; parallel to them it hardly
-  // does.
+  // Where a column leaves the box through each pair of faces. One that is parallel to a pair counts
+  // as slightly slanted.
   const float kLeastSlope = 1.0 / 65536.0;
   vec3 slope = vec3(right.z, down.z, outward.z);
   slope = mix(slope, vec3(kLeastSlope), lessThan(abs(slope), vec3(kLeastSlope)));
@@ -99,7 +99,7 @@ void lichenEnterColumn(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surfac
                 walk.column.y * surface.columnStepY;
   vec3 low = middle - surface.columnReach;
   vec3 high = middle + surface.columnReach;
-  // Where nothing is in reach it has one cube, which is looked at in vain.
+  // A column out of reach still has one cube. Its impacts do not reach the point.
   walk.cube = floor(max(low.x, max(low.y, low.z)));
   walk.lastCube = floor(min(high.x, min(high.y, high.z)));
   uvec2 cell = surface.cell.xy + uvec2(ivec2(walk.column));
@@ -167,8 +167,8 @@ bool lichenGoesOn(LichenSurfaceWalk walk, LichenSurfaceImpacts surface) {
   return walk.column.y <= surface.lastColumn.y;
 }
 
-/// Goes on to the next impact that reaches the point, or to the end. Pixels that are computed
-/// together mostly agree on it, and then nothing is fetched in vain.
+/// Advances to the next impact in reach, or to the end. Pixels that are computed together mostly
+/// agree on it, so few fetches are wasted.
 void lichenNextSurfaceImpact(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surface,
                              LichenMaterial material, LichenNoise noise) {
   // No do-while: Mesa 22.3's lavapipe runs one wrong that is inside another loop.

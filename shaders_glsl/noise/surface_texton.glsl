@@ -48,15 +48,15 @@ vec3 lichenSurfaceTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts,
   return 0.5 + gain * map.sumFactor.rgb * sum;
 }
 
-/// The value of one map, as lichenTexton has it.
+/// The value of one map, as lichenValueAt returns it.
 vec4 lichenSurfaceTexton(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
                          LichenSurfaceImpacts surface, LichenMaterial material, LichenNoise noise,
                          LichenMap map) {
   LichenMap here = lichenMixedMap(table, impacts, noise, map);
   LichenKept kept = lichenTextonKept(table, impacts, noise, map);
-  return lichenTextonDecode(
-      lichenSurfaceTextonGaussian(image, impacts, surface, kept, material, noise, here), kept,
-      material, here);
+  vec3 gaussian =
+      lichenSurfaceTextonGaussian(image, impacts, surface, kept, material, noise, here);
+  return lichenTextonDecode(gaussian, kept, material, here);
 }
 
 #endif

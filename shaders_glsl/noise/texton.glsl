@@ -128,10 +128,10 @@ vec3 lichenTextonLevelKept(LICHEN_IMAGE_3D table, float level, LichenImpacts imp
   return rest * rest * fine * fine + 2.0 * t * rest * covariance + t * t * coarse * coarse;
 }
 
-/// Shares of the variance of each channel of a map that filtering leaves at a point.
+/// The shares of each channel's variance that filtering leaves at a point.
 struct LichenKept {
-  vec3 fetched; // of textons at the level at which they are fetched
-  vec3 seen;    // of the noise, seen through the footprint
+  vec3 fetched; // left by the mips that are fetched
+  vec3 seen;    // left by averages over the footprint, which may be larger
 };
 
 LichenKept lichenTextonKept(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
@@ -141,8 +141,8 @@ LichenKept lichenTextonKept(LICHEN_IMAGE_3D table, LichenImpacts impacts, Lichen
                     lichenTextonLevelKept(table, level, impacts, noise, map));
 }
 
-/// What the sums over impacts are multiplied by. Beyond the last mip textons stay as they are, and
-/// amplitudes fall as deviations do.
+/// The factor on a sum over impacts. Beyond the last mip textons stay the same, and the factor
+/// falls as the deviation of averages does.
 vec3 lichenTextonGain(LichenKept kept, LichenMaterial material) {
   const float kLeast = 1.0e-6; // below the square of an amplitude's first step, 1/255
   return material.contrast * sqrt(kept.seen / max(kept.fetched, kLeast));
@@ -159,31 +159,37 @@ vec3 lichenTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenKe
   return 0.5 + gain * map.sumFactor.rgb * lichenTextonSum(image, impacts, material, noise);
 }
 
-/// The Gaussian value of a map, and the shares of its variance that filtering lost.
-vec3 lichenTextonValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
-                       LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+/// The value that a Gaussian value stands for. Contrast scales what is lost with what is there.
+vec4 lichenTextonDecode(vec3 gaussian, LichenKept kept, LichenMaterial material, LichenMap map) {
+  vec3 lost = material.contrast * material.contrast * (1.0 - kept.seen);
+  return lichenDecodeGaussian(gaussian, lost, map);
+}
+
+// The seam's functions; see method.glsl. `table` is fetched of mixes only.
+
+vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
+                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
   LichenKept kept = lichenTextonKept(table, impacts, noise, map);
   lost = 1.0 - kept.seen;
   return lichenTextonGaussian(image, impacts, kept, material, noise,
                               lichenMixedMap(table, impacts, noise, map));
 }
 
-/// The value that a Gaussian value stands for.
-vec4 lichenTextonDecode(vec3 gaussian, LichenKept kept, LichenMaterial material, LichenMap map) {
+vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenImpacts impacts,
+                     LichenMaterial material, LichenNoise noise, LichenMap map) {
   // Contrast scales what is missing with what is there.
-  vec3 lost = material.contrast * material.contrast * (1.0 - kept.seen);
-  return lichenDecodeGaussian(gaussian, lost, map);
+  return lichenDecodeGaussian(gaussian, material.contrast * material.contrast * lost,
+                              lichenMixedMap(table, impacts, noise, map));
 }
 
-/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, z is
-/// the variance of a slope that the footprint hides, for lichenRoughness. `table` is that of the
-/// map's binding, fetched of mixes only.
-vec4 lichenTexton(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
-                  LichenMaterial material, LichenNoise noise, LichenMap map) {
+vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
+                   LichenMaterial material, LichenNoise noise, LichenMap map) {
+  // Not by the two above: compilers do not fetch once what is written twice, where images and
+  // samplers are separate.
   LichenMap here = lichenMixedMap(table, impacts, noise, map);
   LichenKept kept = lichenTextonKept(table, impacts, noise, map);
-  return lichenTextonDecode(lichenTextonGaussian(image, impacts, kept, material, noise, here), kept,
-                            material, here);
+  vec3 gaussian = lichenTextonGaussian(image, impacts, kept, material, noise, here);
+  return lichenTextonDecode(gaussian, kept, material, here);
 }
 
 #endif

@@ -61,8 +61,8 @@ float lichenMixStep(LichenImpacts impacts, LichenNoise noise) {
   return clamp(impacts.mixWeight, 0.0, 1.0) * (float(int(noise.texton.steps)) - 1.0);
 }
 
-/// The map at its place in a mix, but for what mips keep, which lichenTextonMipKept tells; without
-/// a mix, as it is. `table` is that of the map's binding.
+/// The map's constants at the point's weight in a mix, except the amplitudes of mips
+/// (lichenTextonMipKept). Without a mix, `map` itself. `table` is that of the map's binding.
 LichenMap lichenMixedMap(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
                          LichenMap map) {
   if (!lichenIsMix(noise))
@@ -76,7 +76,7 @@ LichenMap lichenMixedMap(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoi
   map.row0.x *= deviation.x;
   map.row1.y *= deviation.y;
   map.row2.z *= deviation.z;
-  // What is divided here is multiplied with above: the stored value does not depend on it.
+  // Cancels the factor on the rows: the stored value does not depend on the deviation.
   map.sumFactor = vec4(1.0 / deviation, 0.0);
   return map;
 }
@@ -89,7 +89,7 @@ vec3 lichenTextonMipKept(LICHEN_IMAGE_3D table, int mip, LichenImpacts impacts, 
                 lichenMipKept(mip, map.mipKept2));
   int row = LICHEN_MIX_KEPT + min(mip, LICHEN_MAX_MIPS - 1);
   vec3 kept = lichenMixRow(table, lichenMixStep(impacts, noise), row, noise).rgb;
-  // To the bytes that maps without a mix have: far away exactly nothing is left.
+  // Rounded to bytes, like the amplitudes of maps without a mix: exactly 0 in distant views.
   return floor(255.0 * kept + 0.5) * (1.0 / 255.0);
 }
 

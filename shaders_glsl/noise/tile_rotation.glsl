@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tiles that each lie turned: vertex -> the (cosine, sine) of its tile's angle; a way on the plane
-// -> the way in the turned exemplar; slopes of the turned exemplar -> slopes on the plane.
+// Rotated tiles: vertex -> (cosine, sine) of its tile's angle; offset on the plane -> offset in the
+// rotated exemplar; slopes in the rotated exemplar -> slopes on the plane.
 // Angles are in space, where texels are square. The CPU twin is analysis/tiling/tile_rotation;
 // docs/decisions/024-tile-rotation.md has what it is good for and what it costs.
 #ifndef LICHEN_TILE_ROTATION_GLSL
@@ -15,15 +15,14 @@
 #define LICHEN_TILE_ROTATION 1
 #endif
 
-/// How many steps of a turn tiles lie in; 0 and 1: none is turned, which is known at compile time
-/// where none are.
+/// The number of evenly spaced angles that tiles take. 0 and 1: no rotation. Known at compile time
+/// where no material rotates tiles.
 uint lichenTileRotation(LichenMaterial material) {
   return bool(LICHEN_TILE_ROTATION) ? lichenTilingMaterial(material).tileRotation : 0u;
 }
 
-/// Whether turned tiles have their texels where tiles that are not turned have theirs: half turns,
-/// and quarter turns of square exemplars. They are turned about the origin, others about their
-/// vertices.
+/// Whether rotation maps texels onto texels: half turns, and quarter turns of square exemplars.
+/// Such tiles rotate about the origin, others about their vertices.
 bool lichenTurnsKeepTexels(uint tileRotation, float tileAspect) {
   return tileRotation <= 2u || (tileRotation == 4u && tileAspect == 1.0);
 }
@@ -48,13 +47,14 @@ vec2 lichenTileTurn(uvec2 vertex, uint tileRotation, uint seedWord) {
   return (quarter & 2) != 0 ? -turn : turn;
 }
 
-/// A way on the plane [tiles] -> in the exemplar of a tile that is turned so.
+/// An offset on the plane [tiles] -> the offset in the exemplar of a tile rotated by `turn`.
 vec2 lichenTurned(vec2 way, vec2 turn, float tileAspect) {
   return vec2(turn.x * way.x - turn.y * way.y / tileAspect,
               turn.x * way.y + turn.y * way.x * tileAspect);
 }
 
-/// Slopes in the exemplar of a tile that is turned so -> on the plane. Y points up, against v.
+/// Slopes in the exemplar of a tile that is rotated by `turn` -> slopes on the plane. Y points up,
+/// against v.
 vec2 lichenSlopesTurnedBack(vec2 slopes, vec2 turn) {
   return vec2(turn.x * slopes.x - turn.y * slopes.y, turn.x * slopes.y + turn.y * slopes.x);
 }

@@ -2,8 +2,8 @@
 // Histogram-preserving tiling and blending [HN18], from top to bottom: a point on the plane of
 // tiles and its footprint -> three taps and their weights, once for all maps -> the Gaussian value
 // of each map, with the share of its variance that fetches lose. tiling_decode.glsl makes the
-// material's value of it. The CPU twin is analysis/tiling/evaluate. [HN18] Heitz and Neyret 2018, Algorithm 1.
-// Deviations, with reasons: docs/decisions/.
+// material's value of it. The CPU twin is analysis/tiling/evaluate.
+// [HN18] Heitz and Neyret 2018, Algorithm 1. Deviations, with reasons: docs/decisions/.
 #ifndef LICHEN_TILING_GLSL
 #define LICHEN_TILING_GLSL
 
@@ -57,8 +57,8 @@ vec2 lichenTileOffset(uvec2 vertex, LichenMaterial material, LichenNoise noise) 
   return vec2(steps) * vec2(noise.offsetStepX, noise.offsetStepY);
 }
 
-/// Sets what depends on the footprint, by the gradients [tiles / pixel] of `position` [tiles]: those
-/// of the taps jump between triangles.
+/// Sets what depends on the footprint, by the gradients [tiles / pixel] of `position` [tiles]:
+/// those of the taps jump between triangles.
 void lichenSetTilingFootprint(inout LichenTilingPoint point, vec2 position, vec2 gradientX,
                               vec2 gradientY, LichenNoise noise) {
   vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
@@ -87,13 +87,14 @@ float lichenTilingLevel(LichenTilingPoint point, LichenMap map) {
   return lichenSharpLevel(point.footprintLevel + map.levelOffset);
 }
 
-/// Smaller maps have tiles that are not offset by whole texels.
+/// The loss at this position, over the average. Smaller maps use the average: their tiles are not
+/// offset by whole texels.
 float lichenTilingLossShare(LichenTilingPoint point, LichenMap map) {
   return map.levelOffset == 0.0 ? point.lossShare : 1.0;
 }
 
-/// Three fetches blended: mean 1/2 and deviation 1/6 where nothing is minified. Alpha is the share of
-/// the variance that fetches lose on average, which the image holds for each of its mip levels.
+/// Three fetches blended: mean 1/2 and deviation 1/6 where nothing is minified. Alpha is the share
+/// of the variance that fetches lose on average, which the image holds for each of its mip levels.
 vec4 lichenTilingBlend(vec4 fetch0, vec4 fetch1, vec4 fetch2, vec3 weights, float contrast) {
   // [HN18] eq. 8 on Gaussian values, about their mean. The image holds it as a value of 8 bits.
   const float kStoredMean = 128.0 / 255.0;

@@ -29,10 +29,10 @@ struct LichenTilingTaps {
 #endif
 };
 
-/// The way to a point from a vertex that is not reduced to a period. [tiles]
+/// The offset from a vertex to a point [tiles]. The vertex is not reduced to a period.
 vec2 lichenWayFromVertex(uvec2 vertex, vec2 skewed, LichenMaterial material) {
-  // From the cell's corner to the point in cells, and from there to the vertex in whole ones: as
-  // exact far from the origin as near it.
+  // The offset within the cell, plus whole cells from the vertex to the cell's corner: as exact far
+  // from the origin as near it.
   vec2 cell = floor(skewed);
   uvec2 corner = uvec2(ivec2(cell)) + uvec2(ivec2(material.cellI, material.cellJ));
   vec2 cells = skewed - cell - vec2(ivec2(vertex - corner));
@@ -55,8 +55,8 @@ vec2 lichenTilingTap(uvec2 vertex, vec2 position, vec2 skewed, LichenMaterial ma
 }
 
 /// As lichenTilingPoint.
-LichenTilingTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY,
-                                  LichenMaterial material, LichenNoise noise) {
+void lichenSetPoint(out LichenTilingTaps taps, vec2 position, vec2 gradientX, vec2 gradientY,
+                    LichenMaterial material, LichenNoise noise) {
   vec2 skewed = lichenSkewedWithin(position, material);
   LichenTriangle triangle = lichenTriangle(skewed, material);
   float sharpness = lichenTilingMaterial(material).blendSharpness;
@@ -66,7 +66,6 @@ LichenTilingTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY,
   }
   if (lichenHasFewerTaps())
     lichenTakeFewerTaps(triangle, gradientX, gradientY);
-  LichenTilingTaps taps;
   taps.point.uv0 = lichenTilingTap(triangle.vertex0, position, skewed, material, noise, taps.turn0);
   taps.point.uv1 = lichenTilingTap(triangle.vertex1, position, skewed, material, noise, taps.turn1);
   taps.point.uv2 = taps.point.uv1; // of no weight with two taps
@@ -88,7 +87,6 @@ LichenTilingTaps lichenTilingTaps(vec2 position, vec2 gradientX, vec2 gradientY,
   taps.tileAspect = noise.tileAspect;
   taps.maxAnisotropy = material.maxAnisotropy;
 #endif
-  return taps;
 }
 
 #if LICHEN_ANISOTROPIC
@@ -124,10 +122,11 @@ vec4 lichenTilingFetch(LICHEN_IMAGE_2D gaussian, vec2 tap, vec2 turn, float weig
 #endif
 }
 
-/// The Gaussian values of the tiles, in alpha the share of the variance that fetches lose on average.
+/// The fetched tiles: rgb are Gaussian values, alpha is the share of the variance that fetches lose
+/// on average over all positions.
 struct LichenTiles {
   vec4 tile0, tile1, tile2;
-  float lossShare; // what they lose here, over that
+  float lossShare; // the loss at this position, over that average
 };
 
 LichenTiles lichenTilingTiles(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, LichenMap map) {
@@ -171,7 +170,7 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
   vec4 blend = lichenTilesBlend(tiles, taps);
   // The slopes of turned tiles are decoded one by one, turned back and blended about 0, where
   // turning leaves their mean: a joint table knows slopes as they lie in the exemplar. One loop for
-  // both, tested at both ends, as lichenTriplanarBlend has it: devices that run both sides of a
+  // both, tested at both ends, as lichenTriplanarGaussian has it: devices that run both sides of a
   // branch leave a loop when no pixel has more.
   bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isTurned;
   vec3 shares = weights * inversesqrt(dot(weights, weights));
@@ -198,10 +197,23 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
   return sum;
 }
 
-/// The value of one map.
-vec4 lichenTiling(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
-                  LichenMap map) {
-  return lichenTilesValue(table, lichenTilingTiles(gaussian, taps, map), taps, map);
+// The seam's functions; see method.glsl.
+
+vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
+                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+  vec4 gaussian = lichenTilingGaussian(image, taps, map);
+  lost = vec3(gaussian.a * lichenTilingLossShare(taps.point, map));
+  return gaussian.rgb;
+}
+
+vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenTilingTaps taps,
+                     LichenMaterial material, LichenNoise noise, LichenMap map) {
+  return lichenDecode(table, gaussian, lost.x, material.contrast, map);
+}
+
+vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
+                   LichenMaterial material, LichenNoise noise, LichenMap map) {
+  return lichenTilesValue(table, lichenTilingTiles(image, taps, map), taps, map);
 }
 
 #endif

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // A noise in three planes, blended as one: a point in space and the weights of the planes -> the
-// material's value. The planes are blended before they are decoded, with the variance of one, so that one inverse
-// table gives the exemplar's histogram everywhere. The CPU twin is analysis/triplanar/.
+// material's value. The planes are blended before they are decoded, with the variance of one, so
+// that one inverse table gives the exemplar's histogram everywhere. The CPU twin is
+// analysis/triplanar/.
 // [HN18] Heitz and Neyret 2018, section 4.3 and figure 16; slopes as volume gradients, [M20]
 // Mikkelsen 2020. Specified in docs/gltf_extension/README.md.
 #ifndef LICHEN_TRIPLANAR_GLSL
 #define LICHEN_TRIPLANAR_GLSL
 
 #include "method.glsl"
+#include "mix_point.glsl"
 #include "tile_frame.glsl"
 
 /// What all maps of a triplanar noise share at one point.
@@ -75,55 +77,58 @@ LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank, LichenPoint poin
 /// What the decoded slopes of one plane add to the gradient in space, and in w to the variance of a
 /// slope that the footprint hides.
 vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePlace plane, vec3 normal, LichenMaterial material) {
-  // Of a variance alike along all axes of the plane, what is seen on the surface: all across the
-  // slant, and its cosine's square along it.
+  // The variance is the same along all axes of the plane. On the surface it stays across the slant,
+  // and is cosine^2 times as much along it: this is the average.
   float cosine = lichenAlongAxis(normal, plane.axis);
   float seen = 0.5 + 0.5 * cosine * cosine;
   return vec4(plane.weight * lichenSlopesToSpace(slopes.xy, plane.axis, material),
               plane.weight * plane.weight * seen * slopes.z);
 }
 
-/// What all planes that count show of one map.
-struct LichenPlanesBlend {
-  vec3 gaussian; // mean 1/2, standard deviation 1/6 where nothing is lost; not of slopes
-  vec3 lost;     // shares of the variance of its channels
-  vec4 value;    // decoded
-};
-
-/// All planes that count. `point` is what they share: a mix's weight.
-LichenPlanesBlend lichenTriplanarBlend(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
-                                       LichenTriplanar at, LichenPoint point, LichenNoise noise,
-                                       LichenMap map) {
-  LichenMaterial material = at.planes.material;
-  // Slopes are decoded plane by plane: a joint table knows them as they lie in the exemplar, and
-  // those of three planes point in other directions.
-  bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
-  LichenPlanesBlend blend = LichenPlanesBlend(vec3(0.5), vec3(0.0), vec4(0.0));
-  // A loop, in which pixels of other planes run together, and devices without a skip of branches
-  // stop when none of them has more. It is tested at both ends: at its beginning alone, they would
-  // run it once more for no pixel, and at its end alone, Mesa 22.3's lavapipe gives some pixels
-  // what others have.
+/// The Gaussian value of a map, of all planes that count: mean 1/2, deviation 1/6 where nothing is
+/// lost. `lost` is the share of each channel's variance that filtering lost, `point` what the
+/// planes share.
+vec3 lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
+                             LichenPoint point, LichenNoise noise, LichenMap map, out vec3 lost) {
+  vec3 sum = vec3(0.0);
+  lost = vec3(0.0);
+  // Pixels of different planes share the steps of the loop, and devices that run both sides of a
+  // branch leave it when no pixel has another plane. It is tested at both ends: only at its
+  // beginning, such devices would run it once more for no pixel, and only at its end, Mesa 22.3's
+  // lavapipe gives some pixels what others have.
   int rank = 0;
   while (rank < at.count) {
     LichenPlanePlace plane = lichenPlanePlace(at, rank, point, noise);
-    LichenFetched fetched = lichenFetch(image, table, plane.point, material, noise, map);
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
-    blend.gaussian += plane.weight * (fetched.gaussian - 0.5);
-    blend.lost += plane.weight * plane.weight * fetched.lost;
-    if (isSlope)
-      blend.value +=
-          lichenPlaneSlopes(
-              lichenFetchedValue(table, fetched, plane.point, material, noise, map).xyz, plane,
-              at.normal, material);
+    vec3 planeLost;
+    vec3 gaussian = lichenGaussianAt(image, table, plane.point, at.planes.material, noise, map,
+                                     planeLost);
+    sum += plane.weight * (gaussian - 0.5);
+    lost += plane.weight * plane.weight * planeLost;
     ++rank;
     if (rank >= at.count)
       break;
   }
-  if (!isSlope)
-    blend.value =
-        lichenDecodeAt(table, blend.gaussian, blend.lost, point, material, noise, map);
-  return blend;
+  return 0.5 + sum;
+}
+
+/// The gradient in space of the height that slopes are of, and in w the variance of a slope that
+/// the footprint hides. Slopes are decoded plane by plane: a joint table knows them as they lie in
+/// the exemplar, and those of three planes point in other directions.
+vec4 lichenTriplanarSlopes(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
+                           LichenPoint point, LichenNoise noise, LichenMap map) {
+  vec4 sum = vec4(0.0);
+  int rank = 0; // as above
+  while (rank < at.count) {
+    LichenPlanePlace plane = lichenPlanePlace(at, rank, point, noise);
+    vec4 slopes = lichenValueAt(image, table, plane.point, at.planes.material, noise, map);
+    sum += lichenPlaneSlopes(slopes.xyz, plane, at.normal, at.planes.material);
+    ++rank;
+    if (rank >= at.count)
+      break;
+  }
+  return sum;
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, xyz is
@@ -131,7 +136,11 @@ LichenPlanesBlend lichenTriplanarBlend(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D ta
 /// footprint hides.
 vec4 lichenTriplanarValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
                           LichenPoint point, LichenNoise noise, LichenMap map) {
-  return lichenTriplanarBlend(image, table, at, point, noise, map).value;
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    return lichenTriplanarSlopes(image, table, at, point, noise, map);
+  vec3 lost;
+  vec3 gaussian = lichenTriplanarGaussian(image, table, at, point, noise, map, lost);
+  return lichenDecodedAt(table, gaussian, lost, point, at.planes.material, noise, map);
 }
 
 #endif

@@ -5,7 +5,7 @@
 // points[k] (position, its gradients, normal, tangent) -> values[k] (RGBA of the decoded quantity).
 // For tests and for engines that bake a noise into the texture or the vertices of a mesh.
 
-#define LICHEN_TILING_NOISES 0
+#define LICHEN_METHODS 2
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #include "../lichen.glsl"
@@ -34,9 +34,9 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenPlace place = LICHEN_PLACE_SURFACE(point.position.xyz, point.gradientX.xyz,
                                            point.gradientY.xyz, point.normal.xyz, point.tangent);
   if (point.position.w != 0.0)
-    lichenSetMix(place.point.impacts, point.gradientX.w,
+    lichenSetMix(place.point.texton, point.gradientX.w,
                  vec2(point.gradientY.w, point.normal.w));
-  LichenImpacts impacts = place.point.impacts;
+  LichenImpacts impacts = place.point.texton;
   if (kQuantity == kImpacts)
     return vec4(float(lichenSurfaceImpactCount(place.surface, lichenMaterial, lichenNoise)));
   if (kQuantity == kValue)

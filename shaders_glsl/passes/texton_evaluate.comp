@@ -5,7 +5,7 @@
 // points[k] (uv, its gradients, place in a mix) -> values[k] (RGBA of the decoded quantity).
 // For tests and for engines that fill a texture from a noise at run time.
 
-#define LICHEN_TILING_NOISES 0
+#define LICHEN_METHODS 2
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #include "../lichen.glsl"
@@ -44,8 +44,8 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenPlace place =
       LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
   if (point.mixPlace.w != 0.0)
-    lichenSetMix(place.point.impacts, point.mixPlace.x, point.mixPlace.yz);
-  LichenImpacts impacts = place.point.impacts;
+    lichenSetMix(place.point.texton, point.mixPlace.x, point.mixPlace.yz);
+  LichenImpacts impacts = place.point.texton;
   if (kQuantity == kGradient)
     return gradientAt(image, table, point);
   if (kQuantity == kImpacts)
@@ -53,7 +53,7 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
   if (kQuantity == kValue)
     return lichenValue(image, table, place, map);
   vec3 lost;
-  vec3 gaussian = lichenTextonValue(image, table, impacts, lichenMaterial, lichenNoise, map, lost);
+  vec3 gaussian = lichenGaussianAt(image, table, impacts, lichenMaterial, lichenNoise, map, lost);
   return kQuantity == kGaussian ? vec4(gaussian, 1.0) : vec4(lost, 0.0);
 }
 

@@ -5,7 +5,7 @@
 // points[k] (uv and its gradients) -> values[k] (RGBA of the decoded quantity).
 // For tests and for engines that fill a texture from a noise at run time.
 
-#define LICHEN_TEXTON_NOISES 0
+#define LICHEN_METHODS 1
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #include "../lichen.glsl"
@@ -29,17 +29,20 @@ layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
 vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenMap map = lichenMaps[kRole];
-  LichenTilingTaps taps =
-      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy).point.taps;
+  LichenPlace place =
+      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
+  LichenTilingTaps taps = place.point.tiling;
   if (kOperator == kOperatorLinear)
     return lichenTilingLinear(image, table, taps, map);
   if (kOperator == kOperatorVariance)
     return lichenTilingVariance(image, table, taps, map);
   if (kOperator == kOperatorGaussian) {
-    vec4 gaussian = lichenTilingGaussian(image, taps, map);
-    return vec4(gaussian.rgb, gaussian.a * lichenTilingLossShare(taps.point, map));
+    vec3 lost;
+    vec3 gaussian =
+        lichenGaussianAt(image, table, taps, lichenMaterial, lichenNoise, map, lost);
+    return vec4(gaussian, lost.x);
   }
-  return lichenTiling(image, table, taps, map);
+  return lichenValue(image, table, place, map);
 }
 
 void main() {

@@ -32,14 +32,15 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenPlace place = LICHEN_PLACE_TRIPLANAR(point.position.xyz, point.gradientX.xyz,
                                              point.gradientY.xyz, point.normal.xyz);
   if (point.position.w >= 0.0)
-    lichenSetMix(place.point.impacts, point.position.w, vec2(0.0));
+    lichenSetMix(place.point.texton, point.position.w, vec2(0.0));
   if (kQuantity == kWeights)
     return vec4(lichenPlaneWeights(point.normal.xyz, lichenMaterial),
                 float(place.triplanar.count));
   if (kQuantity == kGaussian) {
-    LichenPlanesBlend blend =
-        lichenTriplanarBlend(image, table, place.triplanar, place.point, lichenNoise, map);
-    return vec4(blend.gaussian, blend.lost.x);
+    vec3 lost;
+    vec3 gaussian = lichenTriplanarGaussian(image, table, place.triplanar, place.point,
+                                            lichenNoise, map, lost);
+    return vec4(gaussian, lost.x);
   }
   return lichenValue(image, table, place, map);
 }

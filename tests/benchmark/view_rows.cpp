@@ -49,6 +49,7 @@ constexpr std::array<Size, 8> kSizes{{{1, 1, 0.1},
 
 struct Measured {
   std::array<std::vector<double>, kSizes.size()> contrast, difference, mean;
+  std::array<std::vector<double>, kSizes.size()> meanBeyond; ///< less two standard errors
   std::vector<double> steps, variance, points;
 };
 
@@ -60,6 +61,8 @@ void measure(const test::Plane& plane, const Kind& kind, Measured& all) {
     all.contrast[k].push_back(view.contrast() - 1.0);
     all.difference[k].push_back(view.difference());
     all.mean[k].push_back(view.meanError);
+    all.meanBeyond[k].push_back(
+        std::max(0.0, view.meanError - 2.0 * view.standardError(view.difference(), kind.pixels)));
   }
   const test::CameraMove move = test::cameraMove(plane, kSamples / 2);
   all.steps.push_back(move.filteredStep / move.sampledStep);
@@ -97,6 +100,8 @@ std::vector<Row> rowsOf(const Kind& kind, const Measured& all) {
              "{:.4f} at most",
              100.0 * smallest(all.contrast[k]), 100.0 * largest(all.contrast[k]),
              median(all.difference[k]), largest(all.mean[k]))});
+    rows.push_back({pixel + ": mean colour off by, less two standard errors, worst exemplar",
+                    largest(all.meanBeyond[k]), kMeanTarget, "", ""});
   }
   constexpr double kStepTarget = 1.2;
   rows.push_back(

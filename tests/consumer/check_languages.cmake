@@ -9,7 +9,7 @@ function(run)
   endif()
 endfunction()
 
-foreach(defines "" -DLICHEN_OMIT_TEXTONS -DLICHEN_TILING_NOISES=0 -DLICHEN_ANISOTROPIC=1
+foreach(defines "" -DLICHEN_METHODS=1 -DLICHEN_METHODS=2 -DLICHEN_ANISOTROPIC=1
         "-DLICHEN_POISSON_POINTS=0;-DLICHEN_TILE_ROTATION=1")
   run(${GLSLANG} -l -S frag -I${INCLUDE} ${defines} ${ES_SHADER})
 endforeach()

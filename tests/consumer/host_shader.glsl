@@ -44,5 +44,5 @@ void main() {
   sum += LICHEN_VALUE(LICHEN_OPACITY, place);
 #endif
 #endif
-  sum += decode(Noise(vec4(1.0)), tiling(place.point.taps.point.weights, Taps(1.0)));
+  sum += decode(Noise(vec4(1.0)), tiling(place.point.tiling.point.weights, Taps(1.0)));
 }

@@ -86,9 +86,12 @@ double FilteredView::contrast() const { return std::sqrt(filteredVariance / samp
 double FilteredView::difference() const {
   return std::sqrt(std::max(0.0, squaredDifference) / sampledVariance);
 }
-double FilteredView::meanTolerance(double difference, int pixels) const {
+double FilteredView::standardError(double difference, int pixels) const {
   const double ofChannel = std::max(0.0, sampledVariance) / 3.0;
-  return 0.004 + 3.0 * std::sqrt(scatter * scatter + difference * difference * ofChannel / pixels);
+  return std::sqrt(scatter * scatter + difference * difference * ofChannel / pixels);
+}
+double FilteredView::meanTolerance(double difference, int pixels) const {
+  return 0.004 + 3.0 * standardError(difference, pixels);
 }
 
 Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placement,

@@ -41,9 +41,11 @@ struct FilteredView {
   /// Root mean square difference, relative to the standard deviation that an exact filter would
   /// leave.
   [[nodiscard]] double difference() const;
-  /// The largest mean error that passes: 0.004 (TARGETS.md) and three standard errors of the means,
-  /// of sampling and of `pixels` pixels that each differ as much as `difference` allows. The
-  /// filter's own error does not enlarge it.
+  /// Of the mean error of a filter without one: of sampling, and of `pixels` pixels that each
+  /// differ by `difference` deviations.
+  [[nodiscard]] double standardError(double difference, int pixels) const;
+  /// The largest mean error that passes: 0.004 (TARGETS.md) and three standard errors. The filter's
+  /// own error does not enlarge it.
   [[nodiscard]] double meanTolerance(double difference, int pixels) const;
 };
 

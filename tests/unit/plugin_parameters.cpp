@@ -285,7 +285,7 @@ std::string switchesOf(const std::vector<LichenMaterialParameters>& materials,
 TEST_CASE("the switches leave out what no material needs") {
   const OwnedBundle tiling(example::smallest());
   const LichenMaterialParameters plain = parametersOf(tiling.handle);
-  const std::string left = " -DLICHEN_OMIT_TEXTONS -DLICHEN_OMIT_TRIPLANAR";
+  const std::string left = " -DLICHEN_METHODS=1 -DLICHEN_OMIT_TRIPLANAR";
   CHECK(switchesOf({plain}) ==
         "-DLICHEN_ROLES=16" + left +
             " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0"
@@ -308,10 +308,9 @@ TEST_CASE("the switches leave out what no material needs") {
   LICHEN_INIT(mixed, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
   REQUIRE(lichenGetMaterialParameters(textons.handle, 1, &mixed) == LICHEN_SUCCESS);
   const std::string both = switchesOf({plain, mixed});
-  CHECK(both.find("OMIT_TEXTONS") == std::string::npos);
-  CHECK(both.find("TILING_NOISES") == std::string::npos);
+  CHECK(both.find(" -DLICHEN_METHODS=3") != std::string::npos);
   CHECK(both.find("MIXED_TEXTONS") == std::string::npos);
-  CHECK(switchesOf({mixed}).find(" -DLICHEN_TILING_NOISES=0") != std::string::npos);
+  CHECK(switchesOf({mixed}).find(" -DLICHEN_METHODS=2") != std::string::npos);
   mixed.pointProcess = LICHEN_POINT_PROCESS_STRATIFIED;
   CHECK(switchesOf({mixed}).find(" -DLICHEN_POISSON_POINTS=0") != std::string::npos);
   mixed.pointProcess = LICHEN_POINT_PROCESS_POISSON;
@@ -329,7 +328,7 @@ TEST_CASE("the longest text of switches fits") {
   LichenPlacement placement = atOrigin();
   placement.maxAnisotropy = 8.0f;
   const std::string text = switchesOf(materials, &placement);
-  CHECK(text == "-DLICHEN_ROLES=16 -DLICHEN_OTHER_MAPPINGS=0 -DLICHEN_OMIT_SURFACE_TEXTONS"
+  CHECK(text == "-DLICHEN_ROLES=16 -DLICHEN_METHODS=3 -DLICHEN_OTHER_MAPPINGS=0 -DLICHEN_OMIT_SURFACE_TEXTONS"
                 " -DLICHEN_MIXED_TEXTONS=0 -DLICHEN_POISSON_POINTS=0 -DLICHEN_CUBIC_TEXTONS=0"
                 " -DLICHEN_NEAREST_TEXTONS=0 -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0"
                 " -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_PERIODIC_LATTICE=0 -DLICHEN_ANISOTROPIC=1");

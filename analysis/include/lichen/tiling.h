@@ -43,7 +43,7 @@ struct TilingBake {
 };
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with
-/// prefiltered slabs. Needs at least one map, each within the ranges of MapExemplar; maps may
+/// prefiltered mip levels. Needs at least one map, each within the ranges of MapExemplar; maps may
 /// differ in size. `name` names the noise and, with the target, its tables.
 /// Errors: usage for options or maps outside their ranges, or for a map that needs an inverse table
 /// when none is allowed; resources if memory runs out; environment if `options.progress` stops it.

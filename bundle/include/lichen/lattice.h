@@ -68,8 +68,13 @@ inline constexpr double kLatticeColumnsPerTile = 3.5; // equilateral: 2 sqrt(3),
   return h ^ (h >> 16u);
 }
 
-/// The tile offset of a vertex in steps, which repeat with the tile: 11 bits along each side, so
-/// that of the 64 to 127 different offsets none is more than an eighth likelier than another.
+/// The tile offset of a vertex in steps of 2^tileOffsetShift texels, 11 bits along each side. Steps
+/// wrap around the tile. A side of `size` texels has m = size / gcd(size, step) different offsets.
+/// - If the step divides the size, as for powers of two, m is 64 to 127 (less below 64 texels), and
+///   no offset is more than a sixteenth likelier than another.
+/// - Otherwise m is larger, and an offset occurs for floor(2048 / m) of the 2048 values or for one
+///   more: of 375 offsets of 1500 texels for 5 or 6, of 1023 offsets of 1023 texels for 2 or 3, and
+///   above 2048 offsets for 0 or 1.
 [[nodiscard]] constexpr std::array<std::uint32_t, 2>
 tileOffsetSteps(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord) {
   const std::uint32_t h = vertexHash(i, j, seedWord);

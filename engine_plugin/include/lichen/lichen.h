@@ -148,8 +148,7 @@ typedef struct LichenBundleProperties {
 LICHEN_API LichenResult lichenGetBundleProperties(LichenBundle bundle,
                                                   LichenBundleProperties* properties);
 
-/* How a noise is evaluated: LICHEN_TILING_NOISES and LICHEN_TEXTON_NOISES of the shader library may
- * be 0 where no noise has that method. */
+/* How a noise is evaluated; bit numbers of the shader library's LICHEN_METHODS. */
 typedef enum LichenNoiseMethod {
   LICHEN_NOISE_TILING = 0, /* tiling and blending, [HN18] */
   LICHEN_NOISE_TEXTON = 1, /* sparse convolution of a texton, [GLM17] */
@@ -466,7 +465,7 @@ LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* param
 
 /* The switches of the shader library that fit all these materials, which may be of several bundles:
  * what none of them needs is left out. Writes one line of arguments for a compiler, such as
- * "-DLICHEN_ROLES=3 -DLICHEN_OMIT_TEXTONS", terminated. Of `placement`, which stands for all of
+ * "-DLICHEN_ROLES=3 -DLICHEN_METHODS=1", terminated. Of `placement`, which stands for all of
  * theirs, it reads periodTiles and maxAnisotropy; NULL: none repeats, and sampling is trilinear.
  * A change of mapping, pointProcess, tileRotation or blendSharpness may need other switches. */
 LICHEN_API LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* materials,

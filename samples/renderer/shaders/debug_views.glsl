@@ -57,7 +57,7 @@ vec3 tilingDebug(LichenTilingTaps taps) {
       lichenTilingGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), taps, shownMap()).rgb);
 }
 
-#ifndef LICHEN_OMIT_TEXTONS
+#ifdef LICHEN_HAS_TEXTONS
 /// Views of a texton noise that need only its impacts, except their number.
 vec3 textonPlaceDebug(LichenImpacts impacts) {
   if (kDebugView != DEBUG_MIP_LEVEL)
@@ -71,7 +71,7 @@ vec3 textonDebug(LichenImpacts impacts) {
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return textonPlaceDebug(impacts);
   vec3 lost;
-  return shownGaussian(lichenTextonValue(LICHEN_IMAGE(LICHEN_BASE_COLOR),
+  return shownGaussian(lichenGaussianAt(LICHEN_IMAGE(LICHEN_BASE_COLOR),
                                          LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenMaterial,
                                          lichenNoise, shownMap(), lost));
 }
@@ -79,7 +79,7 @@ vec3 textonDebug(LichenImpacts impacts) {
 
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
 vec3 surfaceDebug(LichenPlace place) {
-  LichenImpacts impacts = place.point.impacts;
+  LichenImpacts impacts = place.point.texton;
   if (kDebugView == DEBUG_IMPACTS)
     return ramp(float(lichenSurfaceImpactCount(place.surface, lichenMaterial, lichenNoise)) /
                 (kImpactsInSpace * kMostImpacts));
@@ -104,14 +104,14 @@ vec3 planesDebug(LichenPlace place) {
   while (rank < place.triplanar.count) {
     LichenPlanePlace plane = lichenPlanePlace(place.triplanar, rank, place.point, lichenNoise);
     float share = plane.weight * plane.weight;
-#ifndef LICHEN_OMIT_TEXTONS
-    if (lichenIsTexton(lichenNoise)) {
-      shown += share * textonPlaceDebug(plane.point.impacts);
+#ifdef LICHEN_HAS_TEXTONS
+    if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise)) {
+      shown += share * textonPlaceDebug(plane.point.texton);
       if (kDebugView == DEBUG_IMPACTS)
-        impacts += float(lichenImpactCount(plane.point.impacts, lichenMaterial, lichenNoise));
+        impacts += float(lichenImpactCount(plane.point.texton, lichenMaterial, lichenNoise));
     } else
 #endif
-      shown += share * tilingPlaceDebug(plane.point.taps);
+      shown += share * tilingPlaceDebug(plane.point.tiling);
     ++rank;
   }
   bool counts = kDebugView == DEBUG_IMPACTS && lichenNoise.method == uint(LICHEN_METHOD_TEXTON);
@@ -123,10 +123,10 @@ vec3 triplanarDebug(LichenPlace place) {
     return place.triplanar.weights * place.triplanar.weights;
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return planesDebug(place);
-  return shownGaussian(lichenTriplanarBlend(LICHEN_IMAGE(LICHEN_BASE_COLOR),
-                                            LICHEN_TABLE(LICHEN_BASE_COLOR), place.triplanar,
-                                            place.point, lichenNoise, shownMap())
-                           .gaussian);
+  vec3 lost;
+  return shownGaussian(lichenTriplanarGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR),
+                                               LICHEN_TABLE(LICHEN_BASE_COLOR), place.triplanar,
+                                               place.point, lichenNoise, shownMap(), lost));
 }
 #endif
 
@@ -137,14 +137,14 @@ vec3 noiseDebug(Footprint footprint) {
     return triplanarDebug(place);
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenIsTexton(lichenNoise) && lichenIsSurface(lichenMaterial))
+  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsSurface(lichenMaterial))
     return surfaceDebug(place);
 #endif
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(lichenNoise))
-    return textonDebug(place.point.impacts);
+#ifdef LICHEN_HAS_TEXTONS
+  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise))
+    return textonDebug(place.point.texton);
 #endif
-  return tilingDebug(place.point.taps);
+  return tilingDebug(place.point.tiling);
 }
 #endif
 

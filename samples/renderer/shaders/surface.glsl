@@ -5,15 +5,15 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-// Whether any map of a tiling noise has no table; whether any noise is a tiling noise.
+// Whether any map of a tiling noise has no table; bits of the methods that noises have.
 layout(constant_id = 3) const bool kGaussianOnly = true;
-layout(constant_id = 4) const bool kTilingNoises = true;
+layout(constant_id = 4) const int kMethods = 3;
 layout(constant_id = 5) const bool kMixedTextons = true; // whether any is a mix
 layout(constant_id = 6) const bool kTriplanar = true; // whether any uses triplanar mapping
 layout(constant_id = 7) const bool kOtherMappings = true; // whether any uses another mapping
 layout(constant_id = 8) const bool kObjectSpaces = true; // whether any is in object space
 layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates its tiles
-#define LICHEN_TILING_NOISES kTilingNoises
+#define LICHEN_USED_METHODS kMethods
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR kTriplanar
 #define LICHEN_OTHER_MAPPINGS kOtherMappings
@@ -130,13 +130,13 @@ void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
 
 /// Sets the weight of a mix for triplanar and surface mapping, which may still be mixed by texture
 /// coordinates.
-void setMixInSpace(inout LichenImpacts impacts, Footprint f, vec2 uv) {
-#ifndef LICHEN_OMIT_TEXTONS
-  if (!lichenIsTexton(lichenNoise) || !lichenIsMix(lichenNoise))
+void setMixInSpace(inout LichenPoint point, Footprint f, vec2 uv) {
+#ifdef LICHEN_HAS_TEXTONS
+  if (!lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) || !lichenIsMix(lichenNoise))
     return;
   // For the sources direction and constant.
-  lichenSetMix(impacts, lichenMixWeight(uv, lichenMaterial), vec2(0.0));
-  setMix(impacts, f, mat2(0.0));
+  lichenSetMix(point.texton, lichenMixWeight(uv, lichenMaterial), vec2(0.0));
+  setMix(point.texton, f, mat2(0.0));
 #endif
 }
 #endif
@@ -160,24 +160,24 @@ LichenPlace noisePlace(Footprint f) {
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(lichenMaterial)) {
     LichenPlace place = LICHEN_PLACE_TRIPLANAR(spot.position, spot.dx, spot.dy, spot.normal);
-    setMixInSpace(place.point.impacts, f, uv);
+    setMixInSpace(place.point, f, uv);
     return place;
   }
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenIsTexton(lichenNoise) && lichenIsSurface(lichenMaterial)) {
+  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsSurface(lichenMaterial)) {
     LichenPlace place =
         LICHEN_PLACE_SURFACE(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent);
-    setMixInSpace(place.point.impacts, f, uv);
+    setMixInSpace(place.point, f, uv);
     return place;
   }
 #endif
   vec2 dx = second ? f.dx.zw : f.dx.xy;
   vec2 dy = second ? f.dy.zw : f.dy.xy;
   LichenPlace place = LICHEN_PLACE(uv, dx, dy);
-#ifndef LICHEN_OMIT_TEXTONS
-  if (lichenIsTexton(lichenNoise) && lichenIsMix(lichenNoise))
-    setMix(place.point.impacts, f,
+#ifdef LICHEN_HAS_TEXTONS
+  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsMix(lichenNoise))
+    setMix(place.point.texton, f,
            mat2(lichenUvToTile(dx, lichenMaterial), lichenUvToTile(dy, lichenMaterial)));
 #endif
   return place;

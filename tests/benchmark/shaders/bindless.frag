@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: MIT
 // Four layers of a terrain with bindless descriptors, as docs/integration.md has it.
 // What the host knows at compile time, as in tiling.frag.
-#define LICHEN_OMIT_TEXTONS
+#define LICHEN_METHODS 1
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_GAUSSIAN_ONLY 0
 #define LICHEN_PERIODIC_LATTICE 0

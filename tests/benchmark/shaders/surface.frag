@@ -5,7 +5,7 @@
 // see the same texels.
 
 // The usual material, as in texton.frag.
-#define LICHEN_TILING_NOISES 0
+#define LICHEN_METHODS 2
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_POISSON_POINTS 0
 #define LICHEN_MIXED_TEXTONS 0

@@ -6,7 +6,7 @@
 
 // The usual material: an infinite lattice, plain weights and tiles that are not turned, known at
 // compile time.
-#define LICHEN_TEXTON_NOISES 0
+#define LICHEN_METHODS 1
 #define LICHEN_PERIODIC_LATTICE 0
 #ifndef LICHEN_BLEND_SHARPNESS
 #define LICHEN_BLEND_SHARPNESS 0

@@ -6,7 +6,7 @@
 
 // The usual material, as in tiling.frag; all materials triplanar, as there none is.
 #define LICHEN_OTHER_MAPPINGS 0
-#define LICHEN_OMIT_TEXTONS
+#define LICHEN_METHODS 1
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_BLEND_SHARPNESS 0
 #define LICHEN_TILE_ROTATION 0

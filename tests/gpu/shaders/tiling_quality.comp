@@ -8,7 +8,7 @@ layout(constant_id = 0) const int kTaps = 3;
 layout(constant_id = 2) const float kOneTapTiles = 0.0;
 #define LICHEN_TILING_TAPS kTaps
 #define LICHEN_ONE_TAP_TILES kOneTapTiles
-#define LICHEN_OMIT_TEXTONS
+#define LICHEN_METHODS 1
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
