@@ -13,7 +13,7 @@ namespace {
 
 /// What some material needs.
 struct Needs {
-  std::uint32_t roles = 0, methods = 0; // bits
+  std::uint32_t roles = 0, methods = 0;      // bits
   bool tables = false, gaussianOnly = false; // of tiling
   bool triplanar = false, otherMappings = false, surface = false;
   bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
