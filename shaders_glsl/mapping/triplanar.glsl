@@ -9,9 +9,9 @@
 #include "../noise/mix_point.glsl"
 #include "../noise/place.glsl"
 
-// Subtracted from the weights, of which the largest is 1. A plane with a smaller weight is skipped,
-// and weights stay continuous. A plane with this weight moves a value of an 8-bit picture, with a
-// deviation of an eighth of the range, by half a step.
+// The shader scales the largest weight to 1, subtracts this from all three and skips planes below 0,
+// so weights have no jump. A plane of this weight moves an 8-bit value, whose deviation is an eighth
+// of the range, by half a step.
 #define LICHEN_LEAST_PLANE_WEIGHT (1.0 / 64.0)
 
 /// Weights of the planes that look along x, y and z; their squares sum to 1.

@@ -25,7 +25,7 @@ struct LichenPoint {
 LichenPoint lichenPointAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenMaterial material,
                           LichenNoise noise) {
   LichenPoint point;
-#define LICHEN_POINT_AT(name, Type, number)                                                \
+#define LICHEN_POINT_AT(name, Type, number)                                                        \
   if (lichenHasMethod(number, noise))                                                              \
     lichenSetPoint(point.name, position, gradientX, gradientY, material, noise);
   LICHEN_EACH_METHOD(LICHEN_POINT_AT)
@@ -38,7 +38,7 @@ vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint 
                       LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
   vec3 gaussian = vec3(0.5);
   lost = vec3(0.0);
-#define LICHEN_GAUSSIAN_AT(name, Type, number)                                             \
+#define LICHEN_GAUSSIAN_AT(name, Type, number)                                                     \
   if (lichenHasMethod(number, noise))                                                              \
     gaussian = lichenGaussianAt(image, table, point.name, material, noise, map, lost);
   LICHEN_EACH_METHOD(LICHEN_GAUSSIAN_AT)
@@ -49,7 +49,7 @@ vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint 
 vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenPoint point,
                      LichenMaterial material, LichenNoise noise, LichenMap map) {
   vec4 value = vec4(0.0);
-#define LICHEN_DECODED_AT(name, Type, number)                                              \
+#define LICHEN_DECODED_AT(name, Type, number)                                                      \
   if (lichenHasMethod(number, noise))                                                              \
     value = lichenDecodedAt(table, gaussian, lost, point.name, material, noise, map);
   LICHEN_EACH_METHOD(LICHEN_DECODED_AT)
@@ -60,7 +60,7 @@ vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenPoin
 vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint point,
                    LichenMaterial material, LichenNoise noise, LichenMap map) {
   vec4 value = vec4(0.0);
-#define LICHEN_VALUE_AT(name, Type, number)                                                \
+#define LICHEN_VALUE_AT(name, Type, number)                                                        \
   if (lichenHasMethod(number, noise))                                                              \
     value = lichenValueAt(image, table, point.name, material, noise, map);
   LICHEN_EACH_METHOD(LICHEN_VALUE_AT)
