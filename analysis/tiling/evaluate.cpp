@@ -221,7 +221,7 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
 /// lichenFootprintShare.
 float TilingEvaluator::footprintShare(const Map& map, float loss) {
   const float interpolation = map.constants.interpolationLoss;
-  return loss > interpolation ? (loss - interpolation) / (loss - loss * interpolation) : 0.0f;
+  return loss > interpolation ? 1.0f - interpolation / loss : 0.0f;
 }
 
 Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenMaterial& material) {

@@ -6,11 +6,11 @@
 
 #include "decode.glsl"
 
-/// The share of the lost slope variance that the footprint hides. `loss` is what fetches lose on
-/// average over all positions; interpolation between texels is part of it and hides nothing.
+/// The share of the lost slope variance that counts as roughness. `loss` is what fetches lose on
+/// average over all positions. Interpolation between texels is part of it, and of what a magnified
+/// view lacks: without it, what is visible and what is hidden have the same sum at every distance.
 float lichenFootprintShare(float loss, LichenMap map) {
-  float interpolation = map.interpolationLoss;
-  return loss > interpolation ? (loss - interpolation) / (loss - loss * interpolation) : 0.0;
+  return loss > map.interpolationLoss ? 1.0 - map.interpolationLoss / loss : 0.0;
 }
 
 /// The value for `gaussian`, a result of lichenTilingGaussian, at a point with this lossShare.

@@ -302,7 +302,7 @@ TilingReference::Decoded TilingReference::decoded(const Decoded& gaussian, doubl
   if (tiling_.inverseTable)
     value[2] *= std::max(1.0, 2.0 * contrast - 1.0);
   const double between = double(levels_.front().values[levels_.front().channels - 1]);
-  value[2] *= loss > between ? (loss - between) / (loss * (1.0 - between)) : 0.0;
+  value[2] *= loss > between ? (loss - between) / loss : 0.0;
   return value;
 }
 
