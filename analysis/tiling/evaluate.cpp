@@ -151,10 +151,12 @@ Value TilingEvaluator::lookup(const Map& map, const Value& uniform, std::size_t 
 }
 
 /// lichenDecodeTable.
-Value TilingEvaluator::decodeTable(const Map& map, const Value& gaussian, float lost) {
+Value TilingEvaluator::decodeTable(const Map& map, const Value& gaussian, float lost) const {
   constexpr float kLevels = 5.0f;
   const float kept = std::sqrt(std::max(1.0f - lost, 0.0f));
-  const float level = std::min(kLevels - kLevels * kept, float(map.table.size() - 1));
+  float level = std::min(kLevels - kLevels * kept, float(map.table.size() - 1));
+  if (quality_.nearestTableLevel)
+    level = std::floor(level + 0.5f);
   Value uniform{};
   for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
     uniform[axis] = tiling::polynomialCdf(gaussian[axis]);
@@ -170,7 +172,7 @@ Value TilingEvaluator::decodeTable(const Map& map, const Value& gaussian, float 
 }
 
 /// lichenDecode, of a Gaussian value with the share of the lost variance in the fourth component.
-Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float contrast) {
+Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float contrast) const {
   const float lost = gaussian[3];
   const float within = std::min(contrast, 1.0f);
   const float scaled = contrast * contrast * lost;
@@ -186,7 +188,7 @@ Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float contr
 
 /// lichenDecodeTile.
 Value TilingEvaluator::decodeTile(const Map& map, const Value& tile, float lossShare,
-                                  float contrast) {
+                                  float contrast) const {
   Value value = decode(map, {tile[0], tile[1], tile[2], lossShare * tile[3]}, contrast);
   if (isSlope(map.constants))
     value[2] *= footprintShare(map, tile[3]);
@@ -237,7 +239,8 @@ Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenMaterial&
 
 /// The tiles decoded one by one and blended about the mean; comparison operators.
 Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
-                                      const shader::LichenMaterial& material, BlendOperator blend) {
+                                      const shader::LichenMaterial& material,
+                                      BlendOperator blend) const {
   const bool turnsSlopes = tiling::turnsTiles(material) && isSlope(map.constants);
   const shader::vec4& mean = map.constants.mean;
   const Value middle =
@@ -259,7 +262,7 @@ Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
 /// The slopes of rotated tiles, decoded one by one, turned back and blended about 0: a joint table
 /// knows slopes as they lie in the exemplar.
 Value TilingEvaluator::turnedSlopes(const Map& map, const Tiles& tiles,
-                                    const shader::LichenMaterial& material) {
+                                    const shader::LichenMaterial& material) const {
   Value sum{0.0f, 0.0f, 0.0f, 1.0f};
   for (std::size_t k = 0; k < 3; ++k) {
     if (tiles.taps.weight[k] == 0.0f)

@@ -18,6 +18,11 @@
 #ifndef LICHEN_GAUSSIAN_ONLY
 #define LICHEN_GAUSSIAN_ONLY 1
 #endif
+// 1 fetches the nearest mip level of a table alone: cheaper, and colours change in steps with
+// distance. A literal, or the host's specialization constant.
+#ifndef LICHEN_NEAREST_TABLE_LEVEL
+#define LICHEN_NEAREST_TABLE_LEVEL 0
+#endif
 
 /// `map` with the encoding that its role implies, except whether values exceed 1. Compilers can
 /// then leave out the code of other encodings.
@@ -40,6 +45,8 @@ vec4 lichenDecodeTable(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, LichenM
   // blended losses are rounded to a little more than 1.
   const float kLevels = 5.0;
   float level = kLevels - kLevels * sqrt(max(1.0 - lost, 0.0));
+  if (bool(LICHEN_NEAREST_TABLE_LEVEL))
+    level = floor(level + 0.5);
   vec4 value = LICHEN_SAMPLE_3D(table, lichenGaussianCdf(gaussian), level);
   // Roots of light are squared, other values are as stored.
   bool isRoot = map.encoding == uint(LICHEN_ENCODING_ROOT);

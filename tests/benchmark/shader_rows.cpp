@@ -22,6 +22,7 @@
 #include <texton.frag.mixed.h>
 #include <tiling.frag.gaussian.h>
 #include <tiling.frag.joint.h>
+#include <tiling.frag.nearest_level.h>
 #include <unity.frag.h>
 #include <view.vert.h>
 
@@ -108,6 +109,7 @@ std::vector<Row> measure() {
       peer("Unity's stochastic texturing", unity_frag, screen, images),
       peer("[HN18] without prefilter", hn18_frag, screen, images),
       noise("tiling, joint table", tiling_frag_joint, screen, joint, {4.2, 4.2}),
+      noise("tiling, nearest table level", tiling_frag_nearest_level, screen, joint, {3.5, 3.7}),
       noise("tiling, Gaussian only", tiling_frag_gaussian, screen, gaussian, {2.8, 3.1}),
       noise("texton, 30 impacts", texton_frag, screen, textonGlb(), {36.0, 40.0}),
       noise("mix of textons, 30 impacts", texton_frag_mixed, screen, mixGlb(), {42.0, 46.0})};

@@ -25,9 +25,11 @@ struct Kind {
   Method method;
   Mapping mapping;
   int pixels; ///< per view: ratios of deviations are accurate to 2 and 4 %
+  TilingQuality quality{};
 };
-constexpr std::array<Kind, 4> kKinds{
+constexpr std::array<Kind, 5> kKinds{
     {{"tiling", Method::tiling, Mapping::uv, 1000},
+     {"tiling, nearest table level", Method::tiling, Mapping::uv, 1000, {3, 0.0, true}},
      {"tiling in three planes", Method::tiling, Mapping::triplanar, 1000},
      {"textons", Method::texton, Mapping::uv, 300},
      {"textons in three planes", Method::texton, Mapping::triplanar, 300}}};
@@ -38,20 +40,69 @@ struct Size {
   double contrastTarget; ///< 0 if an average has too little contrast for a ratio
 };
 /// The targets are this project's own.
-constexpr std::array<Size, 8> kSizes{{{1, 1, 0.1},
-                                      {2, 1, 0.1},
-                                      {4, 1, 0.1},
-                                      {8, 1, 0.1},
-                                      {1, 4, 0.1},
-                                      {4, 4, 0.1},
-                                      {kExemplarSide, 1, 0},
-                                      {100 * kExemplarSide, 1, 0}}};
+constexpr std::array<Size, 10> kSizes{{{0.125, 1, 0.1},
+                                       {1, 1, 0.1},
+                                       {2, 1, 0.1},
+                                       {4, 1, 0.1},
+                                       {8, 1, 0.1},
+                                       {16, 1, 0.1},
+                                       {1, 4, 0.1},
+                                       {4, 4, 0.1},
+                                       {kExemplarSide, 1, 0},
+                                       {100 * kExemplarSide, 1, 0}}};
 
 struct Measured {
   std::array<std::vector<double>, kSizes.size()> contrast, difference, mean;
   std::array<std::vector<double>, kSizes.size()> meanBeyond; ///< less two standard errors
   std::vector<double> steps, variance, points;
+  std::vector<double> alignedContrast, alignedMean; ///< of tiling with texture coordinates
 };
+
+/// Mean and deviation of light, over all channels.
+struct Spread {
+  void add(std::size_t c, double light) {
+    sum[c] += light;
+    squares += light * light;
+    count += c == 0 ? 1 : 0;
+  }
+  [[nodiscard]] double mean(std::size_t c) const { return sum[c] / count; }
+  [[nodiscard]] double deviation() const {
+    double variance = squares / count;
+    for (std::size_t c = 0; c < 3; ++c)
+      variance -= mean(c) * mean(c);
+    return std::sqrt(variance);
+  }
+  std::array<double, 3> sum{};
+  double squares = 0.0, count = 0.0;
+};
+
+/// One texel a pixel, at the texels' centres, where every fetch is a texel: the noise has the
+/// exemplar's own colours.
+void measureAligned(const test::Plane& plane, const SrgbImage& exemplar, Measured& all) {
+  constexpr int kPixels = 1 << 16;
+  constexpr std::uint32_t kTexels = 32 * kExemplarSide; // a side, of the field of pixels
+  Spread seen, wanted;
+  TileFootprint pixel;
+  pixel.dx[0] = pixel.dy[1] = 1.0f / kExemplarSide;
+  for (std::uint32_t k = 0; k < kPixels; ++k) {
+    const auto random = pcg3d({k, 29u, 5u});
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      pixel.position[axis] = (float(random[axis] % kTexels) + 0.5f) / kExemplarSide;
+    const test::Light light = plane(pixel);
+    for (std::size_t c = 0; c < 3; ++c)
+      seen.add(c, light[c]);
+  }
+  const LinearImage image = toLinear(exemplar);
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      for (std::size_t c = 0; c < 3; ++c)
+        wanted.add(c, double(image.pixel(x, y)[c]));
+  double meanError = 0.0;
+  for (std::size_t c = 0; c < 3; ++c)
+    meanError = std::max(meanError, std::abs(seen.mean(c) - wanted.mean(c)));
+  all.alignedMean.push_back(meanError);
+  all.alignedContrast.push_back(std::abs(seen.deviation() / wanted.deviation() - 1.0));
+}
 
 void measure(const test::Plane& plane, const Kind& kind, Measured& all) {
   for (std::size_t k = 0; k < kSizes.size(); ++k) {
@@ -110,6 +161,13 @@ std::vector<Row> rowsOf(const Kind& kind, const Measured& all) {
        fmt::format("squared steps of 60 frames; worst {:.2f}; unfiltered {:.1f}; variance over the "
                    "frames {:.2f}",
                    largest(all.steps), median(all.points), median(all.variance))});
+  if (!all.alignedMean.empty()) {
+    rows.push_back({fmt::format("{}, aligned, 1 texel a pixel: contrast off by, median", kind.name),
+                    100.0 * median(all.alignedContrast), 3.0, "%",
+                    fmt::format("worst {:.1f} %", 100.0 * largest(all.alignedContrast))});
+    rows.push_back({"the same: mean colour off by, worst exemplar", largest(all.alignedMean),
+                    kMeanTarget, "", fmt::format("median {:.4f}", median(all.alignedMean))});
+  }
   return rows;
 }
 
@@ -122,7 +180,10 @@ std::vector<Row> viewRows() {
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
       const Kind& kind = kKinds[k];
       const Bundle& bundle = kind.method == Method::tiling ? tiling : texton;
-      measure(test::noisePlane(bundle, kind.mapping), kind, all[k]);
+      const test::Plane plane = test::noisePlane(bundle, kind.mapping, {}, kind.quality);
+      measure(plane, kind, all[k]);
+      if (kind.method == Method::tiling && kind.mapping == Mapping::uv)
+        measureAligned(plane, exemplar.image, all[k]);
     }
   }
   std::vector<Row> rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tiling with fewer taps in the shader, through the plugin, against the CPU twin.
+// Tiling with fewer taps or table levels in the shader, through the plugin, against the CPU twin.
 // tests/property/fewer_taps.cpp tests the twin itself.
 #include "plugin_host.h"
 #include "shared_device.h"
@@ -13,6 +13,7 @@
 #include <cmath>
 #include <random>
 #include <tiling_evaluate.comp.fewest_taps.h>
+#include <tiling_evaluate.comp.nearest_level.h>
 #include <tiling_evaluate.comp.one_tap.h>
 #include <tiling_evaluate.comp.two_taps.h>
 #include <tiling_quality.comp.h>
@@ -117,8 +118,8 @@ MaterialUse movedAndSharp(const MaterialUse& own) {
 
 } // namespace
 
-TEST_CASE("the shader with fewer taps matches its CPU twin: 99.9 % within 1/1024 and all "
-          "within 1/255") {
+TEST_CASE("the shader with fewer taps or table levels matches its CPU twin: 99.9 % within 1/1024 "
+          "and all within 1/255") {
   struct Level {
     TilingQuality quality;
     std::span<const std::uint32_t> spirv;
@@ -126,7 +127,8 @@ TEST_CASE("the shader with fewer taps matches its CPU twin: 99.9 % within 1/1024
   for (const auto& [quality, spirv] :
        {Level{{2, 0.0}, tiling_evaluate_comp_two_taps},
         Level{{3, kOneTapTiles}, tiling_evaluate_comp_one_tap},
-        Level{{2, kOneTapTiles}, tiling_evaluate_comp_fewest_taps}}) {
+        Level{{2, kOneTapTiles}, tiling_evaluate_comp_fewest_taps},
+        Level{{3, 0.0, true}, tiling_evaluate_comp_nearest_level}}) {
     OnDevice noise(quality);
     const std::vector<Point> points = flattened(noise.points);
     const MaterialUse own = noise.host.use();
@@ -175,7 +177,7 @@ TEST_CASE("the number of taps has the same effect as a specialization constant a
   equals(3, committedShader("tiling_evaluate.comp"));
 }
 
-TEST_CASE("the committed shader uses three taps everywhere") {
+TEST_CASE("the committed shader uses three taps and blends table levels everywhere") {
   // The levels must differ where they should; otherwise the tests above compare nothing.
   OnDevice noise({3, 0.0});
   const std::vector<Point> points = flattened(noise.points);
@@ -195,4 +197,5 @@ TEST_CASE("the committed shader uses three taps everywhere") {
   CHECK(difference.largest <= 1.0 / 255.0);
   CHECK(differing(tiling_evaluate_comp_two_taps) > 0.2);
   CHECK(differing(tiling_evaluate_comp_one_tap) > 0.1);
+  CHECK(differing(tiling_evaluate_comp_nearest_level) > 0.1);
 }

@@ -19,6 +19,9 @@ using namespace lichen::tiling;
 
 namespace {
 
+/// Of a colour's table with all its mip levels: TARGETS.md.
+constexpr std::size_t kMostTableBytes = 160 * 1024;
+
 std::array<std::uint32_t, 3> sidesOf(const Table& table) {
   return {table.width, table.height, table.depth};
 }
@@ -70,6 +73,7 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
     CHECK(b.noise.maps[0].as<TilingMap>().dimensions == 2);
     CHECK(b.tables[0].format == TexelFormat::rgba8Unorm);
     CHECK(sidesOf(b.tables[1]) == std::array{64u, 64u, 1u});
+    CHECK(b.tables[1].texels.size() <= kMostTableBytes);
   }
   SECTION("colours in space have three Gaussian channels") {
     const TilingBake b = bake(map);
@@ -77,6 +81,7 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
     CHECK(b.tables[0].format == TexelFormat::rgba8Unorm);
     CHECK(sidesOf(b.tables[1]) == std::array{32u, 32u, 32u});
     CHECK(b.tables[1].mipLevels == std::uint32_t(kTableLevels));
+    CHECK(b.tables[1].texels.size() <= kMostTableBytes);
   }
   SECTION("one colour gives one colour") {
     std::fill(map.values.begin(), map.values.end(), 0.5f);

@@ -171,6 +171,10 @@ std::unique_ptr<const UseOptions> TilingCommand::addSynthOptions(CLI::App& verb)
   addValue(verb, "--one-tap", options->quality.oneTapTiles, number(kOneTapTilesRange), "0",
            "Fetch one tile where a pixel covers at least N tiles per side; 0: never")
       .group(kHeading);
+  addValue(verb, "--table-levels", options->quality.nearestTableLevel,
+           oneOf(Choices<bool>{{"blended", false}, {"nearest", true}}), "blended",
+           "Mip levels of the inverse table: blend two, or fetch the nearest")
+      .group(kHeading);
   return options;
 }
 

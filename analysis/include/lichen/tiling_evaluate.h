@@ -63,17 +63,17 @@ private:
   [[nodiscard]] Tiles tilesAt(const Map& map, const shader::LichenMaterial& material,
                               TileFootprint at) const;
   [[nodiscard]] static Value blended(const Tiles& tiles, const shader::LichenMaterial& material);
-  [[nodiscard]] static Value blendedDecoded(const Map& map, const Tiles& tiles,
-                                            const shader::LichenMaterial& material,
-                                            BlendOperator blend);
-  [[nodiscard]] static Value turnedSlopes(const Map& map, const Tiles& tiles,
-                                          const shader::LichenMaterial& material);
+  [[nodiscard]] Value blendedDecoded(const Map& map, const Tiles& tiles,
+                                     const shader::LichenMaterial& material,
+                                     BlendOperator blend) const;
+  [[nodiscard]] Value turnedSlopes(const Map& map, const Tiles& tiles,
+                                   const shader::LichenMaterial& material) const;
   [[nodiscard]] static float footprintShare(const Map& map, float loss);
-  [[nodiscard]] static Value decodeTile(const Map& map, const Value& tile, float lossShare,
-                                        float contrast);
+  [[nodiscard]] Value decodeTile(const Map& map, const Value& tile, float lossShare,
+                                 float contrast) const;
   [[nodiscard]] static Value lookup(const Map& map, const Value& uniform, std::size_t level);
-  [[nodiscard]] static Value decodeTable(const Map& map, const Value& gaussian, float lost);
-  [[nodiscard]] static Value decode(const Map& map, const Value& gaussian, float contrast);
+  [[nodiscard]] Value decodeTable(const Map& map, const Value& gaussian, float lost) const;
+  [[nodiscard]] Value decode(const Map& map, const Value& gaussian, float contrast) const;
 
   TilingEvaluator(const shader::LichenNoise& noise, std::shared_ptr<const std::vector<Map>> maps,
                   const TilingQuality& quality)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Evaluation options of a tiling noise: how tiles are blended and how many are fetched. In the
-// shaders a host sets them by LICHEN_TILING_TAPS and LICHEN_ONE_TAP_TILES
-// (shaders_glsl/noise/fewer_taps.glsl).
+// Evaluation options of a tiling noise: how tiles are blended, and how many of them and of the
+// table's mip levels are fetched. In the shaders a host sets them by LICHEN_TILING_TAPS,
+// LICHEN_ONE_TAP_TILES (shaders_glsl/noise/fewer_taps.glsl) and LICHEN_NEAREST_TABLE_LEVEL
+// (shaders_glsl/noise/decode.glsl).
 #pragma once
 
 #include <lichen/bundle.h>
@@ -22,6 +23,7 @@ struct TilingQuality {
   /// Pixels with at least this side [tiles] fetch one tile; the transition begins at half of it. In
   /// kOneTapTilesRange; 0: no pixel does.
   double oneTapTiles = 0.0;
+  bool nearestTableLevel = false; ///< fetch one mip level of a table instead of blending two
 };
 
 } // namespace lichen
