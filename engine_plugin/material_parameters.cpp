@@ -245,7 +245,9 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
   for (const NoiseMap& map : plan.bundle.noises[source.noise].maps) {
     const auto* tiling = std::get_if<TilingMap>(&map.data);
     const bool hasTable = tiling != nullptr && tableKindOf(*tiling) == TableKind::joint;
-    summary.tableKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
+    summary.mapKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
+    if (map.encoding == ValueEncoding::log2)
+      summary.mapKinds |= kValuesAboveOne;
   }
   summary.checksum = checksumOf(summary);
   LichenMaterialParameters values{};

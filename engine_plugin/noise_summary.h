@@ -10,10 +10,13 @@
 
 namespace lichen::plugin {
 
+/// A bit of mapKinds: a map has values above 1.
+inline constexpr std::uint32_t kValuesAboveOne = 1u << 31;
+
 struct NoiseSummary {
   shader::LichenNoise constants;
-  std::uint32_t tableKinds; // bit k: a map with the LichenTableKind k
-  std::uint32_t checksum;   // of the members above
+  std::uint32_t mapKinds; // bit k: a map with the LichenTableKind k; kValuesAboveOne
+  std::uint32_t checksum; // of the members above
 };
 static_assert(sizeof(NoiseSummary) == sizeof(LichenMaterialParameters::noiseSummary));
 

@@ -15,6 +15,7 @@ namespace {
 struct Needs {
   std::uint32_t roles = 0, methods = 0;      // bits
   bool tables = false, gaussianOnly = false; // of tiling
+  bool valuesAboveOne = false;
   bool triplanar = false, otherMappings = false, surface = false;
   bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
   bool rotation = false, sharpness = false, period = false, anisotropy = false;
@@ -22,8 +23,8 @@ struct Needs {
 
 void addTiling(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
                Needs& needs) {
-  needs.tables = needs.tables || (noise.tableKinds & (1u << LICHEN_TABLE_JOINT)) != 0;
-  needs.gaussianOnly = needs.gaussianOnly || (noise.tableKinds & (1u << LICHEN_TABLE_NONE)) != 0;
+  needs.tables = needs.tables || (noise.mapKinds & (1u << LICHEN_TABLE_JOINT)) != 0;
+  needs.gaussianOnly = needs.gaussianOnly || (noise.mapKinds & (1u << LICHEN_TABLE_NONE)) != 0;
   needs.rotation = needs.rotation || parameters.tileRotation > 1;
   needs.sharpness = needs.sharpness || parameters.blendSharpness != 1.0;
 }
@@ -42,6 +43,7 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
                  Needs& needs) {
   needs.roles |= noise.constants.roles;
   needs.methods |= 1u << noise.constants.method;
+  needs.valuesAboveOne = needs.valuesAboveOne || (noise.mapKinds & kValuesAboveOne) != 0;
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? needs.triplanar : needs.otherMappings) = true;
   needs.surface = needs.surface || parameters.mapping == LICHEN_MAPPING_SURFACE;
   (noise.constants.method == LICHEN_METHOD_TEXTON ? addTextons : addTiling)(parameters, noise,
@@ -57,6 +59,7 @@ std::string switchesOf(const Needs& needs) {
     if (!isNeeded)
       text += std::string(" -DLICHEN_") + name;
   };
+  unless(needs.valuesAboveOne, "VALUES_ABOVE_ONE=0");
   unless(needs.triplanar, "OMIT_TRIPLANAR");
   unless(needs.otherMappings, "OTHER_MAPPINGS=0");
   if ((needs.methods & (1u << LICHEN_METHOD_TEXTON)) != 0) {

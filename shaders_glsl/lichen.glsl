@@ -9,11 +9,11 @@
 //   LICHEN_FIRST_BINDING  its first binding (0)
 //   LICHEN_ROLES          bit r: some noise has a map of role r (63, all); others are never there
 // which gives lichenNoise, lichenMaps[role] and lichenMaterial,
-// LICHEN_PLACE(uv, gradientX, gradientY), where the noise is evaluated, or of other mappings
-// LICHEN_PLACE_TRIPLANAR(position, gradientX, gradientY, normal) and
-// LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent),
+// LICHEN_POINT(uv, gradientX, gradientY), where the noise is evaluated, or of other mappings
+// LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal) and
+// LICHEN_POINT_SURFACE(position, gradientX, gradientY, normal, tangent),
 // LICHEN_HAS(role), whether the noise has that map,
-// LICHEN_VALUE(role, place), its value there, whatever the noise's method, and
+// LICHEN_VALUE(role, point), its value there, whatever the noise's method, and
 // LICHEN_IMAGE(role) and LICHEN_TABLE(role), which other functions take.
 //
 // A host that knows more at compile time leaves out what it does not need: less code to run. The
@@ -71,55 +71,55 @@ layout(std140, set = LICHEN_SET,
   layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_TABLE(role))            \
       uniform texture3D lichenTable##role
 
-#define LICHEN_VALUE_HERE(role, place)                                                             \
-  lichenValue(lichenImage##role, lichenTable##role, place, lichenMapOf(role, lichenMaps[role]))
+#define LICHEN_VALUE_HERE(role, shading)                                                           \
+  lichenValue(lichenImage##role, lichenTable##role, shading, lichenMapOf(role, lichenMaps[role]))
 
 #if (LICHEN_ROLES & 1) != 0
 LICHEN_DECLARE_ROLE(0);
-#define LICHEN_VALUE_0(place) LICHEN_VALUE_HERE(0, place)
+#define LICHEN_VALUE_0(shading) LICHEN_VALUE_HERE(0, shading)
 #else
-#define LICHEN_VALUE_0(place) vec4(0.0)
+#define LICHEN_VALUE_0(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 2) != 0
 LICHEN_DECLARE_ROLE(1);
-#define LICHEN_VALUE_1(place) LICHEN_VALUE_HERE(1, place)
+#define LICHEN_VALUE_1(shading) LICHEN_VALUE_HERE(1, shading)
 #else
-#define LICHEN_VALUE_1(place) vec4(0.0)
+#define LICHEN_VALUE_1(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 4) != 0
 LICHEN_DECLARE_ROLE(2);
-#define LICHEN_VALUE_2(place) LICHEN_VALUE_HERE(2, place)
+#define LICHEN_VALUE_2(shading) LICHEN_VALUE_HERE(2, shading)
 #else
-#define LICHEN_VALUE_2(place) vec4(0.0)
+#define LICHEN_VALUE_2(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 8) != 0
 LICHEN_DECLARE_ROLE(3);
-#define LICHEN_VALUE_3(place) LICHEN_VALUE_HERE(3, place)
+#define LICHEN_VALUE_3(shading) LICHEN_VALUE_HERE(3, shading)
 #else
-#define LICHEN_VALUE_3(place) vec4(0.0)
+#define LICHEN_VALUE_3(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 16) != 0
 LICHEN_DECLARE_ROLE(4);
-#define LICHEN_VALUE_4(place) LICHEN_VALUE_HERE(4, place)
+#define LICHEN_VALUE_4(shading) LICHEN_VALUE_HERE(4, shading)
 #else
-#define LICHEN_VALUE_4(place) vec4(0.0)
+#define LICHEN_VALUE_4(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 32) != 0
 LICHEN_DECLARE_ROLE(5);
-#define LICHEN_VALUE_5(place) LICHEN_VALUE_HERE(5, place)
+#define LICHEN_VALUE_5(shading) LICHEN_VALUE_HERE(5, shading)
 #else
-#define LICHEN_VALUE_5(place) vec4(0.0)
+#define LICHEN_VALUE_5(shading) vec4(0.0)
 #endif
 
-#define LICHEN_PLACE(uv, gradientX, gradientY)                                                     \
-  lichenPlaceUvGrad(uv, gradientX, gradientY, lichenMaterial, lichenNoise)
+#define LICHEN_POINT(uv, gradientX, gradientY)                                                     \
+  lichenPointUvGrad(uv, gradientX, gradientY, lichenMaterial, lichenNoise)
 
-#define LICHEN_PLACE_SURFACE(position, gradientX, gradientY, normal, tangent)                      \
-  lichenPlaceSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenMaterial,          \
+#define LICHEN_POINT_SURFACE(position, gradientX, gradientY, normal, tangent)                      \
+  lichenPointSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenMaterial,          \
                          lichenNoise)
 
-#define LICHEN_PLACE_TRIPLANAR(position, gradientX, gradientY, normal)                             \
-  lichenPlaceTriplanarGrad(position, gradientX, gradientY, normal,                                 \
+#define LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal)                             \
+  lichenPointTriplanarGrad(position, gradientX, gradientY, normal,                                 \
                            LichenTriplanarMaterial(lichenMaterial, lichenPlaneY, lichenPlaneZ),    \
                            lichenNoise)
 
@@ -131,8 +131,8 @@ LICHEN_DECLARE_ROLE(5);
 #define LICHEN_IMAGE_OF(role) lichenImage##role
 #define LICHEN_TABLE_OF(role) lichenTable##role
 
-#define LICHEN_VALUE(role, place) LICHEN_VALUE_OF(role, place)
-#define LICHEN_VALUE_OF(role, place) LICHEN_VALUE_##role(place)
+#define LICHEN_VALUE(role, shading) LICHEN_VALUE_OF(role, shading)
+#define LICHEN_VALUE_OF(role, shading) LICHEN_VALUE_##role(shading)
 #endif
 
 #endif

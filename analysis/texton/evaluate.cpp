@@ -2,7 +2,7 @@
 // Texton noise on the CPU: (textons, parameters, footprint) -> value. [GLM17] eq. 2. The steps and
 // names follow shaders_glsl/noise/texton.glsl, surface_texton.glsl and texton_gradient.glsl.
 #include "impacts.h"
-#include "level_kept.h"
+#include "level_retained.h"
 #include "mixed_map.h"
 #include "sampling/repeating_image.h"
 #include "surface_impacts.h"
@@ -170,8 +170,8 @@ float knownLevel(const Impacts& impacts) {
 /// their amplitude falls with the standard deviation.
 std::array<float, 3> gainOf(const Impacts& impacts, const shader::LichenMaterial& material,
                             const shader::LichenMap& map) {
-  const std::array<float, 3> fetched = texton::levelKept(map, impacts.level);
-  const std::array<float, 3> seen = texton::levelKept(map, knownLevel(impacts));
+  const std::array<float, 3> fetched = texton::levelRetained(map, impacts.level);
+  const std::array<float, 3> seen = texton::levelRetained(map, knownLevel(impacts));
   constexpr float kLeast = 1e-6f; // below the square of a kept amplitude's first step, 1/255
   const float amplitude = textonPart(material).amplitude;
   std::array<float, 3> gain{};
@@ -185,7 +185,7 @@ bool needsImpacts(const std::array<float, 3>& gain) { return gain != std::array<
 
 /// Returns the share of each channel's variance that is lost to filtering.
 std::array<float, 3> lostOf(const Impacts& impacts, const shader::LichenMap& here) {
-  std::array<float, 3> lost = texton::levelKept(here, knownLevel(impacts));
+  std::array<float, 3> lost = texton::levelRetained(here, knownLevel(impacts));
   for (float& share : lost)
     share = 1.0f - share;
   return lost;

@@ -60,13 +60,13 @@ shader::LichenMap MixRows::at(shader::LichenMap map, const MixPlace& mix) const 
   map.sumFactor = {1.0f / deviation[0], 1.0f / deviation[1], 1.0f / deviation[2], 0.0f};
   std::array<Amplitudes, 3> kept{};
   for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS; ++mip) {
-    const Row ofMip = row(atStep, LICHEN_MIX_KEPT + mip);
+    const Row ofMip = row(atStep, LICHEN_MIX_RETAINED + mip);
     for (std::size_t c = 0; c < kept.size(); ++c)
       kept[c][mip] = ofMip[c];
   }
-  map.mipKept0 = keptBytes(kept[0]);
-  map.mipKept1 = keptBytes(kept[1]);
-  map.mipKept2 = keptBytes(kept[2]);
+  map.mipRetained0 = keptBytes(kept[0]);
+  map.mipRetained1 = keptBytes(kept[1]);
+  map.mipRetained2 = keptBytes(kept[2]);
   return map;
 }
 

@@ -40,8 +40,8 @@ float lossShare(const shader::LichenNoise& noise, const TileFootprint& at, float
   return 1.0f + squared * squared * (1.0f - std::min(footprint, 1.0f)) * (here - 1.0f);
 }
 
-void turnSlopesBack(Value& value, const std::array<float, 2>& turn) {
-  const auto [x, y] = tiling::slopesTurnedBack(value[0], value[1], turn);
+void rotateSlopesBack(Value& value, const std::array<float, 2>& turn) {
+  const auto [x, y] = tiling::slopesRotatedBack(value[0], value[1], turn);
   value[0] = x;
   value[1] = y;
 }
@@ -201,12 +201,12 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
   at.position[0] += material.offsetX;
   at.position[1] += material.offsetY;
   Tiles tiles{tiling::tapsAt(material, noise_, at.position)};
-  tiling::takeFewerTaps(tiles.taps, at, quality_);
+  tiling::reduceTaps(tiles.taps, at, quality_);
   const float footprint = footprintLevel(at, noise_.tileTexelsX, noise_.tileTexelsY);
   const float level = sharpLevel(footprint + map.constants.levelOffset);
   const bool sharesTexels =
       map.constants.levelOffset == 0.0f &&
-      tiling::turnsKeepTexels(tilingPart(material).tileRotation, noise_.tileAspect);
+      tiling::rotationsKeepTexels(tilingPart(material).tileRotation, noise_.tileAspect);
   if (sharesTexels)
     tiles.lossShare = lossShare(noise_, at, footprint);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -241,18 +241,18 @@ Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenMaterial&
 Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
                                       const shader::LichenMaterial& material,
                                       BlendOperator blend) const {
-  const bool turnsSlopes = tiling::turnsTiles(material) && isSlope(map.constants);
+  const bool rotatesSlopes = tiling::rotatesTiles(material) && isSlope(map.constants);
   const shader::vec4& mean = map.constants.mean;
   const Value middle =
-      turnsSlopes ? Value{0.0f, 0.0f, mean.z, 1.0f} : Value{mean.x, mean.y, mean.z, 1.0f};
+      rotatesSlopes ? Value{0.0f, 0.0f, mean.z, 1.0f} : Value{mean.x, mean.y, mean.z, 1.0f};
   Value result = middle;
   const float gain = material.contrast / (blend == BlendOperator::linear ? 1.0f : tiles.taps.norm);
   for (std::size_t k = 0; k < 3; ++k) {
     if (tiles.taps.weight[k] == 0.0f)
       continue;
     Value value = decodeTile(map, tiles.value[k], tiles.lossShare, 1.0f);
-    if (turnsSlopes)
-      turnSlopesBack(value, tiles.taps.turn[k]);
+    if (rotatesSlopes)
+      rotateSlopesBack(value, tiles.taps.turn[k]);
     for (std::size_t c = 0; c < 3; ++c)
       result[c] += gain * tiles.taps.weight[k] * (value[c] - middle[c]);
   }
@@ -261,8 +261,8 @@ Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
 
 /// The slopes of rotated tiles, decoded one by one, turned back and blended about 0: a joint table
 /// knows slopes as they lie in the exemplar.
-Value TilingEvaluator::turnedSlopes(const Map& map, const Tiles& tiles,
-                                    const shader::LichenMaterial& material) const {
+Value TilingEvaluator::rotatedSlopes(const Map& map, const Tiles& tiles,
+                                     const shader::LichenMaterial& material) const {
   Value sum{0.0f, 0.0f, 0.0f, 1.0f};
   for (std::size_t k = 0; k < 3; ++k) {
     if (tiles.taps.weight[k] == 0.0f)
@@ -271,7 +271,7 @@ Value TilingEvaluator::turnedSlopes(const Map& map, const Tiles& tiles,
     for (std::size_t c = 0; c < 3; ++c)
       tile[c] = 0.5f + material.contrast * (tile[c] - 0.5f);
     Value slopes = decodeTile(map, tile, tiles.lossShare, material.contrast);
-    turnSlopesBack(slopes, tiles.taps.turn[k]);
+    rotateSlopesBack(slopes, tiles.taps.turn[k]);
     const float share = tiles.taps.weight[k] / tiles.taps.norm;
     sum[0] += share * slopes[0];
     sum[1] += share * slopes[1];
@@ -294,8 +294,8 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenMateri
   const Tiles tiles = tilesAt(map, material, at);
   if (blend != BlendOperator::histogramPreserving)
     return blendedDecoded(map, tiles, material, blend);
-  if (tiling::turnsTiles(material) && isSlope(map.constants))
-    return turnedSlopes(map, tiles, material);
+  if (tiling::rotatesTiles(material) && isSlope(map.constants))
+    return rotatedSlopes(map, tiles, material);
   return decodeTile(map, blended(tiles, material), tiles.lossShare, material.contrast);
 }
 

@@ -37,7 +37,7 @@ void sortByWeight(Taps& taps) {
 
 } // namespace
 
-void takeFewerTaps(Taps& taps, const TileFootprint& at, const TilingQuality& quality) {
+void reduceTaps(Taps& taps, const TileFootprint& at, const TilingQuality& quality) {
   if (quality.taps > 2 && quality.oneTapTiles <= 0.0)
     return;
   sortByWeight(taps);

@@ -12,6 +12,6 @@ namespace lichen::tiling {
 /// Sorts the taps by weight, largest first, and reduces all weights until as many are 0 as the
 /// quality asks for. The weights sum to 1 before and after. With three taps everywhere, nothing
 /// changes.
-void takeFewerTaps(Taps& taps, const TileFootprint& at, const TilingQuality& quality);
+void reduceTaps(Taps& taps, const TileFootprint& at, const TilingQuality& quality);
 
 } // namespace lichen::tiling

@@ -205,7 +205,7 @@ std::vector<InverseTable> prefilteredLevels(const InverseTable& table,
     InverseTable average = averaged(light, lossAt(levelLoss(level), lost));
     if (holdsRoots)
       average = mapped(std::move(average), [](float value) { return std::sqrt(value); });
-    levels.push_back(coarser(average, table.side >> level, keptAmplitude(level)));
+    levels.push_back(coarser(average, table.side >> level, retainedAmplitude(level)));
   }
   return levels;
 }

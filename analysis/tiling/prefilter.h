@@ -14,12 +14,12 @@ namespace lichen::tiling {
 /// Mip levels of a table, and the amplitude that a Gaussian value keeps at one of them: 1, 0.8, ...
 /// 0.2 (docs/decisions/002-inverse-table.md).
 inline constexpr int kTableLevels = 5;
-[[nodiscard]] constexpr double keptAmplitude(int level) {
+[[nodiscard]] constexpr double retainedAmplitude(int level) {
   return 1.0 - double(level) / kTableLevels;
 }
 /// The lost variance for which a level is prefiltered, as a share of the full variance.
 [[nodiscard]] constexpr double levelLoss(int level) {
-  return 1.0 - keptAmplitude(level) * keptAmplitude(level);
+  return 1.0 - retainedAmplitude(level) * retainedAmplitude(level);
 }
 
 /// The lost covariance whose mean over the channels is `loss`, interpolated between 0, the mip
@@ -38,9 +38,9 @@ lossDisplacements(const exemplar::ChannelMatrix& loss, std::size_t count);
 
 /// The mip levels of a table. Level 0 is `table` itself. Level k has half as many cells on each
 /// axis as the one before, and is the least-squares fit, for Gaussian values that keep
-/// keptAmplitude(k), of the average over the lost variance; `lost` has the losses of the Gaussian
-/// image's mip levels, at least one. Where `holdsRoots` is set, cells hold square roots: their
-/// squares are averaged, and the fit is of the root of the average. Throws std::bad_alloc.
+/// retainedAmplitude(k), of the average over the lost variance; `lost` has the losses of the
+/// Gaussian image's mip levels, at least one. Where `holdsRoots` is set, cells hold square roots:
+/// their squares are averaged, and the fit is of the root of the average. Throws std::bad_alloc.
 [[nodiscard]] std::vector<InverseTable>
 prefilteredLevels(const InverseTable& table, const std::vector<exemplar::ChannelMatrix>& lost,
                   bool holdsRoots);

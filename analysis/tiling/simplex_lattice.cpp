@@ -36,10 +36,10 @@ void setTap(Taps& taps, std::size_t k, const shader::LichenMaterial& material,
   }
   taps.turn[k] = {1.0f, 0.0f};
   if (const std::uint32_t rotation = tilingPart(material).tileRotation; rotation > 1) {
-    taps.turn[k] =
-        tileTurn(tileRotationStep(std::uint32_t(i), std::uint32_t(j), material.seedWord, rotation),
-                 rotation);
-    tap = turned(turnsKeepTexels(rotation, noise.tileAspect) ? tap : way, taps.turn[k],
+    taps.turn[k] = tileRotationAt(
+        tileRotationStep(std::uint32_t(i), std::uint32_t(j), material.seedWord, rotation),
+        rotation);
+    tap = turned(rotationsKeepTexels(rotation, noise.tileAspect) ? tap : way, taps.turn[k],
                  noise.tileAspect);
   }
   const auto steps = tileOffsetSteps(std::uint32_t(i), std::uint32_t(j), material.seedWord);

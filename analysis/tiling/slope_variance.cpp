@@ -85,7 +85,7 @@ void appendSlopeVariance(std::vector<InverseTable>& levels, const InverseTable& 
     const exemplar::ChannelMatrix loss = lossAt(levelLoss(k), lost);
     const InverseTable fine =
         table.dimensions == 1 ? sampledVariance<1>(table, loss) : sampledVariance<2>(table, loss);
-    InverseTable variance = coarser(fine, level.side, keptAmplitude(k));
+    InverseTable variance = coarser(fine, level.side, retainedAmplitude(k));
     for (float& value : variance.values)
       value = std::max(value, 0.0f);
     level = appended(level, variance.values);

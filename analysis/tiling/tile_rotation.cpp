@@ -7,11 +7,11 @@
 
 namespace lichen::tiling {
 
-bool turnsKeepTexels(std::uint32_t tileRotation, float tileAspect) {
+bool rotationsKeepTexels(std::uint32_t tileRotation, float tileAspect) {
   return tileRotation <= 2 || (tileRotation == 4 && tileAspect == 1.0f);
 }
 
-std::array<float, 2> tileTurn(std::uint32_t step, std::uint32_t steps) {
+std::array<float, 2> tileRotationAt(std::uint32_t step, std::uint32_t steps) {
   const std::uint32_t quarter = (8 * step + steps) / (2 * steps); // the nearest one
   const double rest = 4.0 * double(step) - double(quarter) * double(steps);
   const double angle = 0.5 * std::numbers::pi * rest / double(steps);
@@ -28,8 +28,8 @@ std::array<float, 2> turned(const std::array<float, 2>& way, const std::array<fl
           turn[0] * way[1] + turn[1] * way[0] * aspect};
 }
 
-std::array<float, 2> slopesTurnedBack(float slopeX, float slopeY,
-                                      const std::array<float, 2>& turn) {
+std::array<float, 2> slopesRotatedBack(float slopeX, float slopeY,
+                                       const std::array<float, 2>& turn) {
   return {turn[0] * slopeX - turn[1] * slopeY, turn[0] * slopeY + turn[1] * slopeX};
 }
 

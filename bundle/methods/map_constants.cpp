@@ -26,7 +26,7 @@ void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,
   }
 }
 
-shader::uvec4 keptAmplitudes(std::span<const double> losses) {
+shader::uvec4 retainedAmplitudes(std::span<const double> losses) {
   std::array<shader::uint, 4> words{};
   for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && !losses.empty(); ++mip) {
     const double loss = losses[std::min(mip, losses.size() - 1)];

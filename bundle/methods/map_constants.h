@@ -20,7 +20,7 @@ void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,
 
 /// The kept amplitude sqrt(1 - loss) of each mip level as unorm bytes, the first in the lowest byte
 /// of x. The last loss repeats for further levels.
-[[nodiscard]] shader::uvec4 keptAmplitudes(std::span<const double> losses);
+[[nodiscard]] shader::uvec4 retainedAmplitudes(std::span<const double> losses);
 
 /// Sets the mean of the decoded values, for maps without an inverse table.
 void setGaussianMean(shader::LichenMap& constants);

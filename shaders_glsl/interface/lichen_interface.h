@@ -34,8 +34,8 @@
 // Rows (z) of a mix's table, whose columns (x) are its steps.
 #define LICHEN_MIX_MEAN 0      // of stored values, less that of the first step
 #define LICHEN_MIX_DEVIATION 1 // times six, over what a texel is multiplied with
-#define LICHEN_MIX_KEPT 2      // and up: amplitudes that mip 0, 1, ... keeps of each channel
-#define LICHEN_MIX_ROWS 18     // LICHEN_MIX_KEPT + LICHEN_MAX_MIPS
+#define LICHEN_MIX_RETAINED 2  // and up: amplitudes that mip 0, 1, ... keeps of each channel
+#define LICHEN_MIX_ROWS 18     // LICHEN_MIX_RETAINED + LICHEN_MAX_MIPS
 
 // Maps by role. Where a noise has no map of a role, a placeholder is bound (LICHEN_HAS).
 #define LICHEN_BASE_COLOR 0
@@ -155,7 +155,7 @@ struct LichenMap {
   vec4 mean; // of the decoded values; w is 1. Slopes: z is the variance of a slope
   // Of textons: amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte
   // m of sixteen. A channel that is absent or does not vary keeps nothing.
-  uvec4 mipKept0, mipKept1, mipKept2;
+  uvec4 mipRetained0, mipRetained1, mipRetained2;
   // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
   // value less its mean. Lower triangular: row0.yz and row1.z are 0.
   vec4 row0, row1, row2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A noise on a surface without texture coordinates: a point in space, its screen-space derivatives,
-// the normal and the tangent there -> LichenPlace. Slopes come out in the tangent space that these
+// the normal and the tangent there -> LichenShadingPoint. Slopes come out in the tangent space that
 // span, as uv.glsl turns them.
 // [GLM17] Galerne, Leclaire and Moisan 2017, section 6: a frame that turns little along the
 // surface.
@@ -8,7 +8,7 @@
 #define LICHEN_SURFACE_GLSL
 
 #include "../noise/mix_point.glsl"
-#include "../noise/place.glsl"
+#include "../noise/shading_point.glsl"
 
 /// The columns point to the right, down and outward in the exemplar as it lies on the surface:
 /// orthonormal, whatever interpolation has made of the vertices' directions. `tangent` is glTF's,
@@ -26,34 +26,35 @@ mat3 lichenSurfaceFrame(vec3 normal, vec4 tangent) {
   return mat3(right, -handedness * cross(outward, right), outward);
 }
 
-/// The place at `position` [metres, relative to the host's integer tile origin], with the
+/// The shading point at `position` [metres, relative to the host's integer tile origin], with the
 /// position's derivatives along the screen: usable in compute and in non-uniform control flow.
-LichenPlace lichenPlaceSurfaceGrad(vec3 position, vec3 positionGradientX, vec3 positionGradientY,
-                                   vec3 normal, vec4 tangent, LichenMaterial material,
+LichenShadingPoint lichenPointSurfaceGrad(vec3 position, vec3 positionGradientX,
+                                          vec3 positionGradientY, vec3 normal, vec4 tangent,
+                                          LichenMaterial material,
                                    LichenNoise noise) {
-  LichenPlace place;
-  place.material = material;
-  place.noise = noise;
+  LichenShadingPoint shading;
+  shading.material = material;
+  shading.noise = noise;
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  // As on texture coordinates, the exemplar is turned against the surface, and scaled.
-  vec2 turn = vec2(material.uvToTileXX, material.uvToTileXY); // (cos, sin) / scale
-  float perScale = length(turn);
-  turn /= perScale;
+  // As on texture coordinates, the exemplar is rotated against the surface, and scaled.
+  vec2 rotation = vec2(material.uvToTileXX, material.uvToTileXY); // (cos, sin) / scale
+  float perScale = length(rotation);
+  rotation /= perScale;
   mat3 frame = lichenSurfaceFrame(normal, tangent);
-  vec3 right = turn.x * frame[0] + turn.y * frame[1];
-  vec3 down = turn.x * frame[1] - turn.y * frame[0];
+  vec3 right = rotation.x * frame[0] + rotation.y * frame[1];
+  vec3 down = rotation.x * frame[1] - rotation.y * frame[0];
   float tilesPerMetre = perScale / noise.tileSizeMetres;
   // Texels are square: a tile is as many high as wide, in tiles of its own height.
   vec2 tiles = tilesPerMetre * vec2(1.0, noise.tileAspect);
   mat3x2 toTiles = mat3x2(tiles * vec2(right.x, down.x), tiles * vec2(right.y, down.y),
                           tiles * vec2(right.z, down.z));
-  lichenSetPoint(place.point.texton, vec2(0.0), toTiles * positionGradientX,
+  lichenSetPoint(shading.point.texton, vec2(0.0), toTiles * positionGradientX,
                  toTiles * positionGradientY, material, noise);
-  lichenTakeMaterial(place.point, material, noise);
-  place.surface = lichenSurfaceImpactsAt(tilesPerMetre * position, right, down, frame[2],
-                                         place.point.texton, material, noise);
+  lichenSetMixFromMaterial(shading.point, material, noise);
+  shading.surface = lichenSurfaceImpactsAt(tilesPerMetre * position, right, down, frame[2],
+                                         shading.point.texton, material, noise);
 #endif
-  return place;
+  return shading;
 }
 
 #endif

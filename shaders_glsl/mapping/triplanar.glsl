@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A noise in three planes in space: a point, its screen-space derivatives and the normal there ->
-// LichenPlace; the gradient of slopes -> normal. Needs neither texture coordinates nor tangents.
+// LichenShadingPoint; the gradient of slopes -> normal. Needs neither texture coordinates nor
+// tangents.
 // Planes look along x, y and z. Each shows one field through all of space: the same from both sides
 // of a sheet, and mirrored on the far face of a body (docs/decisions/021-triplanar.md).
 #ifndef LICHEN_TRIPLANAR_MAPPING_GLSL
 #define LICHEN_TRIPLANAR_MAPPING_GLSL
 
 #include "../noise/mix_point.glsl"
-#include "../noise/place.glsl"
+#include "../noise/shading_point.glsl"
 
 // The shader scales the largest weight to 1, subtracts this from all three and skips planes below 0,
 // so weights have no jump. A plane of this weight moves an 8-bit value, whose deviation is an eighth
@@ -22,11 +23,12 @@ vec3 lichenPlaneWeights(vec3 normal, LichenMaterial material) {
   return weights * inversesqrt(dot(weights, weights));
 }
 
-/// The place at `position` [metres, relative to the host's integer tile origin], with the
+/// The shading point at `position` [metres, relative to the host's integer tile origin], with the
 /// position's derivatives along the screen: usable in compute and in non-uniform control flow. The
 /// `normal` is not 0, of any length and either side.
-LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3 positionGradientY,
-                                     vec3 normal, LichenTriplanarMaterial planes,
+LichenShadingPoint lichenPointTriplanarGrad(vec3 position, vec3 positionGradientX,
+                                            vec3 positionGradientY, vec3 normal,
+                                            LichenTriplanarMaterial planes,
                                      LichenNoise noise) {
   LichenMaterial material = planes.material;
   vec3 weights = lichenPlaneWeights(normal, material);
@@ -40,19 +42,19 @@ LichenPlace lichenPlaceTriplanarGrad(vec3 position, vec3 positionGradientX, vec3
     second = third;
     third = swapped;
   }
-  LichenPlace place;
-  place.material = material;
-  place.noise = noise;
-  place.triplanar.position = position;
-  place.triplanar.gradientX = positionGradientX;
-  place.triplanar.gradientY = positionGradientY;
-  place.triplanar.normal = normalize(normal);
-  place.triplanar.weights = weights;
-  place.triplanar.order = ivec3(first, second, third);
-  place.triplanar.count = int(weights.x > 0.0) + int(weights.y > 0.0) + int(weights.z > 0.0);
-  place.triplanar.planes = planes;
-  lichenTakeMaterial(place.point, material, noise);
-  return place;
+  LichenShadingPoint shading;
+  shading.material = material;
+  shading.noise = noise;
+  shading.triplanar.position = position;
+  shading.triplanar.gradientX = positionGradientX;
+  shading.triplanar.gradientY = positionGradientY;
+  shading.triplanar.normal = normalize(normal);
+  shading.triplanar.weights = weights;
+  shading.triplanar.order = ivec3(first, second, third);
+  shading.triplanar.count = int(weights.x > 0.0) + int(weights.y > 0.0) + int(weights.z > 0.0);
+  shading.triplanar.planes = planes;
+  lichenSetMixFromMaterial(shading.point, material, noise);
+  return shading;
 }
 
 /// The unit normal of a surface whose slopes have this gradient in space, on any side of it.

@@ -1,30 +1,31 @@
 // SPDX-License-Identifier: MIT
 // A noise on texture coordinates: where it is evaluated, and how its slopes become normals.
-// uv (float2) and its screen-space gradients -> LichenPlace; slopes (float2) -> normal in tangent
-// space; what of them a pixel hides -> roughness.
+// uv (float2) and its screen-space gradients -> LichenShadingPoint; slopes (float2) -> normal in
+// tangent space; their variance lost to filtering -> roughness.
 #ifndef LICHEN_UV_GLSL
 #define LICHEN_UV_GLSL
 
 #include "../noise/mix_point.glsl"
-#include "../noise/place.glsl"
+#include "../noise/shading_point.glsl"
 #include "../noise/texton_gradient.glsl"
 #include "../noise/tile_frame.glsl"
 
-/// The place at `uv` with explicit gradients: usable in compute and in non-uniform control flow.
-LichenPlace lichenPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, LichenMaterial material,
-                              LichenNoise noise) {
+/// The shading point at `uv` with explicit gradients: usable in compute and in non-uniform control
+/// flow.
+LichenShadingPoint lichenPointUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY,
+                                     LichenMaterial material, LichenNoise noise) {
   vec2 position = vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material);
-  LichenPlace place;
-  place.material = material;
-  place.noise = noise;
-  place.point = lichenPointAt(position, lichenUvToTile(uvGradientX, material),
+  LichenShadingPoint shading;
+  shading.material = material;
+  shading.noise = noise;
+  shading.point = lichenPointAt(position, lichenUvToTile(uvGradientX, material),
                               lichenUvToTile(uvGradientY, material), material, noise);
-  lichenTakeUv(place.point, uv, material, noise);
-  return place;
+  lichenSetMixFromUv(shading.point, uv, material, noise);
+  return shading;
 }
 
 /// The impacts for lichenTextonGradient at `uv`, likewise.
-LichenImpacts lichenGradientPlaceUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY,
+LichenImpacts lichenGradientPointUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY,
                                         LichenMaterial material, LichenNoise noise) {
   vec2 position = vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material);
   LichenImpacts impacts =

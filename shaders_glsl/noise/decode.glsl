@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a Gaussian value stands for: (Gaussian value, share of its variance that filtering lost) ->
 // the mean, over what is lost, of the decoded quantity. Shared by all methods. For slopes, z is
-// the variance of a slope that the footprint hides. [HN18] section 4.3;
+// the variance of a slope lost to filtering. [HN18] section 4.3;
 // docs/gltf_extension/README.md, "Decoding".
 #ifndef LICHEN_DECODE_GLSL
 #define LICHEN_DECODE_GLSL
@@ -18,8 +18,12 @@
 #ifndef LICHEN_GAUSSIAN_ONLY
 #define LICHEN_GAUSSIAN_ONLY 1
 #endif
+// 0 where no map has values above 1 (the encoding log2). Likewise.
+#ifndef LICHEN_VALUES_ABOVE_ONE
+#define LICHEN_VALUES_ABOVE_ONE 1
+#endif
 // 1 fetches the nearest mip level of a table alone: cheaper, and colours change in steps with
-// distance. A literal, or the host's specialization constant.
+// distance. Likewise.
 #ifndef LICHEN_NEAREST_TABLE_LEVEL
 #define LICHEN_NEAREST_TABLE_LEVEL 0
 #endif
@@ -29,7 +33,9 @@
 LichenMap lichenMapOf(int role, LichenMap map) {
   // docs/gltf_extension/README.md, "Maps".
   bool isColor = role == LICHEN_BASE_COLOR || role == LICHEN_EMISSIVE;
-  bool isAboveOne = map.encoding == uint(LICHEN_ENCODING_LOG2);
+  bool isAboveOne = bool(LICHEN_VALUES_ABOVE_ONE) &&
+                    (isColor || role == LICHEN_HEIGHT) &&
+                    map.encoding == uint(LICHEN_ENCODING_LOG2);
   if (role == LICHEN_NORMAL)
     map.encoding = uint(LICHEN_ENCODING_SLOPE);
   else if (isColor)
@@ -90,8 +96,8 @@ vec4 lichenDecode(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, float contra
   // A table averages over no more than all of it.
   float within = min(contrast, 1.0);
   vec4 value = lichenDecodeTable(table, gaussian, within * within * lost, map);
-  // The variance of c g clamped to the table, over that of g, is 2 c - 1 within 1 % up to c = 2 and
-  // within a third up to 4.
+  // The variance of c g clamped to the table, over that of g, is 2 c - 1 within 3 % up to c = 2 and
+  // within a quarter up to 4.
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     value.z *= max(1.0, 2.0 * contrast - 1.0);
   return value;

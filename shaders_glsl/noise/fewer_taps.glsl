@@ -23,9 +23,9 @@
 bool lichenHasFewerTaps() { return LICHEN_TILING_TAPS < 3 || LICHEN_ONE_TAP_TILES > 0.0; }
 
 /// Whether a tile is fetched. All are where none are left out.
-bool lichenIsTaken(float weight) { return lichenHasFewerTaps() ? weight > 0.0 : true; }
+bool lichenIsFetched(float weight) { return lichenHasFewerTaps() ? weight > 0.0 : true; }
 
-/// How far a pixel with these derivatives [tiles] is on the way from all taps to one, [0, 1].
+/// The progress from all taps to one of a pixel with these derivatives [tiles], [0, 1].
 float lichenOneTapShare(vec2 gradientX, vec2 gradientY) {
   if (LICHEN_ONE_TAP_TILES <= 0.0)
     return 0.0;
@@ -52,7 +52,7 @@ void lichenOrder(inout float weightA, inout uvec2 vertexA, inout float weightB,
 
 /// Sorts the vertices by weight, the largest first, and subtracts the same amount from all weights,
 /// so that as many become 0 as the switches ask. `triangle.weights` sum to 1, before and after.
-void lichenTakeFewerTaps(inout LichenTriangle triangle, vec2 gradientX, vec2 gradientY) {
+void lichenReduceTaps(inout LichenTriangle triangle, vec2 gradientX, vec2 gradientY) {
   lichenOrder(triangle.weights.x, triangle.vertex0, triangle.weights.y, triangle.vertex1);
   lichenOrder(triangle.weights.y, triangle.vertex1, triangle.weights.z, triangle.vertex2);
   lichenOrder(triangle.weights.x, triangle.vertex0, triangle.weights.y, triangle.vertex1);

@@ -8,8 +8,8 @@
 /// Vertex (i, j) of the lattice, modulo 2^32 -> two random halves of 16 bits.
 uint lichenVertexHash(uint i, uint j, uint seedWord) {
   // i is mixed before j is added: of a sum of products i A + j B vertices repeat in rows. The seed
-  // comes in between, so that no two seeds give one field shifted. Then the finalizer of
-  // MurmurHash3 [A16], but for its first shift.
+  // comes in between, so that no two seeds give one field shifted by less than 2^31 rows.
+  // Then the finalizer of MurmurHash3 [A16] with other shifts.
   uint h = i * 0x9E3779B1u;
   h = ((h ^ (h >> 15u)) + j) ^ seedWord;
   h *= 0x85EBCA6Bu;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The impacts of a texton noise that reach a point: tile coordinate and footprint -> a walk over
-// the places at which the point lies in their textons, and their signs.
+// the offsets from the impacts to the point, and their signs.
 // [GLM17] Galerne, Leclaire and Moisan 2017, section 3.2: points of a process of density lambda,
 // signs +1 and -1. Here the points lie in the cells of a grid, one in each (stratified) or a
 // Poisson number of mean 1; the covariance of the noise is the same, since the signs are
@@ -24,9 +24,9 @@
 #define LICHEN_CUBIC_TEXTONS 1
 #endif
 
-/// What all maps of a texton noise share at one point. A place is an offset from an impact or a
-/// cell's corner to the point [texels], in the frame of the impact's texton, from the middle of its
-/// reach.
+/// What all maps of a texton noise share at one point. Offsets from an impact or a
+/// cell's corner to the point [texels] are in the frame of the impact's texton, from the middle of
+/// its reach.
 struct LichenImpacts {
   float footprintLevel; // of the mip that shows what the footprint does, at least 0
   float level;          // likewise, as far as the textons have mips
@@ -35,10 +35,10 @@ struct LichenImpacts {
 #endif
   vec2 middle, radius; // [texels] of what a texton reaches, fetched at this level
   ivec2 firstCell;     // of those whose impacts may reach the point, in the period
-  vec2 start, end;     // places of the point seen from corners of cells: first, beyond the last
+  vec2 start, end;     // offsets to the point from corners of cells: first, beyond the last
   vec2 cellTexels;     // sides of a cell
   uint seedWord;       // of the hash
-  float mixWeight;     // [0, 1] of a mix: the place between its exemplars
+  float mixWeight;     // [0, 1] of a mix: from its first exemplar to its last
   vec2 mixGradient;    // [1 / tile] its derivative
 };
 
@@ -47,9 +47,9 @@ struct LichenImpacts {
 struct LichenWalk {
   uvec3 cell;     // its cell and the seed, after the first step of the hash
   uint index;     // of it in its cell
-  vec2 corner;    // place of the point seen from the cell's corner
+  vec2 corner;    // offset from the cell's corner to the point
   bool isReached; // whether the last impact exists and reaches the point
-  vec2 place;     // of the point, seen from the last impact
+  vec2 offset;    // from the last impact to the point
   float sign;     // of the last impact, +1 or -1
 };
 
@@ -85,7 +85,8 @@ int lichenWrapped(int value, int period) {
 /// The part of a frame outside of which bilinear fetches of a mip are 0: the coefficients, and half
 /// a texel of the mip around them. [texels]
 void lichenMipReach(float level, vec2 coefficients, out vec2 low, out vec2 high) {
-  float side = exp2(ceil(level));
+  // Exact, as a device's exp2 need not be.
+  float side = float(1 << int(ceil(level)));
   low = vec2(-0.5 * side);
   high = (ceil(coefficients / side) + 0.5) * side;
 }
@@ -228,9 +229,9 @@ void lichenSetPoint(out LichenImpacts impacts, vec2 position, vec2 gradientX, ve
 vec2 lichenImpactInCell(uint word) {
   // 15 bits for each axis, below the sign's bit. They become the highest of the 23 mantissa bits of
   // a float in [1, 2), plus half a step: the middle of an interval. Exact.
-  const uint kPlaceBits = 0x7fff00u;
+  const uint kFractionBits = 0x7fff00u;
   const uint kOneAndHalfAStep = 0x3f800080u;
-  return uintBitsToFloat((uvec2(word >> 8u, word << 7u) & kPlaceBits) | kOneAndHalfAStep) - 1.0;
+  return uintBitsToFloat((uvec2(word >> 8u, word << 7u) & kFractionBits) | kOneAndHalfAStep) - 1.0;
 }
 
 /// Impacts in a cell of the Poisson process: the quantile of a Poisson variable of mean 1.
@@ -260,7 +261,7 @@ LichenWalk lichenFirstImpact(LichenImpacts impacts, LichenMaterial material) {
   walk.index = 0u;
   walk.corner = impacts.start;
   walk.isReached = false;
-  walk.place = vec2(0.0);
+  walk.offset = vec2(0.0);
   walk.sign = 0.0;
   return walk;
 }
@@ -293,10 +294,10 @@ void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial mat
   uvec3 hash = lichenPcg3dMix(walk.cell);
   uint word = isPoisson ? lichenPcg(hash.x + walk.index) : hash.x;
   uint count = isPoisson ? lichenPoissonCount(hash.y) : 1u;
-  walk.place = walk.corner - lichenImpactInCell(word) * impacts.cellTexels;
+  walk.offset = walk.corner - lichenImpactInCell(word) * impacts.cellTexels;
   walk.sign = uintBitsToFloat(floatBitsToUint(1.0) | (word & 0x80000000u));
-  walk.isReached = walk.index < count && abs(walk.place.x) < impacts.radius.x &&
-                   abs(walk.place.y) < impacts.radius.y;
+  walk.isReached = walk.index < count && abs(walk.offset.x) < impacts.radius.x &&
+                   abs(walk.offset.y) < impacts.radius.y;
   ++walk.index;
   if (!isPoisson || walk.index >= count) {
     walk.index = 0u;
@@ -305,14 +306,16 @@ void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial mat
 }
 
 /// Whether a walk has not come to the end of its cells.
-bool lichenGoesOn(LichenWalk walk, LichenImpacts impacts) { return walk.corner.y > impacts.end.y; }
+bool lichenHasImpact(LichenWalk walk, LichenImpacts impacts) {
+  return walk.corner.y > impacts.end.y;
+}
 
 /// Advances to the next impact in reach, skipping at most one. A loop would run until the slowest
 /// pixel of a group finds one.
 void lichenNextImpact(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material,
                       LichenNoise noise) {
   lichenStep(walk, impacts, material, noise);
-  if (!walk.isReached && lichenGoesOn(walk, impacts))
+  if (!walk.isReached && lichenHasImpact(walk, impacts))
     lichenStep(walk, impacts, material, noise);
 }
 

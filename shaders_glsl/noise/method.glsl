@@ -4,7 +4,8 @@
 //   lichenSetPoint   what all maps share at a point
 //   lichenGaussianAt the Gaussian value of a map there, and what filtering lost of it
 //   lichenDecodedAt  the value that a Gaussian value stands for
-//   lichenValueAt    the value of a map there: both in one
+//   lichenValueAt    the value of a map there; of colours, both in one. Slopes of rotated tiles are
+//                    decoded one by one, and only here
 #ifndef LICHEN_METHOD_GLSL
 #define LICHEN_METHOD_GLSL
 
@@ -56,7 +57,7 @@ vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenPoin
   return value;
 }
 
-/// The value of a map. For slopes, z is the variance of a slope that the footprint hides.
+/// The value of a map. For slopes, z is the variance of a slope lost to filtering.
 vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint point,
                    LichenMaterial material, LichenNoise noise, LichenMap map) {
   vec4 value = vec4(0.0);

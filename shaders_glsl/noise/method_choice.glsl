@@ -19,8 +19,7 @@
 #endif
 
 // DO(name, Type, LICHEN_METHOD_...) for each method that is compiled: its member of LichenPoint,
-// and the type of that, for which the method has the functions that method.glsl lists. One line a
-// method.
+// and the type of that, for which the method has the functions that method.glsl lists.
 #define LICHEN_EACH_METHOD(DO) LICHEN_EACH_TILING(DO) LICHEN_EACH_TEXTON(DO)
 #if (LICHEN_METHODS & 1) != 0
 #define LICHEN_EACH_TILING(DO) DO(tiling, LichenTilingTaps, LICHEN_METHOD_TILING)

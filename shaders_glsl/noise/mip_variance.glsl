@@ -6,8 +6,8 @@
 #include "../interface/lichen_interface.h"
 
 /// The amplitude of a mip's texels, as a share of the Gaussian value's. `bytes` are those of a
-/// channel: LichenMap::mipKept0, mipKept1 or mipKept2.
-float lichenMipKept(int mip, uvec4 bytes) {
+/// channel: LichenMap::mipRetained0, mipRetained1 or mipRetained2.
+float lichenMipRetained(int mip, uvec4 bytes) {
   // Chosen, not indexed: a copied array that is indexed lives in memory on most devices.
   int byte = min(mip, LICHEN_MAX_MIPS - 1);
   uint word = byte < 8 ? (byte < 4 ? bytes.x : bytes.y) : (byte < 12 ? bytes.z : bytes.w);

@@ -7,7 +7,8 @@
 #include "method.glsl"
 
 /// From texture coordinates: a constant or a direction.
-void lichenTakeUv(inout LichenPoint point, vec2 uv, LichenMaterial material, LichenNoise noise) {
+void lichenSetMixFromUv(inout LichenPoint point, vec2 uv, LichenMaterial material,
+                        LichenNoise noise) {
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise) && lichenIsMix(noise))
     lichenMixByUv(point.texton, uv, material);
@@ -15,8 +16,8 @@ void lichenTakeUv(inout LichenPoint point, vec2 uv, LichenMaterial material, Lic
 }
 
 /// Without texture coordinates: right for a constant. For a direction a host sets it:
-/// lichenSetMix(place.point.texton, lichenMixWeight(uv, material), vec2(0.0)).
-void lichenTakeMaterial(inout LichenPoint point, LichenMaterial material, LichenNoise noise) {
+/// lichenSetMix(shading.point.texton, lichenMixWeight(uv, material), vec2(0.0)).
+void lichenSetMixFromMaterial(inout LichenPoint point, LichenMaterial material, LichenNoise noise) {
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise))
     point.texton.mixWeight = lichenTextonMaterial(material).mixWeight;
@@ -24,7 +25,7 @@ void lichenTakeMaterial(inout LichenPoint point, LichenMaterial material, Lichen
 }
 
 /// From another point.
-void lichenTakeMix(inout LichenPoint point, LichenPoint other) {
+void lichenCopyMix(inout LichenPoint point, LichenPoint other) {
 #ifdef LICHEN_HAS_TEXTONS
   point.texton.mixWeight = other.texton.mixWeight;
 #endif

@@ -11,7 +11,7 @@
 #define LICHEN_PERIODIC_LATTICE 1
 #endif
 
-/// floor(value / period), for |value| < 2^22 and period > 0. Integer division is slow on many
+/// floor(value / period), for |value| < 2^20 and period > 0. Integer division is slow on many
 /// devices. (value + 1/2) / period is at least 1 / (2 period) away from any integer, more than the
 /// rounding of its product with the reciprocal.
 int lichenFloorDivide(int value, int period) {
@@ -28,7 +28,7 @@ vec2 lichenSkewedWithin(vec2 position, LichenMaterial material) {
 
 /// Reduces a vertex to one period and returns the whole periods taken away [tiles]; an infinite
 /// lattice is left alone. The cells of a periodic one are near the origin, which the host reduces
-/// to one period: |i|, |j| < 2^22.
+/// to one period of at most 65,536 tiles: |i|, |j| < 2^20.
 vec2 lichenReduceToPeriod(inout uvec2 vertex, LichenMaterial material) {
   if (!bool(LICHEN_PERIODIC_LATTICE) || material.periodRows == 0)
     return vec2(0.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The impacts of a texton noise that reach a point of a surface: a point in space and the frame of
-// its tangent plane -> a walk over the places at which the point lies in their textons, projected
+// its tangent plane -> a walk over the offsets from the impacts to the point, projected
 // onto that plane, and their weights.
 // [GLM17] Galerne, Leclaire and Moisan 2017, section 6: points of a process in space, with signs as
 // in the plane. They lie in cubes, one in each (stratified) or a Poisson number of mean 1.
@@ -12,17 +12,17 @@
 #include "hash.glsl"
 #include "impacts.glsl"
 
-/// What all maps of a surface noise share at one point, beside its LichenImpacts. A way is an
-/// offset from the corner of the cube that holds the point [cubes]. A place is an offset from an
-/// impact to the point: x and y [texels] in the frame of the impact's texton, from the middle of
-/// its reach, and the height over the tangent plane, in units of the height where the weight is 0.
+/// What all maps of a surface noise share at one point, beside its LichenImpacts.
+/// Offsets from an impact to the point have x and y [texels] in the frame of the impact's texton,
+/// from the middle of its reach, and the height over the tangent plane, in units of the height
+/// where the weight is 0. Cubes are counted from the one that holds the point.
 struct LichenSurfaceImpacts {
-  vec3 place;  // from the corner of the point's cube
-  mat3 axes;   // an impact at `way` has the place `place - way * axes`
-  vec3 radius; // impacts with smaller places reach the point
+  vec3 offset; // of the corner of the point's cube
+  mat3 axes;   // the offset of an impact at `cube` [cubes] is `offset - cube * axes`
+  vec3 radius; // impacts with smaller offsets reach the point
   uvec3 cell;  // the cube that holds the point, modulo 2^32
   vec2 firstColumn, lastColumn; // those of cubes, all along z, that may reach the point
-  // The part of a column, along z, in which each component of the place is in reach: half its
+  // The part of a column, along z, in which each component of the offset is in reach: half its
   // length, its middle in the column (0, 0), and how the middle moves from column to column.
   vec3 columnReach, columnMiddle, columnStepX, columnStepY;
 };
@@ -31,12 +31,12 @@ struct LichenSurfaceImpacts {
 /// impact, which may turn out not to exist or not to reach the point. It is small: devices that
 /// compute pixels together carry each member through their loops under a mask.
 struct LichenSurfaceWalk {
-  vec2 column; // way to the column
+  vec2 column; // from the point's
   uvec2 columnHash;
-  float cube, lastCube; // ways along z: to the cube, and to the last of the column
+  float cube, lastCube; // from the point's, along z: the next, and the last of the column
   uint index;           // of the impact in its cube
   bool isReached;       // whether the last impact exists and reaches the point
-  vec2 place;           // of the point, seen from the last impact
+  vec2 offset;          // from the last impact to the point
   float weight;         // of the last impact, with its sign
 };
 
@@ -69,7 +69,7 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   // The centre of a texton's coefficients lies on its impact.
   vec2 shift =
       0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) - impacts.middle;
-  surface.place = inside * surface.axes + vec3(shift, 0.0);
+  surface.offset = inside * surface.axes + vec3(shift, 0.0);
   surface.radius = vec3(impacts.radius, 1.0);
   // The impacts in reach lie in a box that is askew among the cubes.
   vec3 middle = inside + (shift.x * right + shift.y * down) / side;
@@ -82,13 +82,14 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   const float kLeastSlope = 1.0 / 65536.0;
   vec3 slope = vec3(right.z, down.z, outward.z);
   slope = mix(slope, vec3(kLeastSlope), lessThan(abs(slope), vec3(kLeastSlope)));
-  vec3 perWay = 1.0 / (slope * scale);
+  vec3 perOffset = 1.0 / (slope * scale);
   vec3 alongX = vec3(surface.axes[0].x, surface.axes[1].x, surface.axes[2].x);
   vec3 alongY = vec3(surface.axes[0].y, surface.axes[1].y, surface.axes[2].y);
-  surface.columnReach = (surface.radius + 0.5 * (abs(alongX) + abs(alongY))) * abs(perWay);
-  surface.columnStepX = -alongX * perWay;
-  surface.columnStepY = -alongY * perWay;
-  surface.columnMiddle = surface.place * perWay + 0.5 * (surface.columnStepX + surface.columnStepY);
+  surface.columnReach = (surface.radius + 0.5 * (abs(alongX) + abs(alongY))) * abs(perOffset);
+  surface.columnStepX = -alongX * perOffset;
+  surface.columnStepY = -alongY * perOffset;
+  surface.columnMiddle =
+      surface.offset * perOffset + 0.5 * (surface.columnStepX + surface.columnStepY);
   return surface;
 }
 
@@ -112,7 +113,7 @@ LichenSurfaceWalk lichenFirstSurfaceImpact(LichenSurfaceImpacts surface, LichenM
   walk.column = surface.firstColumn;
   walk.index = 0u;
   walk.isReached = false;
-  walk.place = vec2(0.0);
+  walk.offset = vec2(0.0);
   walk.weight = 0.0;
   lichenEnterColumn(walk, surface, material);
   return walk;
@@ -146,13 +147,13 @@ void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surfac
     word = lichenPcg(word + walk.index);
     count = lichenPoissonCount(lichenPcg(walk.columnHash.y + cell));
   }
-  vec3 way = vec3(walk.column, walk.cube) + lichenImpactInCube(word);
-  vec3 place = surface.place - way * surface.axes;
-  walk.place = place.xy;
+  vec3 impact = vec3(walk.column, walk.cube) + lichenImpactInCube(word);
+  vec3 offset = surface.offset - impact * surface.axes;
+  walk.offset = offset.xy;
   // [GLM17] section 6: less and less of what is far from the tangent plane.
-  float weight = 1.0 - abs(place.z);
+  float weight = 1.0 - abs(offset.z);
   walk.weight = (word & 0x80000000u) != 0u ? -weight : weight;
-  walk.isReached = walk.index < count && all(lessThan(abs(place), surface.radius));
+  walk.isReached = walk.index < count && all(lessThan(abs(offset), surface.radius));
   ++walk.index;
   if (!isPoisson || walk.index >= count) {
     walk.index = 0u;
@@ -163,7 +164,7 @@ void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceImpacts surfac
 }
 
 /// Whether a walk has not come to the end of its cubes.
-bool lichenGoesOn(LichenSurfaceWalk walk, LichenSurfaceImpacts surface) {
+bool lichenHasImpact(LichenSurfaceWalk walk, LichenSurfaceImpacts surface) {
   return walk.column.y <= surface.lastColumn.y;
 }
 
@@ -173,7 +174,7 @@ void lichenNextSurfaceImpact(inout LichenSurfaceWalk walk, LichenSurfaceImpacts 
                              LichenMaterial material, LichenNoise noise) {
   // No do-while: Mesa 22.3's lavapipe runs one wrong that is inside another loop.
   walk.isReached = false;
-  while (!walk.isReached && lichenGoesOn(walk, surface))
+  while (!walk.isReached && lichenHasImpact(walk, surface))
     lichenSurfaceStep(walk, surface, material, noise);
 }
 

@@ -16,10 +16,10 @@ vec3 lichenSurfaceTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts,
                             LichenNoise noise) {
   vec3 sum = vec3(0.0);
   LichenSurfaceWalk walk = lichenFirstSurfaceImpact(surface, material);
-  while (lichenGoesOn(walk, surface)) {
+  while (lichenHasImpact(walk, surface)) {
     lichenNextSurfaceImpact(walk, surface, material, noise);
     float weight = walk.isReached ? walk.weight : 0.0;
-    sum += weight * lichenTextonAt(image, walk.place + impacts.middle, impacts, noise);
+    sum += weight * lichenTextonAt(image, walk.offset + impacts.middle, impacts, noise);
   }
   return lichenTextonMaterial(material).amplitude * sum;
 }
@@ -29,7 +29,7 @@ int lichenSurfaceImpactCount(LichenSurfaceImpacts surface, LichenMaterial materi
                              LichenNoise noise) {
   int count = 0;
   LichenSurfaceWalk walk = lichenFirstSurfaceImpact(surface, material);
-  while (lichenGoesOn(walk, surface)) {
+  while (lichenHasImpact(walk, surface)) {
     lichenNextSurfaceImpact(walk, surface, material, noise);
     count += walk.isReached ? 1 : 0;
   }
@@ -38,9 +38,9 @@ int lichenSurfaceImpactCount(LichenSurfaceImpacts surface, LichenMaterial materi
 
 /// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified.
 vec3 lichenSurfaceTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts,
-                                 LichenSurfaceImpacts surface, LichenKept kept,
+                                 LichenSurfaceImpacts surface, LichenRetained retained,
                                  LichenMaterial material, LichenNoise noise, LichenMap map) {
-  vec3 gain = lichenTextonGain(kept, material);
+  vec3 gain = lichenTextonGain(retained, material);
   // As lichenTextonGaussian has it.
   if (gain == vec3(0.0))
     return vec3(0.5);
@@ -53,10 +53,10 @@ vec4 lichenSurfaceTexton(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImp
                          LichenSurfaceImpacts surface, LichenMaterial material, LichenNoise noise,
                          LichenMap map) {
   LichenMap here = lichenMixedMap(table, impacts, noise, map);
-  LichenKept kept = lichenTextonKept(table, impacts, noise, map);
+  LichenRetained retained = lichenTextonRetained(table, impacts, noise, map);
   vec3 gaussian =
-      lichenSurfaceTextonGaussian(image, impacts, surface, kept, material, noise, here);
-  return lichenTextonDecode(gaussian, kept, material, here);
+      lichenSurfaceTextonGaussian(image, impacts, surface, retained, material, noise, here);
+  return lichenTextonDecode(gaussian, retained, material, here);
 }
 
 #endif

@@ -93,10 +93,10 @@ vec3 lichenTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenMateria
   // [GLM17] eq. 2, symmetric signs.
   vec3 sum = vec3(0.0);
   LichenWalk walk = lichenFirstImpact(impacts, material);
-  while (lichenGoesOn(walk, impacts)) {
+  while (lichenHasImpact(walk, impacts)) {
     lichenNextImpact(walk, impacts, material, noise);
     float sign = walk.isReached ? walk.sign : 0.0;
-    sum += sign * lichenTextonAt(image, walk.place + impacts.middle, impacts, noise);
+    sum += sign * lichenTextonAt(image, walk.offset + impacts.middle, impacts, noise);
   }
   return lichenTextonMaterial(material).amplitude * sum;
 }
@@ -105,7 +105,7 @@ vec3 lichenTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenMateria
 int lichenImpactCount(LichenImpacts impacts, LichenMaterial material, LichenNoise noise) {
   int count = 0;
   LichenWalk walk = lichenFirstImpact(impacts, material);
-  while (lichenGoesOn(walk, impacts)) {
+  while (lichenHasImpact(walk, impacts)) {
     lichenNextImpact(walk, impacts, material, noise);
     count += walk.isReached ? 1 : 0;
   }
@@ -114,12 +114,12 @@ int lichenImpactCount(LichenImpacts impacts, LichenMaterial material, LichenNois
 
 /// The share of each channel's variance that textons fetched at a level >= 0 keep: of a trilinear
 /// blend of a mip and the next.
-vec3 lichenTextonLevelKept(LICHEN_IMAGE_3D table, float level, LichenImpacts impacts,
+vec3 lichenTextonLevelRetained(LICHEN_IMAGE_3D table, float level, LichenImpacts impacts,
                            LichenNoise noise, LichenMap map) {
   // docs/theory.md, Filtering: the covariance of the two.
   int mip = int(level);
-  vec3 fine = lichenTextonMipKept(table, mip, impacts, noise, map);
-  vec3 coarse = lichenTextonMipKept(table, mip + 1, impacts, noise, map);
+  vec3 fine = lichenTextonMipRetained(table, mip, impacts, noise, map);
+  vec3 coarse = lichenTextonMipRetained(table, mip + 1, impacts, noise, map);
   const float kLeast = 1.0e-3; // of the amplitudes' steps of 1/255, below the first
   vec3 ratio = coarse / max(fine, kLeast);
   vec3 covariance = coarse * coarse + 0.5 * ratio * ratio * ratio * (fine * fine - coarse * coarse);
@@ -129,30 +129,30 @@ vec3 lichenTextonLevelKept(LICHEN_IMAGE_3D table, float level, LichenImpacts imp
 }
 
 /// The shares of each channel's variance that filtering leaves at a point.
-struct LichenKept {
+struct LichenRetained {
   vec3 fetched; // left by the mips that are fetched
-  vec3 seen;    // left by averages over the footprint, which may be larger
+  vec3 footprint;    // left by averages over the footprint, which may be larger
 };
 
-LichenKept lichenTextonKept(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
+LichenRetained lichenTextonRetained(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
                             LichenMap map) {
   float level = min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1));
-  return LichenKept(lichenTextonLevelKept(table, impacts.level, impacts, noise, map),
-                    lichenTextonLevelKept(table, level, impacts, noise, map));
+  return LichenRetained(lichenTextonLevelRetained(table, impacts.level, impacts, noise, map),
+                    lichenTextonLevelRetained(table, level, impacts, noise, map));
 }
 
 /// The factor on a sum over impacts. Beyond the last mip textons stay the same, and the factor
 /// falls as the deviation of averages does.
-vec3 lichenTextonGain(LichenKept kept, LichenMaterial material) {
+vec3 lichenTextonGain(LichenRetained retained, LichenMaterial material) {
   const float kLeast = 1.0e-6; // below the square of an amplitude's first step, 1/255
-  return material.contrast * sqrt(kept.seen / max(kept.fetched, kLeast));
+  return material.contrast * sqrt(retained.footprint / max(retained.fetched, kLeast));
 }
 
 /// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified. Of a mix, `map`
 /// is what lichenMixedMap makes of it; likewise below.
-vec3 lichenTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenKept kept,
+vec3 lichenTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenRetained retained,
                           LichenMaterial material, LichenNoise noise, LichenMap map) {
-  vec3 gain = lichenTextonGain(kept, material);
+  vec3 gain = lichenTextonGain(retained, material);
   // From so far that nothing is left to see, the mean needs no impacts.
   if (gain == vec3(0.0))
     return vec3(0.5);
@@ -160,8 +160,9 @@ vec3 lichenTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenKe
 }
 
 /// The value that a Gaussian value stands for. Contrast scales what is lost with what is there.
-vec4 lichenTextonDecode(vec3 gaussian, LichenKept kept, LichenMaterial material, LichenMap map) {
-  vec3 lost = material.contrast * material.contrast * (1.0 - kept.seen);
+vec4 lichenTextonDecode(vec3 gaussian, LichenRetained retained, LichenMaterial material,
+                        LichenMap map) {
+  vec3 lost = material.contrast * material.contrast * (1.0 - retained.footprint);
   return lichenDecodeGaussian(gaussian, lost, map);
 }
 
@@ -169,9 +170,9 @@ vec4 lichenTextonDecode(vec3 gaussian, LichenKept kept, LichenMaterial material,
 
 vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
                       LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
-  LichenKept kept = lichenTextonKept(table, impacts, noise, map);
-  lost = 1.0 - kept.seen;
-  return lichenTextonGaussian(image, impacts, kept, material, noise,
+  LichenRetained retained = lichenTextonRetained(table, impacts, noise, map);
+  lost = 1.0 - retained.footprint;
+  return lichenTextonGaussian(image, impacts, retained, material, noise,
                               lichenMixedMap(table, impacts, noise, map));
 }
 
@@ -187,9 +188,9 @@ vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts i
   // Not by the two above: compilers do not fetch once what is written twice, where images and
   // samplers are separate.
   LichenMap here = lichenMixedMap(table, impacts, noise, map);
-  LichenKept kept = lichenTextonKept(table, impacts, noise, map);
-  vec3 gaussian = lichenTextonGaussian(image, impacts, kept, material, noise, here);
-  return lichenTextonDecode(gaussian, kept, material, here);
+  LichenRetained retained = lichenTextonRetained(table, impacts, noise, map);
+  vec3 gaussian = lichenTextonGaussian(image, impacts, retained, material, noise, here);
+  return lichenTextonDecode(gaussian, retained, material, here);
 }
 
 #endif

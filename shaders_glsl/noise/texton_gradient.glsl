@@ -105,13 +105,13 @@ LichenImpacts lichenGradientImpactsAt(vec2 position, vec2 gradientX, vec2 gradie
 vec3 lichenTextonGradient(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
                           LichenMaterial material, LichenNoise noise, LichenMap map) {
   LichenMap here = lichenMixedMap(table, impacts, noise, map);
-  float gain = lichenTextonGain(lichenTextonKept(table, impacts, noise, map), material).x;
+  float gain = lichenTextonGain(lichenTextonRetained(table, impacts, noise, map), material).x;
   vec3 sum = vec3(0.0);
   LichenWalk walk = lichenFirstImpact(impacts, material);
-  while (gain > 0.0 && lichenGoesOn(walk, impacts)) {
+  while (gain > 0.0 && lichenHasImpact(walk, impacts)) {
     lichenNextImpact(walk, impacts, material, noise);
     float sign = walk.isReached ? walk.sign : 0.0;
-    sum += sign * lichenTextonGradientAt(image, walk.place + impacts.middle, impacts, noise);
+    sum += sign * lichenTextonGradientAt(image, walk.offset + impacts.middle, impacts, noise);
   }
   vec3 gradient = here.row0.x * here.sumFactor.x * lichenTextonMaterial(material).amplitude * gain *
                   sum * vec3(1.0, noise.tileTexelsX, noise.tileTexelsY);

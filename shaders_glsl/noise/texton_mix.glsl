@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mixes of textons: place in a mix -> the step of an impact, and the map's constants at a point.
-// Each impact takes the texton of its own place; mean, deviation and what mips keep are
+// Mixes of textons: weight of a mix -> the step of an impact, and the map's constants at a point.
+// Each impact takes the texton of its own weight; mean, deviation and what mips retain are
 // interpolated between the two nearest steps, from a table of them. The CPU twin is
 // analysis/texton/mixed_map. [GLM17] Galerne, Leclaire and Moisan 2017, section 7.
 #ifndef LICHEN_TEXTON_MIX_GLSL
@@ -28,7 +28,7 @@ float lichenMixWeight(vec2 uv, LichenMaterial material) {
   return own.mixWeight + dot(vec2(own.mixPerU, own.mixPerV), uv);
 }
 
-/// The place in a mix at `uv` where it is a constant or a direction; 0 of other sources, which
+/// The weight of a mix at `uv` where it is a constant or a direction; 0 of other sources, which
 /// lichenSetMix and lichenMixByMask are for.
 void lichenMixByUv(inout LichenImpacts impacts, vec2 uv, LichenMaterial material) {
   LichenTextonMaterial own = lichenTextonMaterial(material);
@@ -39,7 +39,7 @@ void lichenMixByUv(inout LichenImpacts impacts, vec2 uv, LichenMaterial material
   impacts.mixGradient = lichenUvToTile(vec2(own.mixPerU, own.mixPerV), material) / dot(row, row);
 }
 
-/// The top of an impact's frame in the image: of a mix, that of its own place. [texels]
+/// The top of an impact's frame in the image: of a mix, that of its own weight. [texels]
 float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenNoise noise) {
   if (!lichenIsMix(noise))
     return 0.0;
@@ -51,9 +51,9 @@ float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenNoise noise) {
 
 /// A row of a mix's table at a step, [0, steps - 1], linear between whole ones.
 vec4 lichenMixRow(LICHEN_IMAGE_3D table, float atStep, int row, LichenNoise noise) {
-  vec3 place = vec3((atStep + 0.5) / float(int(noise.texton.steps)), 0.5,
+  vec3 coordinate = vec3((atStep + 0.5) / float(int(noise.texton.steps)), 0.5,
                     (float(row) + 0.5) / float(LICHEN_MIX_ROWS));
-  return LICHEN_SAMPLE_3D(table, place, 0.0);
+  return LICHEN_SAMPLE_3D(table, coordinate, 0.0);
 }
 
 /// The step of the point itself, [0, steps - 1].
@@ -62,7 +62,7 @@ float lichenMixStep(LichenImpacts impacts, LichenNoise noise) {
 }
 
 /// The map's constants at the point's weight in a mix, except the amplitudes of mips
-/// (lichenTextonMipKept). Without a mix, `map` itself. `table` is that of the map's binding.
+/// (lichenTextonMipRetained). Without a mix, `map` itself. `table` is that of the map's binding.
 LichenMap lichenMixedMap(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
                          LichenMap map) {
   if (!lichenIsMix(noise))
@@ -81,16 +81,16 @@ LichenMap lichenMixedMap(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoi
   return map;
 }
 
-/// The amplitudes that the texels of a mip keep of each channel, at the map's place in a mix.
-vec3 lichenTextonMipKept(LICHEN_IMAGE_3D table, int mip, LichenImpacts impacts, LichenNoise noise,
-                         LichenMap map) {
+/// The amplitudes that the texels of a mip retain of each channel, at the point's weight of a mix.
+vec3 lichenTextonMipRetained(LICHEN_IMAGE_3D table, int mip, LichenImpacts impacts,
+                             LichenNoise noise,LichenMap map) {
   if (!lichenIsMix(noise))
-    return vec3(lichenMipKept(mip, map.mipKept0), lichenMipKept(mip, map.mipKept1),
-                lichenMipKept(mip, map.mipKept2));
-  int row = LICHEN_MIX_KEPT + min(mip, LICHEN_MAX_MIPS - 1);
-  vec3 kept = lichenMixRow(table, lichenMixStep(impacts, noise), row, noise).rgb;
+    return vec3(lichenMipRetained(mip, map.mipRetained0), lichenMipRetained(mip, map.mipRetained1),
+                lichenMipRetained(mip, map.mipRetained2));
+  int row = LICHEN_MIX_RETAINED + min(mip, LICHEN_MAX_MIPS - 1);
+  vec3 retained = lichenMixRow(table, lichenMixStep(impacts, noise), row, noise).rgb;
   // Rounded to bytes, like the amplitudes of maps without a mix: exactly 0 in distant views.
-  return floor(255.0 * kept + 0.5) * (1.0 / 255.0);
+  return floor(255.0 * retained + 0.5) * (1.0 / 255.0);
 }
 
 /// The derivative of the mean of a map's first channel along x and y [1 / tile]: 0 without a mix.

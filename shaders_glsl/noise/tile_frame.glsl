@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the exemplar lies against the coordinates that a material maps: turned and scaled.
+// How the exemplar lies against the coordinates that a material maps: rotated and scaled.
 #ifndef LICHEN_TILE_FRAME_GLSL
 #define LICHEN_TILE_FRAME_GLSL
 

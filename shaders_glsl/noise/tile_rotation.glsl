@@ -23,12 +23,12 @@ uint lichenTileRotation(LichenMaterial material) {
 
 /// Whether rotation maps texels onto texels: half turns, and quarter turns of square exemplars.
 /// Such tiles rotate about the origin, others about their vertices.
-bool lichenTurnsKeepTexels(uint tileRotation, float tileAspect) {
+bool lichenRotationsKeepTexels(uint tileRotation, float tileAspect) {
   return tileRotation <= 2u || (tileRotation == 4u && tileAspect == 1.0);
 }
 
-/// The (cosine, sine) of a vertex's tile.
-vec2 lichenTileTurn(uvec2 vertex, uint tileRotation, uint seedWord) {
+/// The rotation of a vertex's tile: (cosine, sine) of its angle.
+vec2 lichenTileRotationAt(uvec2 vertex, uint tileRotation, uint seedWord) {
   int steps = int(tileRotation);
   // Hashed again: both halves of the vertex's hash are the offset.
   uint hash = lichenPcg(lichenVertexHash(vertex.x, vertex.y, seedWord));
@@ -39,24 +39,25 @@ vec2 lichenTileTurn(uvec2 vertex, uint tileRotation, uint seedWord) {
   const float kQuarterTurn = 1.5707963268;
   float x = kQuarterTurn * float(4 * step - quarter * steps) / float(steps);
   float xx = x * x;
-  vec2 turn = vec2(
+  vec2 rotation = vec2(
       1.0 - xx * (1.0 / 2.0 - xx * (1.0 / 24.0 - xx * (1.0 / 720.0 - xx * (1.0 / 40320.0)))),
       x - x * xx * (1.0 / 6.0 - xx * (1.0 / 120.0 - xx * (1.0 / 5040.0 - xx * (1.0 / 362880.0)))));
   if ((quarter & 1) != 0)
-    turn = vec2(-turn.y, turn.x);
-  return (quarter & 2) != 0 ? -turn : turn;
+    rotation = vec2(-rotation.y, rotation.x);
+  return (quarter & 2) != 0 ? -rotation : rotation;
 }
 
-/// An offset on the plane [tiles] -> the offset in the exemplar of a tile rotated by `turn`.
-vec2 lichenTurned(vec2 way, vec2 turn, float tileAspect) {
-  return vec2(turn.x * way.x - turn.y * way.y / tileAspect,
-              turn.x * way.y + turn.y * way.x * tileAspect);
+/// An offset on the plane [tiles] -> the offset in the exemplar of a tile rotated by `rotation`.
+vec2 lichenRotated(vec2 offset, vec2 rotation, float tileAspect) {
+  return vec2(rotation.x * offset.x - rotation.y * offset.y / tileAspect,
+              rotation.x * offset.y + rotation.y * offset.x * tileAspect);
 }
 
-/// Slopes in the exemplar of a tile that is rotated by `turn` -> slopes on the plane. Y points up,
-/// against v.
-vec2 lichenSlopesTurnedBack(vec2 slopes, vec2 turn) {
-  return vec2(turn.x * slopes.x - turn.y * slopes.y, turn.x * slopes.y + turn.y * slopes.x);
+/// Slopes in the exemplar of a tile that is rotated by `rotation` -> slopes on the plane. Y points
+/// up, against v.
+vec2 lichenSlopesRotatedBack(vec2 slopes, vec2 rotation) {
+  return vec2(rotation.x * slopes.x - rotation.y * slopes.y,
+              rotation.x * slopes.y + rotation.y * slopes.x);
 }
 
 #endif

@@ -14,10 +14,10 @@ vec4 lichenTilingBlendDecoded(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table,
   vec4 value1 = lichenTilingDecode(table, tiles.tile1 + kShift, tiles.lossShare, 1.0, map);
   vec4 value2 = lichenTilingDecode(table, tiles.tile2 + kShift, tiles.lossShare, 1.0, map);
   vec4 middle = map.mean;
-  if (map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isTurned) {
-    value0.xy = lichenSlopesTurnedBack(value0.xy, taps.turn0);
-    value1.xy = lichenSlopesTurnedBack(value1.xy, taps.turn1);
-    value2.xy = lichenSlopesTurnedBack(value2.xy, taps.turn2);
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isRotated) {
+    value0.xy = lichenSlopesRotatedBack(value0.xy, taps.rotation0);
+    value1.xy = lichenSlopesRotatedBack(value1.xy, taps.rotation1);
+    value2.xy = lichenSlopesRotatedBack(value2.xy, taps.rotation2);
     middle.xy = vec2(0.0);
   }
   vec3 weights = taps.point.weights;
@@ -31,7 +31,7 @@ vec4 lichenTilingLinear(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenT
   return lichenTilingBlendDecoded(gaussian, table, taps, taps.point.contrast, map);
 }
 
-/// [HN18] eq. 8, fig. 5: variance, but not the histogram, is kept. Values leave the exemplar's
+/// [HN18] eq. 8, fig. 5: variance, but not the histogram, is preserved. Values leave the exemplar's
 /// range.
 vec4 lichenTilingVariance(LICHEN_IMAGE_2D gaussian, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
                           LichenMap map) {

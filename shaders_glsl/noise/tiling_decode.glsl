@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The Gaussian value and the loss from tiling.glsl -> the material's value. Of the slope variance
-// that fetches lose, only the part that the footprint hides makes the material rougher.
+// lost to filtering, only what interpolation does not explain makes the material rougher.
 #ifndef LICHEN_TILING_DECODE_GLSL
 #define LICHEN_TILING_DECODE_GLSL
 
 #include "decode.glsl"
 
-/// The share of the lost slope variance that counts as roughness. `loss` is what fetches lose on
-/// average over all positions. Interpolation between texels is part of it, and of what a magnified
-/// view lacks: without it, what is visible and what is hidden have the same sum at every distance.
+/// The share of the lost slope variance that counts as roughness. `loss` is the average over all
+/// positions. Interpolation loses interpolationLoss of it even where the view is magnified. Without
+/// that part, the variance that is drawn and the variance that is lost have a constant sum.
 float lichenFootprintShare(float loss, LichenMap map) {
   return loss > map.interpolationLoss ? 1.0 - map.interpolationLoss / loss : 0.0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tiling with everything that a material or a host may ask of it, in place of tiling.glsl's point
-// and value: blend sharpness, fewer taps, a periodic lattice, turned tiles, anisotropic samplers.
+// and value: blend sharpness, fewer taps, a periodic lattice, rotated tiles, anisotropic samplers.
 // Each costs nothing where its switch leaves it out. The CPU twin is analysis/tiling/evaluate.
 #ifndef LICHEN_TILING_OPTIONS_GLSL
 #define LICHEN_TILING_OPTIONS_GLSL
@@ -19,8 +19,8 @@
 /// What all maps of a noise share at one point.
 struct LichenTilingTaps {
   LichenTilingPoint point;
-  vec2 turn0, turn1, turn2; // (cosine, sine) of each tile's angle; (1, 0) where none is turned
-  bool isTurned;            // whether tiles are
+  vec2 rotation0, rotation1, rotation2; // (cosine, sine) of each tile's angle
+  bool isRotated;                       // whether tiles are rotated
 #if LICHEN_ANISOTROPIC
   vec2 gradientX, gradientY; // of the position [tiles / pixel]
   vec2 tileTexels;           // size of the widest map
@@ -30,7 +30,7 @@ struct LichenTilingTaps {
 };
 
 /// The offset from a vertex to a point [tiles]. The vertex is not reduced to a period.
-vec2 lichenWayFromVertex(uvec2 vertex, vec2 skewed, LichenMaterial material) {
+vec2 lichenOffsetFromVertex(uvec2 vertex, vec2 skewed, LichenMaterial material) {
   // The offset within the cell, plus whole cells from the vertex to the cell's corner: as exact far
   // from the origin as near it.
   vec2 cell = floor(skewed);
@@ -39,17 +39,18 @@ vec2 lichenWayFromVertex(uvec2 vertex, vec2 skewed, LichenMaterial material) {
   return vec2((cells.x + 0.5 * cells.y) / material.columnsPerTile, cells.y / material.rowsPerTile);
 }
 
-/// Where the tile of a vertex is fetched [tiles]; its angle.
+/// Where the tile of a vertex is fetched [tiles]; its rotation.
 vec2 lichenTilingTap(uvec2 vertex, vec2 position, vec2 skewed, LichenMaterial material,
-                     LichenNoise noise, out vec2 turn) {
-  uint rotation = lichenTileRotation(material);
-  vec2 way = lichenWayFromVertex(vertex, skewed, material);
+                     LichenNoise noise, out vec2 rotation) {
+  uint steps = lichenTileRotation(material);
+  vec2 offset = lichenOffsetFromVertex(vertex, skewed, material);
   vec2 tap = position - lichenReduceToPeriod(vertex, material);
-  turn = vec2(1.0, 0.0);
-  if (rotation > 1u) {
-    turn = lichenTileTurn(vertex, rotation, material.seedWord);
-    tap = lichenTurned(lichenTurnsKeepTexels(rotation, noise.tileAspect) ? tap : way, turn,
-                       noise.tileAspect);
+  rotation = vec2(1.0, 0.0);
+  if (steps > 1u) {
+    rotation = lichenTileRotationAt(vertex, steps, material.seedWord);
+    if (!lichenRotationsKeepTexels(steps, noise.tileAspect))
+      tap = offset;
+    tap = lichenRotated(tap, rotation, noise.tileAspect);
   }
   return tap + lichenTileOffset(vertex, material, noise);
 }
@@ -65,20 +66,22 @@ void lichenSetPoint(out LichenTilingTaps taps, vec2 position, vec2 gradientX, ve
     triangle.weights /= triangle.weights.x + triangle.weights.y + triangle.weights.z;
   }
   if (lichenHasFewerTaps())
-    lichenTakeFewerTaps(triangle, gradientX, gradientY);
-  taps.point.uv0 = lichenTilingTap(triangle.vertex0, position, skewed, material, noise, taps.turn0);
-  taps.point.uv1 = lichenTilingTap(triangle.vertex1, position, skewed, material, noise, taps.turn1);
+    lichenReduceTaps(triangle, gradientX, gradientY);
+  taps.point.uv0 = lichenTilingTap(triangle.vertex0, position, skewed, material, noise,
+                                   taps.rotation0);
+  taps.point.uv1 = lichenTilingTap(triangle.vertex1, position, skewed, material, noise,
+                                   taps.rotation1);
   taps.point.uv2 = taps.point.uv1; // of no weight with two taps
-  taps.turn2 = taps.turn1;
+  taps.rotation2 = taps.rotation1;
   if (LICHEN_TILING_TAPS > 2)
     taps.point.uv2 =
-        lichenTilingTap(triangle.vertex2, position, skewed, material, noise, taps.turn2);
+        lichenTilingTap(triangle.vertex2, position, skewed, material, noise, taps.rotation2);
   taps.point.weights = triangle.weights;
   taps.point.contrast = material.contrast;
   lichenSetTilingFootprint(taps.point, position, gradientX, gradientY, noise);
-  uint rotation = lichenTileRotation(material);
-  taps.isTurned = rotation > 1u;
-  if (taps.isTurned && !lichenTurnsKeepTexels(rotation, noise.tileAspect))
+  uint steps = lichenTileRotation(material);
+  taps.isRotated = steps > 1u;
+  if (taps.isRotated && !lichenRotationsKeepTexels(steps, noise.tileAspect))
     taps.point.lossShare = 1.0;
 #if LICHEN_ANISOTROPIC
   taps.gradientX = gradientX;
@@ -105,16 +108,16 @@ float lichenAnisotropicTilingLevel(LichenTilingTaps taps, LichenMap map) {
 #endif
 
 /// One tile; any value where it is not taken.
-vec4 lichenTilingFetch(LICHEN_IMAGE_2D gaussian, vec2 tap, vec2 turn, float weight,
+vec4 lichenTilingFetch(LICHEN_IMAGE_2D gaussian, vec2 tap, vec2 rotation, float weight,
                        LichenTilingTaps taps, float level) {
-  if (!lichenIsTaken(weight))
+  if (!lichenIsFetched(weight))
     return vec4(0.5);
 #if LICHEN_ANISOTROPIC
   vec2 gradientX = taps.gradientX;
   vec2 gradientY = taps.gradientY;
   if (bool(LICHEN_TILE_ROTATION)) {
-    gradientX = lichenTurned(gradientX, turn, taps.tileAspect);
-    gradientY = lichenTurned(gradientY, turn, taps.tileAspect);
+    gradientX = lichenRotated(gradientX, rotation, taps.tileAspect);
+    gradientY = lichenRotated(gradientY, rotation, taps.tileAspect);
   }
   return LICHEN_SAMPLE_2D_GRAD(gaussian, tap, gradientX, gradientY);
 #else
@@ -137,11 +140,14 @@ LichenTiles lichenTilingTiles(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, L
 #endif
   vec3 weights = taps.point.weights;
   LichenTiles tiles;
-  tiles.tile0 = lichenTilingFetch(gaussian, taps.point.uv0, taps.turn0, weights.x, taps, level);
-  tiles.tile1 = lichenTilingFetch(gaussian, taps.point.uv1, taps.turn1, weights.y, taps, level);
+  tiles.tile0 = lichenTilingFetch(gaussian, taps.point.uv0, taps.rotation0, weights.x, taps,
+                                  level);
+  tiles.tile1 = lichenTilingFetch(gaussian, taps.point.uv1, taps.rotation1, weights.y, taps,
+                                  level);
   tiles.tile2 = vec4(0.5);
   if (LICHEN_TILING_TAPS > 2)
-    tiles.tile2 = lichenTilingFetch(gaussian, taps.point.uv2, taps.turn2, weights.z, taps, level);
+    tiles.tile2 = lichenTilingFetch(gaussian, taps.point.uv2, taps.rotation2, weights.z, taps,
+                                  level);
 #if LICHEN_ANISOTROPIC
   // Alpha does not tell what an anisotropic sampler's probes lose together.
   tiles.tile0.a = tiles.tile1.a = tiles.tile2.a =
@@ -168,11 +174,11 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
   float contrast = taps.point.contrast;
   vec3 weights = taps.point.weights;
   vec4 blend = lichenTilesBlend(tiles, taps);
-  // The slopes of turned tiles are decoded one by one, turned back and blended about 0, where
-  // turning leaves their mean: a joint table knows slopes as they lie in the exemplar. One loop for
-  // both, tested at both ends, as lichenTriplanarGaussian has it: devices that run both sides of a
+  // The slopes of rotated tiles are decoded one by one, rotated back and blended about 0, where
+  // rotation leaves their mean: a joint table knows slopes as they lie in the exemplar. One loop
+  // for both, tested at both ends, as lichenTriplanarGaussian has it: devices that run both sides of a
   // branch leave a loop when no pixel has more.
-  bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isTurned;
+  bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isRotated;
   vec3 shares = weights * inversesqrt(dot(weights, weights));
   int count = isEach ? (LICHEN_TILING_TAPS > 2 ? 3 : 2) : 1;
   vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
@@ -184,10 +190,11 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
     else
       each = blend;
     vec4 value = lichenTilingDecode(table, each, tiles.lossShare, contrast, map);
-    vec2 turn = tile == 0 ? taps.turn0 : (tile == 1 ? taps.turn1 : taps.turn2);
+    vec2 rotation = tile == 0 ? taps.rotation0 : (tile == 1 ? taps.rotation1 : taps.rotation2);
     float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
     if (isEach)
-      sum += vec4(share * lichenSlopesTurnedBack(value.xy, turn), share * share * value.z, 0.0);
+      sum += vec4(share * lichenSlopesRotatedBack(value.xy, rotation), share * share * value.z,
+                  0.0);
     else
       sum = value;
     ++tile;

@@ -24,7 +24,7 @@ struct LichenTriplanar {
 };
 
 /// The noise in one plane at one point.
-struct LichenPlanePlace {
+struct LichenPlanePoint {
   int axis; // along which the plane looks: 0 x, 1 y, 2 z
   float weight;
   LichenPoint point;
@@ -45,7 +45,7 @@ LichenMaterial lichenMaterialOfPlane(int axis, LichenTriplanarMaterial planes) {
   return material;
 }
 
-/// Along the right and the down of the plane that looks along an axis, seen from its end.
+/// Along the right and the down of the plane across an axis, viewed from the axis's end.
 vec2 lichenOntoPlane(vec3 v, int axis) {
   return axis == 0 ? vec2(-v.z, -v.y) : (axis == 1 ? v.xz : vec2(v.x, -v.y));
 }
@@ -56,9 +56,9 @@ vec3 lichenSlopesToSpace(vec2 slopes, int axis, LichenMaterial material) {
   return axis == 0 ? vec3(0.0, s.y, -s.x) : (axis == 1 ? vec3(s.x, 0.0, -s.y) : vec3(s, 0.0));
 }
 
-/// The place in the plane of this rank. Each map computes it anew: kept for all maps, three of them
+/// The point in the plane of this rank. Each map computes it anew: shared by all maps, the three
 /// would take a GPU's registers, and a detour through memory on llvmpipe.
-LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank, LichenPoint point,
+LichenPlanePoint lichenPlanePoint(LichenTriplanar at, int rank, LichenPoint point,
                                   LichenNoise noise) {
   int axis = rank == 0 ? at.order.x : (rank == 1 ? at.order.y : at.order.z);
   LichenMaterial own = lichenMaterialOfPlane(axis, at.planes);
@@ -68,21 +68,21 @@ LichenPlanePlace lichenPlanePlace(LichenTriplanar at, int rank, LichenPoint poin
               tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.position, axis), own);
   vec2 tileX = tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.gradientX, axis), own);
   vec2 tileY = tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.gradientY, axis), own);
-  LichenPlanePlace plane = LichenPlanePlace(axis, lichenAlongAxis(at.weights, axis),
+  LichenPlanePoint plane = LichenPlanePoint(axis, lichenAlongAxis(at.weights, axis),
                                             lichenPointAt(tile, tileX, tileY, own, noise));
-  lichenTakeMix(plane.point, point);
+  lichenCopyMix(plane.point, point);
   return plane;
 }
 
 /// What the decoded slopes of one plane add to the gradient in space, and in w to the variance of a
-/// slope that the footprint hides.
-vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePlace plane, vec3 normal, LichenMaterial material) {
+/// slope lost to filtering.
+vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePoint plane, vec3 normal, LichenMaterial material) {
   // The variance is the same along all axes of the plane. On the surface it stays across the slant,
   // and is cosine^2 times as much along it: this is the average.
   float cosine = lichenAlongAxis(normal, plane.axis);
-  float seen = 0.5 + 0.5 * cosine * cosine;
+  float projected = 0.5 + 0.5 * cosine * cosine;
   return vec4(plane.weight * lichenSlopesToSpace(slopes.xy, plane.axis, material),
-              plane.weight * plane.weight * seen * slopes.z);
+              plane.weight * plane.weight * projected * slopes.z);
 }
 
 /// The Gaussian value of a map, of all planes that count: mean 1/2, deviation 1/6 where nothing is
@@ -98,7 +98,7 @@ vec3 lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, Liche
   // lavapipe gives some pixels what others have.
   int rank = 0;
   while (rank < at.count) {
-    LichenPlanePlace plane = lichenPlanePlace(at, rank, point, noise);
+    LichenPlanePoint plane = lichenPlanePoint(at, rank, point, noise);
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
     vec3 planeLost;
@@ -113,15 +113,15 @@ vec3 lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, Liche
   return 0.5 + sum;
 }
 
-/// The gradient in space of the height that slopes are of, and in w the variance of a slope that
-/// the footprint hides. Slopes are decoded plane by plane: a joint table knows them as they lie in
+/// The gradient in space of the height that slopes are of, and in w the variance of a slope
+/// lost to filtering. Slopes are decoded plane by plane: a joint table knows them as they lie in
 /// the exemplar, and those of three planes point in other directions.
 vec4 lichenTriplanarSlopes(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
                            LichenPoint point, LichenNoise noise, LichenMap map) {
   vec4 sum = vec4(0.0);
   int rank = 0; // as above
   while (rank < at.count) {
-    LichenPlanePlace plane = lichenPlanePlace(at, rank, point, noise);
+    LichenPlanePoint plane = lichenPlanePoint(at, rank, point, noise);
     vec4 slopes = lichenValueAt(image, table, plane.point, at.planes.material, noise, map);
     sum += lichenPlaneSlopes(slopes.xyz, plane, at.normal, at.planes.material);
     ++rank;
@@ -132,8 +132,8 @@ vec4 lichenTriplanarSlopes(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenT
 }
 
 /// The value of one map: light for colours, the decoded quantity for the others. Of slopes, xyz is
-/// their gradient in space, for lichenNormalFromGradient, and w the variance of a slope that the
-/// footprint hides.
+/// their gradient in space, for lichenNormalFromGradient, and w the variance of a slope lost to
+/// filtering.
 vec4 lichenTriplanarValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
                           LichenPoint point, LichenNoise noise, LichenMap map) {
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))

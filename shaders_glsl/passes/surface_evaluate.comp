@@ -17,7 +17,7 @@ const int kImpacts = 2;  // how many reach the point, in all components
 const int kLost = 3;     // the share of the variance that filtering loses of each channel; 0
 layout(constant_id = 0) const int kQuantity = kValue;
 
-// The tangent's w is glTF's, the others' the place in a mix: of the gradients and the normal its
+// The tangent's w is glTF's, the others' the weight of a mix: of the gradients and the normal its
 // weight and its derivatives per tile, of the position 0 where the material says them.
 struct Point {
   vec4 position;
@@ -31,21 +31,21 @@ layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
 vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenMap map = lichenMaps[kRole];
-  LichenPlace place = LICHEN_PLACE_SURFACE(point.position.xyz, point.gradientX.xyz,
+  LichenShadingPoint shading = LICHEN_POINT_SURFACE(point.position.xyz, point.gradientX.xyz,
                                            point.gradientY.xyz, point.normal.xyz, point.tangent);
   if (point.position.w != 0.0)
-    lichenSetMix(place.point.texton, point.gradientX.w,
+    lichenSetMix(shading.point.texton, point.gradientX.w,
                  vec2(point.gradientY.w, point.normal.w));
-  LichenImpacts impacts = place.point.texton;
+  LichenImpacts impacts = shading.point.texton;
   if (kQuantity == kImpacts)
-    return vec4(float(lichenSurfaceImpactCount(place.surface, lichenMaterial, lichenNoise)));
+    return vec4(float(lichenSurfaceImpactCount(shading.surface, lichenMaterial, lichenNoise)));
   if (kQuantity == kValue)
-    return lichenValue(image, table, place, map);
-  LichenKept kept = lichenTextonKept(table, impacts, lichenNoise, map);
+    return lichenValue(image, table, shading, map);
+  LichenRetained retained = lichenTextonRetained(table, impacts, lichenNoise, map);
   if (kQuantity == kLost)
-    return vec4(1.0 - kept.seen, 0.0);
+    return vec4(1.0 - retained.footprint, 0.0);
   LichenMap here = lichenMixedMap(table, impacts, lichenNoise, map);
-  return vec4(lichenSurfaceTextonGaussian(image, impacts, place.surface, kept, lichenMaterial,
+  return vec4(lichenSurfaceTextonGaussian(image, impacts, shading.surface, retained, lichenMaterial,
                                           lichenNoise, here),
               1.0);
 }

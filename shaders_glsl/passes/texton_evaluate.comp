@@ -2,7 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Evaluates one map of a texton noise at a list of points:
-// points[k] (uv, its gradients, place in a mix) -> values[k] (RGBA of the decoded quantity).
+// points[k] (uv, its gradients, weight of a mix) -> values[k] (RGBA of the decoded quantity).
 // For tests and for engines that fill a texture from a noise at run time.
 
 #define LICHEN_METHODS 2
@@ -21,7 +21,7 @@ layout(constant_id = 0) const int kQuantity = kValue;
 struct Point {
   vec4 uvAndGradientX;
   vec4 gradientY; // zw unused
-  vec4 mixPlace;  // weight, its derivatives per tile; w is 0 where the material says them
+  vec4 mixWeight;  // weight, its derivatives per tile; w is 0 where the material says them
 };
 
 layout(local_size_x = 64) in;
@@ -30,10 +30,10 @@ layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
 vec4 gradientAt(texture2D image, texture3D table, Point point) {
   LichenImpacts impacts =
-      lichenGradientPlaceUvGrad(point.uvAndGradientX.xy, point.uvAndGradientX.zw,
+      lichenGradientPointUvGrad(point.uvAndGradientX.xy, point.uvAndGradientX.zw,
                                 point.gradientY.xy, lichenMaterial, lichenNoise);
-  if (point.mixPlace.w != 0.0)
-    lichenSetMix(impacts, point.mixPlace.x, point.mixPlace.yz);
+  if (point.mixWeight.w != 0.0)
+    lichenSetMix(impacts, point.mixWeight.x, point.mixWeight.yz);
   return vec4(lichenTextonGradient(image, table, impacts, lichenMaterial, lichenNoise,
                                    lichenMaps[kRole]),
               0.0);
@@ -41,17 +41,17 @@ vec4 gradientAt(texture2D image, texture3D table, Point point) {
 
 vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenMap map = lichenMaps[kRole];
-  LichenPlace place =
-      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
-  if (point.mixPlace.w != 0.0)
-    lichenSetMix(place.point.texton, point.mixPlace.x, point.mixPlace.yz);
-  LichenImpacts impacts = place.point.texton;
+  LichenShadingPoint shading =
+      LICHEN_POINT(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
+  if (point.mixWeight.w != 0.0)
+    lichenSetMix(shading.point.texton, point.mixWeight.x, point.mixWeight.yz);
+  LichenImpacts impacts = shading.point.texton;
   if (kQuantity == kGradient)
     return gradientAt(image, table, point);
   if (kQuantity == kImpacts)
     return vec4(float(lichenImpactCount(impacts, lichenMaterial, lichenNoise)));
   if (kQuantity == kValue)
-    return lichenValue(image, table, place, map);
+    return lichenValue(image, table, shading, map);
   vec3 lost;
   vec3 gaussian = lichenGaussianAt(image, table, impacts, lichenMaterial, lichenNoise, map, lost);
   return kQuantity == kGaussian ? vec4(gaussian, 1.0) : vec4(lost, 0.0);

@@ -29,9 +29,9 @@ layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
 vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenMap map = lichenMaps[kRole];
-  LichenPlace place =
-      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
-  LichenTilingTaps taps = place.point.tiling;
+  LichenShadingPoint shading =
+      LICHEN_POINT(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
+  LichenTilingTaps taps = shading.point.tiling;
   if (kOperator == kOperatorLinear)
     return lichenTilingLinear(image, table, taps, map);
   if (kOperator == kOperatorVariance)
@@ -42,7 +42,7 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
         lichenGaussianAt(image, table, taps, lichenMaterial, lichenNoise, map, lost);
     return vec4(gaussian, lost.x);
   }
-  return lichenValue(image, table, place, map);
+  return lichenValue(image, table, shading, map);
 }
 
 void main() {

@@ -29,20 +29,20 @@ layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
 vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenMap map = lichenMaps[kRole];
-  LichenPlace place = LICHEN_PLACE_TRIPLANAR(point.position.xyz, point.gradientX.xyz,
+  LichenShadingPoint shading = LICHEN_POINT_TRIPLANAR(point.position.xyz, point.gradientX.xyz,
                                              point.gradientY.xyz, point.normal.xyz);
   if (point.position.w >= 0.0)
-    lichenSetMix(place.point.texton, point.position.w, vec2(0.0));
+    lichenSetMix(shading.point.texton, point.position.w, vec2(0.0));
   if (kQuantity == kWeights)
     return vec4(lichenPlaneWeights(point.normal.xyz, lichenMaterial),
-                float(place.triplanar.count));
+                float(shading.triplanar.count));
   if (kQuantity == kGaussian) {
     vec3 lost;
-    vec3 gaussian = lichenTriplanarGaussian(image, table, place.triplanar, place.point,
+    vec3 gaussian = lichenTriplanarGaussian(image, table, shading.triplanar, shading.point,
                                             lichenNoise, map, lost);
     return vec4(gaussian, lost.x);
   }
-  return lichenValue(image, table, place, map);
+  return lichenValue(image, table, shading, map);
 }
 
 void main() {

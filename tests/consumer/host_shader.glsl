@@ -34,15 +34,15 @@ void main() {
   vec2 uv = uvToTile(vec2(hash(vec2(gaussian))));
 #ifdef OWN_ARRAYS
   LichenMaterial material = materials[1];
-  LichenPlace place = lichenPlaceUvGrad(uv, vec2(0.01, 0.0), vec2(0.0, 0.01), material,
+  LichenShadingPoint shading = lichenPointUvGrad(uv, vec2(0.01, 0.0), vec2(0.0, 0.01), material,
                                         noises[material.noise].noise);
-  vec4 sum = lichenValue(0, 1, place, noises[material.noise].maps[LICHEN_BASE_COLOR]);
+  vec4 sum = lichenValue(0, 1, shading, noises[material.noise].maps[LICHEN_BASE_COLOR]);
 #else
-  LichenPlace place = LICHEN_PLACE(uv, vec2(0.01, 0.0), vec2(0.0, 0.01));
-  vec4 sum = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
+  LichenShadingPoint shading = LICHEN_POINT(uv, vec2(0.01, 0.0), vec2(0.0, 0.01));
+  vec4 sum = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
 #if (LICHEN_ROLES & 32) != 0
-  sum += LICHEN_VALUE(LICHEN_OPACITY, place);
+  sum += LICHEN_VALUE(LICHEN_OPACITY, shading);
 #endif
 #endif
-  sum += decode(Noise(vec4(1.0)), tiling(place.point.tiling.point.weights, Taps(1.0)));
+  sum += decode(Noise(vec4(1.0)), tiling(shading.point.tiling.point.weights, Taps(1.0)));
 }

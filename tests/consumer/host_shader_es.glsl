@@ -23,15 +23,16 @@ void main() {
   vec2 uvX = dFdx(uv), uvY = dFdy(uv);
   vec3 positionX = dFdx(position), positionY = dFdy(position);
   LichenMap map = noise.maps[LICHEN_BASE_COLOR];
-  LichenPlace place;
+  LichenShadingPoint shading;
   if (mapping == 0)
-    place = lichenPlaceUvGrad(uv, uvX, uvY, material.material, noise.noise);
+    shading = lichenPointUvGrad(uv, uvX, uvY, material.material, noise.noise);
   else if (mapping == 1)
-    place = lichenPlaceTriplanarGrad(position, positionX, positionY, normal, material, noise.noise);
+    shading =
+        lichenPointTriplanarGrad(position, positionX, positionY, normal, material, noise.noise);
   else
-    place = lichenPlaceSurfaceGrad(position, positionX, positionY, normal, tangent,
+    shading = lichenPointSurfaceGrad(position, positionX, positionY, normal, tangent,
                                    material.material, noise.noise);
-  color = lichenValue(image, table, place, map);
-  LichenImpacts impacts = lichenGradientPlaceUvGrad(uv, uvX, uvY, material.material, noise.noise);
+  color = lichenValue(image, table, shading, map);
+  LichenImpacts impacts = lichenGradientPointUvGrad(uv, uvX, uvY, material.material, noise.noise);
   color.xyz += lichenTextonGradient(image, table, impacts, material.material, noise.noise, map);
 }

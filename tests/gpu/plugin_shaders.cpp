@@ -76,8 +76,9 @@ TEST_CASE("a shader with the switches that the library writes has the same value
           LICHEN_SUCCESS);
   // Those that the build compiles the variant with.
   CHECK(std::string(switches) ==
-        "-DLICHEN_ROLES=7 -DLICHEN_METHODS=1 -DLICHEN_OMIT_TRIPLANAR -DLICHEN_GAUSSIAN_ONLY=0 "
-        "-DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_PERIODIC_LATTICE=0");
+        "-DLICHEN_ROLES=7 -DLICHEN_METHODS=1 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR "
+        "-DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0 "
+        "-DLICHEN_PERIODIC_LATTICE=0");
   const std::vector<Point> points = gridPoints();
   const auto all = host.evaluate(tiling_maps_comp, 0, use, points, maps.size());
   const auto fitted = host.evaluate(tiling_maps_comp_fitted, 0, use, points, maps.size());

@@ -24,7 +24,7 @@ enum Quantity { kValue, kGaussian, kGradient, kImpacts, kLost };
 struct MixedPoint {
   Point point;
   /// Mix weight, its derivatives per tile, and 0 if the material sets them.
-  std::array<float, 4> mixPlace{0.0f, 0.0f, 0.0f, 1.0f};
+  std::array<float, 4> mixPosition{0.0f, 0.0f, 0.0f, 1.0f};
 };
 
 constexpr double kStrict = 1.0 / 1024.0;
@@ -56,7 +56,7 @@ std::vector<MixedPoint> samplePoints(const SyntheticTexton& texton, std::size_t 
     const float other = length * std::exp2(-stretch(generator)), turn = angle(generator);
     point.gradientX = {length * std::cos(turn), length * std::sin(turn)};
     point.gradientY = {-other * std::sin(turn), other * std::cos(turn)};
-    mixed.mixPlace = {weight(generator), weight(generator), weight(generator), 1.0f};
+    mixed.mixPosition = {weight(generator), weight(generator), weight(generator), 1.0f};
   }
   return points;
 }
@@ -88,7 +88,7 @@ TileFootprint footprintOf(const Point& point, const shader::LichenMaterial& m) {
 }
 
 MixPlace mixOf(const MixedPoint& mixed) {
-  return {mixed.mixPlace[0], {mixed.mixPlace[1], mixed.mixPlace[2]}};
+  return {mixed.mixPosition[0], {mixed.mixPosition[1], mixed.mixPosition[2]}};
 }
 
 /// All orders, formats and channel counts; no side is a multiple of a coarse texel.
@@ -413,7 +413,7 @@ TEST_CASE("a constant or a direction of the weight follows the material, not the
   TextonTwins twins(kPass, encodeGlb(file).value());
   std::vector<MixedPoint> points = samplePoints(texton, 200);
   for (MixedPoint& mixed : points)
-    mixed.mixPlace = {};
+    mixed.mixPosition = {};
   MaterialUse use = twins.host.use();
   use.parameters.scale = 0.8;
   use.parameters.rotation = 0.6;

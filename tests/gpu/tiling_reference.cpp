@@ -109,9 +109,9 @@ struct Tap {
   std::complex<double> turn;
 };
 
-bool turnsTiles(const Parameters& u) { return u.tiling.tileRotation > 1; }
-bool turnsAboutVertices(const Parameters& u) {
-  return turnsTiles(u) && u.tiling.tileRotation != 2 &&
+bool rotatesTiles(const Parameters& u) { return u.tiling.tileRotation > 1; }
+bool rotatesAboutVertices(const Parameters& u) {
+  return rotatesTiles(u) && u.tiling.tileRotation != 2 &&
          !(u.tiling.tileRotation == 4 && u.noise.tileAspect == 1.0f);
 }
 
@@ -132,12 +132,12 @@ Tap tapOf(Vec2 p, Vertex v, const Parameters& u) {
   }
   const auto steps = tileOffsetSteps(std::uint32_t(v.i), std::uint32_t(v.j), u.material.seedWord);
   Tap tap{p, 1.0};
-  if (turnsTiles(u)) {
+  if (rotatesTiles(u)) {
     const std::uint32_t step = tileRotationStep(std::uint32_t(v.i), std::uint32_t(v.j),
                                                 u.material.seedWord, u.tiling.tileRotation);
     tap.turn =
         std::polar(1.0, 2.0 * std::numbers::pi * double(step) / double(u.tiling.tileRotation));
-    const Vec2 way = turnsAboutVertices(u) ? fromVertex : p;
+    const Vec2 way = rotatesAboutVertices(u) ? fromVertex : p;
     const auto aspect = double(u.noise.tileAspect);
     const std::complex<double> there = tap.turn * std::complex<double>(way[0] * aspect, way[1]);
     tap.place = {there.real() / aspect, there.imag()};
@@ -327,7 +327,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
   const double side = widest + double(shaderMap_.levelOffset);
   const double lambda =
       fetchedBy_ == FetchedBy::gradients ? side : (side < 1.0 ? side / 2.0 : side - 0.5);
-  const bool sharesTexels = shaderMap_.levelOffset == 0.0f && !turnsAboutVertices(u);
+  const bool sharesTexels = shaderMap_.levelOffset == 0.0f && !rotatesAboutVertices(u);
   const double here =
       sharesTexels ? lossShareOf(texels(p), texelsX, texelsY, sideOf(texelsX, texelsY)) : 1.0;
 
@@ -363,7 +363,7 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
   sample.loss = loss;
   sample.here = here;
 
-  if (shaderMap_.encoding == LICHEN_ENCODING_SLOPE && turnsTiles(u))
+  if (shaderMap_.encoding == LICHEN_ENCODING_SLOPE && rotatesTiles(u))
     // Step 6, with rotated tiles.
     for (std::size_t k = 0; k < taps.size(); ++k) {
       Decoded& gaussian = taps[k].first;

@@ -58,7 +58,7 @@ TileFootprint placeIn(double i, double j, double f, double g, double side = 0.0)
 
 Taps tapsOf(const TileFootprint& at, const TilingQuality& quality) {
   Taps taps = tapsAt(parameters(), shaderNoise(exampleBundle(), 0), at.position);
-  takeFewerTaps(taps, at, quality);
+  reduceTaps(taps, at, quality);
   return taps;
 }
 
@@ -268,7 +268,7 @@ TEST_CASE("at the centre of a triangle one tap with weight 1 remains") {
   taps.weight = {1.0f / 3.0f, 1.0f / 3.0f, 1.0f / 3.0f};
   for (const TilingQuality& quality : {TilingQuality{2, 0.0}, TilingQuality{3, 0.25}}) {
     Taps middle = taps;
-    takeFewerTaps(middle, placeIn(0.0, 0.0, 0.0, 0.0, 1.0), quality);
+    reduceTaps(middle, placeIn(0.0, 0.0, 0.0, 0.0, 1.0), quality);
     CHECK(middle.weight == std::array{1.0f, 0.0f, 0.0f});
     CHECK(middle.norm == 1.0f);
   }

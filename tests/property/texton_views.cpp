@@ -4,7 +4,7 @@
 #include "sampling/repeating_image.h"
 #include "synthetic_texton.h"
 #include "texton/impacts.h"
-#include "texton/level_kept.h"
+#include "texton/level_retained.h"
 
 #include <lichen/quality.h>
 #include <lichen/texton.h>
@@ -317,7 +317,7 @@ TEST_CASE("between two mips textons have the variance that both mips store") {
       const double kept = energy(level) / whole;
       INFO("smoothings " << smoothings << ", level " << level << ", kept " << kept);
       // Up to 3.6 %, plus the quantization of small amplitudes to bytes.
-      CHECK(double(texton::levelKept(map, level)[0]) == Approx(kept).epsilon(0.045));
+      CHECK(double(texton::levelRetained(map, level)[0]) == Approx(kept).epsilon(0.045));
     }
   }
 }

@@ -235,15 +235,15 @@ TEST_CASE("tile rotations are uniform, and independent of neighbours and offsets
 TEST_CASE("a rotation step is its fraction of a full rotation, and quarters are exact") {
   for (const std::uint32_t steps : {2u, 3u, 4u, 5u, 12u, 1000u, kMostTileRotation})
     for (std::uint32_t step = 0; step < steps; step += std::max(1u, steps / 97u)) {
-      const auto [cosine, sine] = tileTurn(step, steps);
+      const auto [cosine, sine] = tileRotationAt(step, steps);
       const double angle = 2.0 * std::numbers::pi * step / steps;
       REQUIRE(double(cosine) == Approx(std::cos(angle)).margin(1e-7));
       REQUIRE(double(sine) == Approx(std::sin(angle)).margin(1e-7));
     }
-  CHECK(tileTurn(0, 4) == std::array{1.0f, 0.0f});
-  CHECK(tileTurn(1, 4) == std::array{0.0f, 1.0f});
-  CHECK(tileTurn(1, 2) == std::array{-1.0f, 0.0f});
-  CHECK(tileTurn(49152, kMostTileRotation) == std::array{0.0f, -1.0f});
+  CHECK(tileRotationAt(0, 4) == std::array{1.0f, 0.0f});
+  CHECK(tileRotationAt(1, 4) == std::array{0.0f, 1.0f});
+  CHECK(tileRotationAt(1, 2) == std::array{-1.0f, 0.0f});
+  CHECK(tileRotationAt(49152, kMostTileRotation) == std::array{0.0f, -1.0f});
 }
 
 TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {

@@ -167,7 +167,7 @@ TEST_CASE("squares of lookups average to the mean light at every level") {
     std::array<double, 2> mean{}; // of squares and of their squares
     for (int n = 0; n < kPlaces; ++n) {
       const double g =
-          0.5 + keptAmplitude(k) * (gaussian::gaussianQuantile((n + 0.5) / kPlaces) - 0.5);
+          0.5 + retainedAmplitude(k) * (gaussian::gaussianQuantile((n + 0.5) / kPlaces) - 0.5);
       const double root = slowLookup(level, {g, 0.0, 0.0}, 0);
       mean[0] += root * root / kPlaces;
       mean[1] += root * root * root * root / kPlaces;

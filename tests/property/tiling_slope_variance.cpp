@@ -72,7 +72,7 @@ TEST_CASE("the third channel of a slope table is the variance that a fetch loses
   for (const int k : {1, 2, 3, 4}) {
     const TableLookup<2> level(t.levels[std::size_t(k)]);
     for (const auto& [x, y] : {std::array{0.0, 0.0}, {-0.7, 0.4}, {1.1, 0.9}}) { // in deviations
-      const double keptX = keptAmplitude(k) * x / 6.0, keptY = keptAmplitude(k) * y / 6.0;
+      const double keptX = retainedAmplitude(k) * x / 6.0, keptY = retainedAmplitude(k) * y / 6.0;
       double sum[2] = {}, squares[2] = {};
       for (int s = 0; s < kSamples; ++s) {
         // White noise loses equally along all directions.
@@ -112,8 +112,9 @@ TEST_CASE("on every level the visible and the lost variance of slopes sum to the
                                               : level);
       std::array<double, 3> sum{}, squares{};
       for (int s = 0; s < kSamples; ++s) {
-        const std::array<float, 3> g{float(0.5 + keptAmplitude(k) * deviate(random) / 6.0),
-                                     float(0.5 + keptAmplitude(k) * deviate(random) / 6.0), 0.5f};
+        const std::array<float, 3> g{float(0.5 + retainedAmplitude(k) * deviate(random) / 6.0),
+                                     float(0.5 + retainedAmplitude(k) * deviate(random) / 6.0),
+                                     0.5f};
         const TableValue value = flatAcross ? onLine(g) : inPlane(g);
         for (std::size_t c = 0; c < 3; ++c) {
           sum[c] += double(value[c]) / kSamples;

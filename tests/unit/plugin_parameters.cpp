@@ -285,7 +285,8 @@ std::string switchesOf(const std::vector<LichenMaterialParameters>& materials,
 TEST_CASE("the switches leave out what no material needs") {
   const OwnedBundle tiling(example::smallest());
   const LichenMaterialParameters plain = parametersOf(tiling.handle);
-  const std::string left = " -DLICHEN_METHODS=1 -DLICHEN_OMIT_TRIPLANAR";
+  const std::string left =
+      " -DLICHEN_METHODS=1 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR";
   CHECK(switchesOf({plain}) ==
         "-DLICHEN_ROLES=16" + left +
             " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0"
@@ -328,12 +329,11 @@ TEST_CASE("the longest text of switches fits") {
   LichenPlacement placement = atOrigin();
   placement.maxAnisotropy = 8.0f;
   const std::string text = switchesOf(materials, &placement);
-  CHECK(
-      text ==
-      "-DLICHEN_ROLES=16 -DLICHEN_METHODS=3 -DLICHEN_OTHER_MAPPINGS=0 -DLICHEN_OMIT_SURFACE_TEXTONS"
-      " -DLICHEN_MIXED_TEXTONS=0 -DLICHEN_POISSON_POINTS=0 -DLICHEN_CUBIC_TEXTONS=0"
-      " -DLICHEN_NEAREST_TEXTONS=0 -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0"
-      " -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_PERIODIC_LATTICE=0 -DLICHEN_ANISOTROPIC=1");
+  CHECK(text == "-DLICHEN_ROLES=16 -DLICHEN_METHODS=3 -DLICHEN_VALUES_ABOVE_ONE=0"
+                " -DLICHEN_OTHER_MAPPINGS=0 -DLICHEN_OMIT_SURFACE_TEXTONS -DLICHEN_MIXED_TEXTONS=0 "
+                "-DLICHEN_POISSON_POINTS=0 -DLICHEN_CUBIC_TEXTONS=0"
+                " -DLICHEN_NEAREST_TEXTONS=0 -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0"
+                " -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_PERIODIC_LATTICE=0 -DLICHEN_ANISOTROPIC=1");
   CHECK(text.size() < LICHEN_SWITCH_BYTES);
 }
 

@@ -232,10 +232,10 @@ TEST_CASE(
     CHECK(texel(LICHEN_MIX_DEVIATION, step, 2) == Approx(1.0 - 0.25 * double(step)).epsilon(1e-3));
     for (std::size_t c = 0; c < 3; ++c) {
       const std::span<const double> ofChannel = lossRow(losses, c, 3);
-      CHECK(texel(LICHEN_MIX_KEPT + 1, step, c) ==
+      CHECK(texel(LICHEN_MIX_RETAINED + 1, step, c) ==
             Approx(std::sqrt(1.0 - ofChannel[1])).epsilon(1e-3));
       // The last value repeats.
-      CHECK(texel(LICHEN_MIX_KEPT + 15, step, c) ==
+      CHECK(texel(LICHEN_MIX_RETAINED + 15, step, c) ==
             Approx(std::sqrt(1.0 - ofChannel.back())).epsilon(1e-3));
     }
   }

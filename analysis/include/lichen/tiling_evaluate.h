@@ -66,8 +66,8 @@ private:
   [[nodiscard]] Value blendedDecoded(const Map& map, const Tiles& tiles,
                                      const shader::LichenMaterial& material,
                                      BlendOperator blend) const;
-  [[nodiscard]] Value turnedSlopes(const Map& map, const Tiles& tiles,
-                                   const shader::LichenMaterial& material) const;
+  [[nodiscard]] Value rotatedSlopes(const Map& map, const Tiles& tiles,
+                                    const shader::LichenMaterial& material) const;
   [[nodiscard]] static float footprintShare(const Map& map, float loss);
   [[nodiscard]] Value decodeTile(const Map& map, const Value& tile, float lossShare,
                                  float contrast) const;

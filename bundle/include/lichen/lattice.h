@@ -59,8 +59,8 @@ inline constexpr double kLatticeColumnsPerTile = 3.5; // equilateral: 2 sqrt(3),
 [[nodiscard]] constexpr std::uint32_t vertexHash(std::uint32_t i, std::uint32_t j,
                                                  std::uint32_t seedWord) {
   // i is mixed before j is added: of a sum of products vertices would repeat in rows. The seed
-  // comes in between, so that no two seeds give one field shifted. Then the finalizer of
-  // MurmurHash3 [A16], but for its first shift.
+  // comes in between, so that no two seeds give one field shifted by less than 2^31 rows.
+  // Then the finalizer of MurmurHash3 [A16] with other shifts.
   std::uint32_t h = i * 0x9E3779B1u;
   h = ((h ^ (h >> 15u)) + j) ^ seedWord;
   h *= 0x85EBCA6Bu;

@@ -47,7 +47,7 @@ Table mixTable(const NoiseMap& map) {
       // The kept amplitudes of a constant channel stay 0, as without a mix.
       const std::span<const double> losses = lossRow(steps[s].mipLoss, c, texton.scale.size());
       for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && texton.scale[c] > 0.0; ++mip)
-        texel(LICHEN_MIX_KEPT + mip)[c] =
+        texel(LICHEN_MIX_RETAINED + mip)[c] =
             float(std::sqrt(1.0 - losses[std::min(mip, losses.size() - 1)]));
     }
   }

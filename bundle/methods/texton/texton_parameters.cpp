@@ -22,11 +22,12 @@ std::vector<double> diagonal(const std::vector<double>& values) {
 
 /// Sets the kept amplitudes of each channel. They are 0 for a constant channel, so that the shader
 /// skips impacts once the other channels have faded out.
-void setTextonKept(shader::LichenMap& result, const TextonMap& map) {
-  const std::array<shader::uvec4*, 3> kept{&result.mipKept0, &result.mipKept1, &result.mipKept2};
+void setTextonRetained(shader::LichenMap& result, const TextonMap& map) {
+  const std::array<shader::uvec4*, 3> kept{&result.mipRetained0, &result.mipRetained1,
+                                           &result.mipRetained2};
   for (std::size_t c = 0; c < map.scale.size(); ++c)
     if (map.scale[c] > 0.0)
-      *kept[c] = keptAmplitudes(lossRow(map.mipLoss, c, map.scale.size()));
+      *kept[c] = retainedAmplitudes(lossRow(map.mipLoss, c, map.scale.size()));
 }
 
 /// Mix weight = constant + perUv . uv.
@@ -107,7 +108,7 @@ void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& ma
   constants.decoding = LICHEN_DECODING_GAUSSIAN;
   setRows(constants, diagonal(texton.scale), map.mean.size(), map.mean);
   constants.sumFactor = {1.0f, 1.0f, 1.0f, 0.0f};
-  setTextonKept(constants, texton);
+  setTextonRetained(constants, texton);
   setGaussianMean(constants);
 }
 

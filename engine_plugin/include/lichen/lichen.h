@@ -244,7 +244,7 @@ typedef enum LichenSpace {
   LICHEN_SPACE_MAX_ENUM = 0x7FFFFFFF
 } LichenSpace;
 
-/* Where a material takes the weight of a mix from. LICHEN_PLACE knows the first two; a host gives
+/* Where a material takes the weight of a mix from. LICHEN_POINT knows the first two; a host gives
  * the others by lichenMixByMask or lichenSetMix. */
 typedef enum LichenMixSource {
   LICHEN_MIX_CONSTANT = 0, /* what a material of a noise that is no mix has too */
@@ -396,8 +396,8 @@ typedef struct LichenMaterialParameters {
   const void* next;
   uint32_t noise; /* in its bundle; written to the block for shaders that index noises: a host that
                    * keeps the constants of several bundles in one buffer adds what comes before */
-  /* The shader's place must be one of the same mapping: LICHEN_PLACE_TRIPLANAR for
-   * LICHEN_MAPPING_TRIPLANAR, LICHEN_PLACE_SURFACE for LICHEN_MAPPING_SURFACE, which only textons
+  /* The shader's place must be one of the same mapping: LICHEN_POINT_TRIPLANAR for
+   * LICHEN_MAPPING_TRIPLANAR, LICHEN_POINT_SURFACE for LICHEN_MAPPING_SURFACE, which only textons
    * have. */
   LichenMapping mapping;
   uint32_t seed; /* any; another seed is another noise of the same look */

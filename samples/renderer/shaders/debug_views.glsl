@@ -36,7 +36,7 @@ vec3 shownGaussian(vec3 gaussian) {
 }
 
 /// Views of a tiling noise that need only its lattice.
-vec3 tilingPlaceDebug(LichenTilingTaps taps) {
+vec3 tilingPointDebug(LichenTilingTaps taps) {
   if (kDebugView == DEBUG_WEIGHTS)
     return taps.point.weights;
   if (kDebugView == DEBUG_LATTICE) {
@@ -52,14 +52,14 @@ vec3 tilingPlaceDebug(LichenTilingTaps taps) {
 
 vec3 tilingDebug(LichenTilingTaps taps) {
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return tilingPlaceDebug(taps);
+    return tilingPointDebug(taps);
   return shownGaussian(
       lichenTilingGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), taps, shownMap()).rgb);
 }
 
 #ifdef LICHEN_HAS_TEXTONS
 /// Views of a texton noise that need only its impacts, except their number.
-vec3 textonPlaceDebug(LichenImpacts impacts) {
+vec3 textonPointDebug(LichenImpacts impacts) {
   if (kDebugView != DEBUG_MIP_LEVEL)
     return kNothingToShow;
   return ramp(impacts.level / max(float(lichenNoise.texton.mipCount) - 1.0, 1.0));
@@ -69,7 +69,7 @@ vec3 textonDebug(LichenImpacts impacts) {
   if (kDebugView == DEBUG_IMPACTS)
     return ramp(float(lichenImpactCount(impacts, lichenMaterial, lichenNoise)) / kMostImpacts);
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return textonPlaceDebug(impacts);
+    return textonPointDebug(impacts);
   vec3 lost;
   return shownGaussian(lichenGaussianAt(LICHEN_IMAGE(LICHEN_BASE_COLOR),
                                          LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenMaterial,
@@ -78,73 +78,74 @@ vec3 textonDebug(LichenImpacts impacts) {
 #endif
 
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
-vec3 surfaceDebug(LichenPlace place) {
-  LichenImpacts impacts = place.point.texton;
+vec3 surfaceDebug(LichenShadingPoint shading) {
+  LichenImpacts impacts = shading.point.texton;
   if (kDebugView == DEBUG_IMPACTS)
-    return ramp(float(lichenSurfaceImpactCount(place.surface, lichenMaterial, lichenNoise)) /
+    return ramp(float(lichenSurfaceImpactCount(shading.surface, lichenMaterial, lichenNoise)) /
                 (kImpactsInSpace * kMostImpacts));
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return textonPlaceDebug(impacts);
+    return textonPointDebug(impacts);
   LichenMap map = shownMap();
   LichenMap here =
       lichenMixedMap(LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenNoise, map);
-  LichenKept kept = lichenTextonKept(LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenNoise, map);
+  LichenRetained retained =
+      lichenTextonRetained(LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenNoise, map);
   return shownGaussian(lichenSurfaceTextonGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), impacts,
-                                                   place.surface, kept, lichenMaterial, lichenNoise,
+                                                   shading.surface, retained, lichenMaterial, lichenNoise,
                                                    here));
 }
 #endif
 
 #ifndef LICHEN_OMIT_TRIPLANAR
 /// Views of the contributing planes, blended like their values.
-vec3 planesDebug(LichenPlace place) {
+vec3 planesDebug(LichenShadingPoint shading) {
   vec3 shown = vec3(0.0);
   float impacts = 0.0;
   int rank = 0;
-  while (rank < place.triplanar.count) {
-    LichenPlanePlace plane = lichenPlanePlace(place.triplanar, rank, place.point, lichenNoise);
+  while (rank < shading.triplanar.count) {
+    LichenPlanePoint plane = lichenPlanePoint(shading.triplanar, rank, shading.point, lichenNoise);
     float share = plane.weight * plane.weight;
 #ifdef LICHEN_HAS_TEXTONS
     if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise)) {
-      shown += share * textonPlaceDebug(plane.point.texton);
+      shown += share * textonPointDebug(plane.point.texton);
       if (kDebugView == DEBUG_IMPACTS)
         impacts += float(lichenImpactCount(plane.point.texton, lichenMaterial, lichenNoise));
     } else
 #endif
-      shown += share * tilingPlaceDebug(plane.point.tiling);
+      shown += share * tilingPointDebug(plane.point.tiling);
     ++rank;
   }
   bool counts = kDebugView == DEBUG_IMPACTS && lichenNoise.method == uint(LICHEN_METHOD_TEXTON);
   return counts ? ramp(impacts / (kImpactsInSpace * kMostImpacts)) : shown;
 }
 
-vec3 triplanarDebug(LichenPlace place) {
+vec3 triplanarDebug(LichenShadingPoint shading) {
   if (kDebugView == DEBUG_PLANES)
-    return place.triplanar.weights * place.triplanar.weights;
+    return shading.triplanar.weights * shading.triplanar.weights;
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return planesDebug(place);
+    return planesDebug(shading);
   vec3 lost;
   return shownGaussian(lichenTriplanarGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR),
-                                               LICHEN_TABLE(LICHEN_BASE_COLOR), place.triplanar,
-                                               place.point, lichenNoise, shownMap(), lost));
+                                               LICHEN_TABLE(LICHEN_BASE_COLOR), shading.triplanar,
+                                               shading.point, lichenNoise, shownMap(), lost));
 }
 #endif
 
 vec3 noiseDebug(Footprint footprint) {
-  LichenPlace place = noisePlace(footprint);
+  LichenShadingPoint shading = noisePoint(footprint);
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(lichenMaterial))
-    return triplanarDebug(place);
+    return triplanarDebug(shading);
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsSurface(lichenMaterial))
-    return surfaceDebug(place);
+    return surfaceDebug(shading);
 #endif
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise))
-    return textonDebug(place.point.texton);
+    return textonDebug(shading.point.texton);
 #endif
-  return tilingDebug(place.point.tiling);
+  return tilingDebug(shading.point.tiling);
 }
 #endif
 

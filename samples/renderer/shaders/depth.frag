@@ -26,10 +26,10 @@ void main() {
   if (kObjectSpaces)
     footprint.object = Spot(objectPosition, dFdx(objectPosition), dFdy(objectPosition),
                             objectNormal, objectTangent);
-  LichenPlace place;
+  LichenShadingPoint shading;
   if (NOISE_HAS(LICHEN_OPACITY)) // only opacity needs it here
-    place = noisePlace(footprint);
+    shading = noisePoint(footprint);
   float cutoff = material.flags.y == ALPHA_BLEND ? kBlendedCutoff : material.emissive.w;
-  if (material.baseColor.a * vertexAlpha * alphaAt(footprint, place) < cutoff)
+  if (material.baseColor.a * vertexAlpha * alphaAt(footprint, shading) < cutoff)
     discard;
 }

@@ -139,15 +139,15 @@ const float kShadowReachTexels = kShadowTapTexels + 1.0;
 /// sample an explicit level: control flow is not uniform, so implicit derivatives are undefined.
 float sunVisibility(Shading s) {
   vec3 lifted = s.position + s.geometricNormal * (kShadowReachTexels * frame.shadow.x);
-  vec3 place = (frame.sunFromWorld * vec4(lifted, 1.0)).xyz;
-  if (any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0))))
+  vec3 shading = (frame.sunFromWorld * vec4(lifted, 1.0)).xyz;
+  if (any(lessThan(shading.xy, vec2(0.0))) || any(greaterThan(shading.xy, vec2(1.0))))
     return 1.0;
   vec2 texel = kShadowTapTexels / vec2(textureSize(sunDepth, 0));
-  float depth = min(place.z, 1.0);
-  return 0.25 * (textureLod(sunDepth, vec3(place.xy + vec2(-texel.x, -texel.y), depth), 0.0) +
-                 textureLod(sunDepth, vec3(place.xy + vec2(texel.x, -texel.y), depth), 0.0) +
-                 textureLod(sunDepth, vec3(place.xy + vec2(-texel.x, texel.y), depth), 0.0) +
-                 textureLod(sunDepth, vec3(place.xy + texel, depth), 0.0));
+  float depth = min(shading.z, 1.0);
+  return 0.25 * (textureLod(sunDepth, vec3(shading.xy + vec2(-texel.x, -texel.y), depth), 0.0) +
+                 textureLod(sunDepth, vec3(shading.xy + vec2(texel.x, -texel.y), depth), 0.0) +
+                 textureLod(sunDepth, vec3(shading.xy + vec2(-texel.x, texel.y), depth), 0.0) +
+                 textureLod(sunDepth, vec3(shading.xy + texel, depth), 0.0));
 }
 
 /// The unoccluded share of the upper sky, weighted by the cosine to the normal. One frame samples a
@@ -159,13 +159,13 @@ float skyVisibility(Shading s) {
   float all = kLeast;
   for (int k = 0; k < frame.counts.y; ++k) {
     float weight = max(dot(s.normal, frame.skyDirection[k].xyz), 0.0);
-    vec3 place = (frame.skyFromWorld[k] * vec4(lifted, 1.0)).xyz;
-    bool outside = any(lessThan(place.xy, vec2(0.0))) || any(greaterThan(place.xy, vec2(1.0)));
+    vec3 shading = (frame.skyFromWorld[k] * vec4(lifted, 1.0)).xyz;
+    bool outside = any(lessThan(shading.xy, vec2(0.0))) || any(greaterThan(shading.xy, vec2(1.0)));
     // textureLod does not support sampler2DArrayShadow in this GLSL version; zero gradients also
     // select level 0.
     float open = 1.0;
     if (!outside)
-      open = textureGrad(skyDepth, vec4(place.xy, float(k), min(place.z, 1.0)), vec2(0.0),
+      open = textureGrad(skyDepth, vec4(shading.xy, float(k), min(shading.z, 1.0)), vec2(0.0),
                          vec2(0.0));
     seen += weight * open;
     all += weight;

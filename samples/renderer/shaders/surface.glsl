@@ -26,12 +26,12 @@ layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates 
 #ifdef WITHOUT_NOISE
 const bool kHasNoise = false;
 #define NOISE_HAS(role) false
-#define NOISE_VALUE(role, place) vec4(0.0)
+#define NOISE_VALUE(role, shading) vec4(0.0)
 #include "lichen.glsl"
 #else
 const bool kHasNoise = true;
 #define NOISE_HAS(role) LICHEN_HAS(role)
-#define NOISE_VALUE(role, place) LICHEN_VALUE(role, place)
+#define NOISE_VALUE(role, shading) LICHEN_VALUE(role, shading)
 #define LICHEN_SET SET_NOISE
 #define LICHEN_ROLES 47 // all but height: this renderer does not displace surfaces
 #include "lichen.glsl"
@@ -86,30 +86,31 @@ struct Footprint {
 };
 
 /// A texture's transformed coordinates and, as columns, their gradients.
-struct TexturePlace {
+struct TexturePoint {
   vec2 uv;
   mat2 gradients;
 };
 
-TexturePlace texturePlace(int slot, int set, Footprint f) {
+TexturePoint texturePoint(int slot, int set, Footprint f) {
   vec2 uv = set == 0 ? f.texCoords.xy : f.texCoords.zw;
   vec2 dx = set == 0 ? f.dx.xy : f.dx.zw;
   vec2 dy = set == 0 ? f.dy.xy : f.dy.zw;
   vec3 row0 = material.transformRows[2 * slot].xyz;
   vec3 row1 = material.transformRows[2 * slot + 1].xyz;
   mat2 linear = mat2(row0.x, row1.x, row0.y, row1.y);
-  return TexturePlace(linear * uv + vec2(row0.z, row1.z), linear * mat2(dx, dy));
+  return TexturePoint(linear * uv + vec2(row0.z, row1.z), linear * mat2(dx, dy));
 }
 
 vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
-  TexturePlace place = texturePlace(slot, set, f);
-  return textureGrad(image, place.uv, place.gradients[0], place.gradients[1]);
+  TexturePoint point = texturePoint(slot, set, f);
+  return textureGrad(image, point.uv, point.gradients[0], point.gradients[1]);
 }
 
 #ifndef WITHOUT_NOISE
-/// The weight that a mask says, at a way from its place.
-float mixMask(TexturePlace place, vec2 way) {
-  vec4 value = textureGrad(mixTexture, place.uv + way, place.gradients[0], place.gradients[1]);
+/// The weight in a mask, at an offset from a point.
+float mixMask(TexturePoint point, vec2 offset) {
+  vec4 value =
+      textureGrad(mixTexture, point.uv + offset, point.gradients[0], point.gradients[1]);
   return value[material.mixSource.z];
 }
 
@@ -121,7 +122,7 @@ void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
     lichenSetMix(impacts, f.mixWeight, vec2(0.0));
   if (material.mixSource.x != MIX_FROM_MASK)
     return;
-  TexturePlace mask = texturePlace(TEXTURE_MIX, material.mixSource.y, f);
+  TexturePoint mask = texturePoint(TEXTURE_MIX, material.mixSource.y, f);
   mat2 reach = lichenMaskReach(mask.gradients, tileGradients, lichenNoise);
   vec2 differences = vec2(mixMask(mask, reach[0]) - mixMask(mask, -reach[0]),
                           mixMask(mask, reach[1]) - mixMask(mask, -reach[1]));
@@ -144,9 +145,9 @@ void setMixInSpace(inout LichenPoint point, Footprint f, vec2 uv) {
 bool isInObject() { return kObjectSpaces && material.mixSource.w != 0; }
 
 /// Where to evaluate the noise; shared by all its maps.
-LichenPlace noisePlace(Footprint f) {
+LichenShadingPoint noisePoint(Footprint f) {
 #ifdef WITHOUT_NOISE
-  LichenPlace nowhere;
+  LichenShadingPoint nowhere;
   return nowhere;
 #else
   bool second = material.flags.w != 0;
@@ -159,40 +160,41 @@ LichenPlace noisePlace(Footprint f) {
 #endif
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(lichenMaterial)) {
-    LichenPlace place = LICHEN_PLACE_TRIPLANAR(spot.position, spot.dx, spot.dy, spot.normal);
-    setMixInSpace(place.point, f, uv);
-    return place;
+    LichenShadingPoint shading =
+        LICHEN_POINT_TRIPLANAR(spot.position, spot.dx, spot.dy, spot.normal);
+    setMixInSpace(shading.point, f, uv);
+    return shading;
   }
 #endif
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsSurface(lichenMaterial)) {
-    LichenPlace place =
-        LICHEN_PLACE_SURFACE(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent);
-    setMixInSpace(place.point, f, uv);
-    return place;
+    LichenShadingPoint shading =
+        LICHEN_POINT_SURFACE(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent);
+    setMixInSpace(shading.point, f, uv);
+    return shading;
   }
 #endif
   vec2 dx = second ? f.dx.zw : f.dx.xy;
   vec2 dy = second ? f.dy.zw : f.dy.xy;
-  LichenPlace place = LICHEN_PLACE(uv, dx, dy);
+  LichenShadingPoint shading = LICHEN_POINT(uv, dx, dy);
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsMix(lichenNoise))
-    setMix(place.point.texton, f,
+    setMix(shading.point.texton, f,
            mat2(lichenUvToTile(dx, lichenMaterial), lichenUvToTile(dy, lichenMaterial)));
 #endif
-  return place;
+  return shading;
 #endif
 }
 
 /// The noise's opacity or the texture's alpha, without the factor.
-float alphaAt(Footprint f, LichenPlace place) {
+float alphaAt(Footprint f, LichenShadingPoint shading) {
   if (NOISE_HAS(LICHEN_OPACITY))
-    return NOISE_VALUE(LICHEN_OPACITY, place).r;
+    return NOISE_VALUE(LICHEN_OPACITY, shading).r;
   return materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f).a;
 }
 
 /// Base colour and alpha without the factor.
-vec4 baseColorAt(Footprint f, LichenPlace place) {
+vec4 baseColorAt(Footprint f, LichenShadingPoint shading) {
   bool fromNoise = NOISE_HAS(LICHEN_BASE_COLOR);
   bool alphaIsUsed = material.flags.y != ALPHA_OPAQUE;
   bool opacityFromNoise = alphaIsUsed && NOISE_HAS(LICHEN_OPACITY);
@@ -200,27 +202,27 @@ vec4 baseColorAt(Footprint f, LichenPlace place) {
   if (!fromNoise || (alphaIsUsed && !opacityFromNoise))
     color = materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f);
   if (fromNoise)
-    color.rgb = NOISE_VALUE(LICHEN_BASE_COLOR, place).rgb;
+    color.rgb = NOISE_VALUE(LICHEN_BASE_COLOR, shading).rgb;
   if (opacityFromNoise)
-    color.a = alphaAt(f, place);
+    color.a = alphaAt(f, shading);
   return color;
 }
 
-vec3 emissiveAt(Footprint f, LichenPlace place) {
+vec3 emissiveAt(Footprint f, LichenShadingPoint shading) {
   if (NOISE_HAS(LICHEN_EMISSIVE))
-    return NOISE_VALUE(LICHEN_EMISSIVE, place).rgb;
+    return NOISE_VALUE(LICHEN_EMISSIVE, shading).rgb;
   return materialTexture(emissiveTexture, TEXTURE_EMISSIVE, material.flags.x, f).rgb;
 }
 
 /// Occlusion, roughness and metallic, without their factors.
-vec3 ormAt(Footprint f, LichenPlace place) {
+vec3 ormAt(Footprint f, LichenShadingPoint shading) {
   vec3 orm;
   orm.x = materialTexture(occlusionTexture, TEXTURE_OCCLUSION, material.texCoords.w, f).r;
   orm.yz = materialTexture(metallicRoughnessTexture, TEXTURE_METALLIC_ROUGHNESS,
                            material.texCoords.y, f)
                .gb;
   if (NOISE_HAS(LICHEN_OCCLUSION_ROUGHNESS_METALLIC)) {
-    vec3 value = NOISE_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, place).rgb;
+    vec3 value = NOISE_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, shading).rgb;
     for (int k = 0; k < 3; ++k)
       if (material.ormComponents[k] >= 0)
         orm[k] = value[material.ormComponents[k]];
@@ -260,24 +262,24 @@ bool hasTriplanarSlopes() {
 }
 
 /// xyz: gradient of triplanar slopes; w: slope variance lost to filtering.
-vec4 gradientAt(Footprint f, LichenPlace place) {
+vec4 gradientAt(Footprint f, LichenShadingPoint shading) {
   if (!hasTriplanarSlopes())
     return vec4(0.0);
   float scale = material.factors.z;
-  vec4 value = NOISE_VALUE(LICHEN_NORMAL, place);
+  vec4 value = NOISE_VALUE(LICHEN_NORMAL, shading);
   if (isInObject())
     value.xyz = gradientInWorld(value.xyz, f);
   return vec4(scale * value.xyz, scale * scale * value.w);
 }
 
 /// xyz: normal in tangent space; w: slope variance lost to filtering. Not for triplanar slopes.
-vec4 tangentNormalAt(Footprint f, LichenPlace place) {
+vec4 tangentNormalAt(Footprint f, LichenShadingPoint shading) {
   if (hasTriplanarSlopes())
     return vec4(0.0, 0.0, 1.0, 0.0);
 #ifndef WITHOUT_NOISE
   if (LICHEN_HAS(LICHEN_NORMAL)) {
     float scale = material.factors.z;
-    vec3 value = LICHEN_VALUE(LICHEN_NORMAL, place).xyz;
+    vec3 value = LICHEN_VALUE(LICHEN_NORMAL, shading).xyz;
     vec2 slopes = lichenSlopesToUv(scale * value.xy, lichenMaterial);
     return vec4(lichenNormalFromSlopes(slopes), scale * scale * value.z);
   }
@@ -289,16 +291,16 @@ vec4 tangentNormalAt(Footprint f, LichenPlace place) {
 }
 
 Surface surfaceAt(Footprint f, vec4 vertexColor) {
-  LichenPlace place;
+  LichenShadingPoint shading;
   if (kHasNoise)
-    place = noisePlace(f);
-  vec3 orm = ormAt(f, place);
+    shading = noisePoint(f);
+  vec3 orm = ormAt(f, shading);
   Surface s;
-  s.baseColor = material.baseColor * vertexColor * baseColorAt(f, place);
-  s.emissive = material.emissive.rgb * emissiveAt(f, place);
+  s.baseColor = material.baseColor * vertexColor * baseColorAt(f, shading);
+  s.emissive = material.emissive.rgb * emissiveAt(f, shading);
   s.occlusion = mix(1.0, orm.x, material.factors.w);
-  vec4 normal = tangentNormalAt(f, place);
-  vec4 gradient = gradientAt(f, place);
+  vec4 normal = tangentNormalAt(f, shading);
+  vec4 gradient = gradientAt(f, shading);
   s.roughness = material.factors.y * orm.y;
   s.slopeVariance = max(normal.w + gradient.w, 0.0);
   if (s.slopeVariance > 0.0)

@@ -5,7 +5,7 @@
 #ifndef WORLD_FRAME_GLSL
 #define WORLD_FRAME_GLSL
 
-// Whether any noise of the scene is placed in object space.
+// Whether any noise of the scene lies in object space.
 layout(constant_id = 8) const bool kObjectSpaces = false;
 
 void toWorld(mat4 worldFromObject, vec3 normal, vec4 tangent, out vec3 worldNormal,

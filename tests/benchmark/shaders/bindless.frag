@@ -43,8 +43,8 @@ void main() {
   for (int k = 0; k < 4; ++k) {
     Layer layer = layers[layerIndices[k]];
     uint noise = layer.material.noise;
-    LichenPlace place = lichenPlaceUvGrad(uv, dx, dy, layer.material, noises[noise].noise);
+    LichenShadingPoint shading = lichenPointUvGrad(uv, dx, dy, layer.material, noises[noise].noise);
     LichenMap map = lichenMapOf(LICHEN_BASE_COLOR, noises[noise].maps[LICHEN_BASE_COLOR]);
-    color += weights[k] * lichenValue(layer.image, layer.table, place, map);
+    color += weights[k] * lichenValue(layer.image, layer.table, shading, map);
   }
 }

@@ -25,7 +25,7 @@ void main() {
   const vec3 kTangent = normalize(vec3(3.0, 0.0, -1.0));
   vec3 position =
       lichenNoise.tileSizeMetres * (uv.x * kTangent + uv.y * cross(kNormal, kTangent));
-  LichenPlace place = LICHEN_PLACE_SURFACE(position, dFdx(position), dFdy(position), kNormal,
-                                           vec4(kTangent, -1.0));
-  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
+  LichenShadingPoint shading =
+      LICHEN_POINT_SURFACE(position, dFdx(position), dFdy(position), kNormal, vec4(kTangent, -1.0));
+  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
 }

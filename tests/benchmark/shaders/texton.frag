@@ -23,6 +23,6 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 colour;
 
 void main() {
-  LichenPlace place = LICHEN_PLACE(uv, dFdx(uv), dFdy(uv));
-  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
+  LichenShadingPoint shading = LICHEN_POINT(uv, dFdx(uv), dFdy(uv));
+  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
 }

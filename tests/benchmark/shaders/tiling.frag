@@ -4,7 +4,7 @@
 // Tiling and blending, as a material's base colour uses it. The build says which kinds of table
 // there are, and the quality.
 
-// The usual material: an infinite lattice, plain weights and tiles that are not turned, known at
+// The usual material: an infinite lattice, plain weights and tiles that are not rotated, known at
 // compile time.
 #define LICHEN_METHODS 1
 #define LICHEN_PERIODIC_LATTICE 0
@@ -29,6 +29,6 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 colour;
 
 void main() {
-  LichenPlace place = LICHEN_PLACE(uv, dFdx(uv), dFdy(uv));
-  colour = LICHEN_VALUE(BENCH_ROLE, place);
+  LichenShadingPoint shading = LICHEN_POINT(uv, dFdx(uv), dFdy(uv));
+  colour = LICHEN_VALUE(BENCH_ROLE, shading);
 }

@@ -29,8 +29,8 @@ void main() {
   vec3 east = vec3(-sin(longitude), 0.0, cos(longitude));
   vec3 normal = vec3(around * cos(longitude), height, around * sin(longitude));
   float metres = lichenNoise.tileSizeMetres;
-  LichenPlace place =
-      LICHEN_PLACE_TRIPLANAR(metres * radius * normal, metres * kTexel * east,
+  LichenShadingPoint shading =
+      LICHEN_POINT_TRIPLANAR(metres * radius * normal, metres * kTexel * east,
                              metres * kTexel * cross(normal, east), normal);
-  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
+  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
 }

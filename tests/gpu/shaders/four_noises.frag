@@ -25,9 +25,9 @@ layout(location = 0) in vec2 uv;
 layout(location = 0) out vec4 color;
 
 vec4 colorOf(texture2D image, texture3D table, LichenMaterial material) {
-  LichenPlace place =
-      lichenPlaceUvGrad(uv, dFdx(uv), dFdy(uv), material, noises[material.noise].noise);
-  return lichenValue(image, table, place, noises[material.noise].maps[LICHEN_BASE_COLOR]);
+  LichenShadingPoint shading =
+      lichenPointUvGrad(uv, dFdx(uv), dFdy(uv), material, noises[material.noise].noise);
+  return lichenValue(image, table, shading, noises[material.noise].maps[LICHEN_BASE_COLOR]);
 }
 
 void main() {

@@ -17,15 +17,15 @@ layout(std430, set = 1, binding = 0) readonly buffer Points { Point points[]; };
 layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
 #define WRITE_ROLE(role)                                                                           \
-  values[6u * index + uint(role)] = LICHEN_HAS(role) ? LICHEN_VALUE(role, place) : vec4(-1.0)
+  values[6u * index + uint(role)] = LICHEN_HAS(role) ? LICHEN_VALUE(role, shading) : vec4(-1.0)
 
 void main() {
   uint index = gl_GlobalInvocationID.x;
   if (index >= uint(points.length()))
     return;
   Point point = points[index];
-  LichenPlace place =
-      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
+  LichenShadingPoint shading =
+      LICHEN_POINT(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
   WRITE_ROLE(LICHEN_BASE_COLOR);
   WRITE_ROLE(LICHEN_NORMAL);
   WRITE_ROLE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC);

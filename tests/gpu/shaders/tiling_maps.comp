@@ -22,9 +22,9 @@ void main() {
   if (index >= uint(points.length()))
     return;
   Point point = points[index];
-  LichenPlace place =
-      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
-  values[3u * index] = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
-  values[3u * index + 1u] = LICHEN_VALUE(LICHEN_NORMAL, place);
-  values[3u * index + 2u] = LICHEN_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, place);
+  LichenShadingPoint shading =
+      LICHEN_POINT(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
+  values[3u * index] = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
+  values[3u * index + 1u] = LICHEN_VALUE(LICHEN_NORMAL, shading);
+  values[3u * index + 2u] = LICHEN_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, shading);
 }

@@ -28,7 +28,7 @@ void main() {
   if (index >= uint(points.length()))
     return;
   Point point = points[index];
-  LichenPlace place =
-      LICHEN_PLACE(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
-  values[index] = LICHEN_VALUE(LICHEN_BASE_COLOR, place);
+  LichenShadingPoint shading =
+      LICHEN_POINT(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
+  values[index] = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The share of a texton's variance that remains at a level of detail: the CPU twin of
-// lichenTextonLevelKept.
+// lichenTextonLevelRetained.
 #pragma once
 
 #include <array>
@@ -9,6 +9,6 @@
 namespace lichen::texton {
 
 /// Returns the share for each channel at `level` >= 0, as interpolated between the texels of a mip.
-[[nodiscard]] std::array<float, 3> levelKept(const shader::LichenMap& map, float level);
+[[nodiscard]] std::array<float, 3> levelRetained(const shader::LichenMap& map, float level);
 
 } // namespace lichen::texton

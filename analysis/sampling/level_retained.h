@@ -8,11 +8,11 @@
 namespace lichen {
 
 /// Returns the kept amplitude of a mip: the amplitude of its texels relative to the Gaussian value.
-/// `bytes` are those of one channel, such as LichenMap::mipKept0.
-[[nodiscard]] float mipKept(const shader::uvec4& bytes, int mip);
+/// `bytes` are those of one channel, such as LichenMap::mipRetained0.
+[[nodiscard]] float mipRetained(const shader::uvec4& bytes, int mip);
 
 /// Returns the share of the variance that remains at a level >= 0 of a Gaussian image, for a
 /// trilinear blend of a mip and its own average.
-[[nodiscard]] float levelKept(const shader::LichenMap& map, float level);
+[[nodiscard]] float levelRetained(const shader::LichenMap& map, float level);
 
 } // namespace lichen
