@@ -56,7 +56,9 @@ public:
     const std::size_t size = last.offset + last.size;
     if (size > file_.size() - *offset) {
       reader.error("table-cooked", "offset",
-                   "the texels pass the end of the file at byte " + std::to_string(file_.size()));
+                   "the texels end at byte " + std::to_string(*offset + size) +
+                       ", the file at byte " + std::to_string(file_.size()) +
+                       ": the file is truncated");
       return std::nullopt;
     }
     table.borrowedTexels = file_.subspan(*offset, size);

@@ -136,6 +136,9 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   const NoiseMap& map = noise.maps[mapIndex];
   shader::LichenMap result{};
   result.encoding = encodingOf(map.encoding);
+  for (const MapChannel channel : map.channels)
+    if (channel >= MapChannel::occlusion && channel <= MapChannel::metallic)
+      result.ormChannels |= 1u << (int(channel) - int(MapChannel::occlusion));
   formatOf(noise).setMap(bundle, noise, map, result);
   return result;
 }

@@ -118,10 +118,12 @@ LICHEN_DECLARE_ROLE(5);
   lichenPointSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenMaterial,          \
                          lichenNoise)
 
+#ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal)                             \
   lichenPointTriplanarGrad(position, gradientX, gradientY, normal,                                 \
                            LichenTriplanarMaterial(lichenMaterial, lichenPlaneY, lichenPlaneZ),    \
                            lichenNoise)
+#endif
 
 #define LICHEN_HAS(role) ((((lichenNoise.roles & uint(LICHEN_ROLES)) >> uint(role)) & 1u) != 0u)
 
@@ -130,6 +132,11 @@ LICHEN_DECLARE_ROLE(5);
 #define LICHEN_TABLE(role) LICHEN_TABLE_OF(role)
 #define LICHEN_IMAGE_OF(role) lichenImage##role
 #define LICHEN_TABLE_OF(role) lichenTable##role
+
+// Occlusion, roughness and metallic; those that the noise does not have from a vec3.
+#define LICHEN_ORM(shading, absent)                                                                \
+  lichenOrm(LICHEN_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, shading).rgb, absent,                \
+            lichenMaps[LICHEN_OCCLUSION_ROUGHNESS_METALLIC])
 
 #define LICHEN_VALUE(role, shading) LICHEN_VALUE_OF(role, shading)
 #define LICHEN_VALUE_OF(role, shading) LICHEN_VALUE_##role(shading)

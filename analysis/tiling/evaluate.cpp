@@ -153,8 +153,8 @@ Value TilingEvaluator::lookup(const Map& map, const Value& uniform, std::size_t 
 /// lichenDecodeTable.
 Value TilingEvaluator::decodeTable(const Map& map, const Value& gaussian, float lost) const {
   constexpr float kLevels = 5.0f;
-  const float kept = std::sqrt(std::max(1.0f - lost, 0.0f));
-  float level = std::min(kLevels - kLevels * kept, float(map.table.size() - 1));
+  const float retained = std::sqrt(std::max(1.0f - lost, 0.0f));
+  float level = std::min(kLevels - kLevels * retained, float(map.table.size() - 1));
   if (quality_.nearestTableLevel)
     level = std::floor(level + 0.5f);
   Value uniform{};

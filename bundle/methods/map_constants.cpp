@@ -9,8 +9,6 @@
 namespace lichen {
 
 void setImage(shader::LichenMap& constants, const Table& image) {
-  constants.widthTexels = float(image.width);
-  constants.heightTexels = float(image.height);
   constants.dimensions = shader::uint(std::min(3, channelCount(image.format)));
   constants.mipCount = std::min<shader::uint>(image.mipLevels, LICHEN_MAX_MIPS);
 }

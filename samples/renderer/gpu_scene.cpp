@@ -138,7 +138,6 @@ shader::MaterialData materialData(const Material& material, const NoiseUse& nois
   for (int k = 0; k < 4; ++k)
     data.texCoords[k] = slots[std::size_t(k)]->texCoord;
   data.flags = {slots[TEXTURE_EMISSIVE]->texCoord, alphaModeOf(material), 0, int(noise.texCoord)};
-  data.ormComponents = {noise.ormComponents[0], noise.ormComponents[1], noise.ormComponents[2], 0};
   data.mixSource = {material.mixTexture.image ? MIX_FROM_MASK
                     : material.mixColorSet    ? MIX_FROM_VERTICES
                                               : MIX_FROM_BLOCK,

@@ -196,11 +196,6 @@ void NoiseHost::readUse(MaterialState& material) {
     if (map.target == LICHEN_TARGET_HEIGHT)
       changeNotes_.insert("the height map of the noise " + printable(noise.name) +
                           " is ignored: this renderer does not displace surfaces");
-    if (map.target == LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC)
-      for (std::uint32_t c = 0; c < map.channelCount; ++c)
-        if (map.channels[c] >= LICHEN_CHANNEL_OCCLUSION &&
-            map.channels[c] <= LICHEN_CHANNEL_METALLIC)
-          use.ormComponents[std::size_t(map.channels[c] - LICHEN_CHANNEL_OCCLUSION)] = int(c);
   }
 }
 

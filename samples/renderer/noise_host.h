@@ -12,7 +12,6 @@
 #include <lichen/lichen.h>
 #include <lichen/lichen_vulkan.h>
 
-#include <array>
 #include <set>
 #include <string>
 #include <vector>
@@ -22,8 +21,6 @@ namespace lichen::renderer {
 /// What the renderer needs to know of a material's noise besides the plugin's blocks.
 struct NoiseUse {
   bool hasBaseColor = false;
-  /// Component of the ORM map's value for occlusion, roughness, metallic; -1 for none.
-  std::array<int, 3> ormComponents{-1, -1, -1};
   std::uint32_t texCoord = 0;
   bool inObjectSpace = false;
   /// Vector from the noise's tile origin to the renderer's origin, added to positions relative to

@@ -145,10 +145,13 @@ struct LichenNoise {
 
 /// The constants of one map of a noise. Fixed by the bundle.
 struct LichenMap {
-  float widthTexels, heightTexels; // of the image's level 0
+  // Of LICHEN_OCCLUSION_ROUGHNESS_METALLIC: which of the three the value's channels are, in this
+  // order. Bit 0 occlusion, 1 roughness, 2 metallic.
+  uint ormChannels;
+  uint reserved0; // 0
   uint dimensions;                 // D of the Gaussian image, channels of a texton, 1 to 3
   uint mipCount;                   // [1, LICHEN_MAX_MIPS]
-  float levelOffset;               // of tiling: log2 of the map's width over that of the widest
+  float levelOffset;               // of tiling: half of log2 of its texels over those of a tile
   float interpolationLoss;         // of tiling: share of the variance that fetches of level 0 lose
   uint encoding;                   // LICHEN_ENCODING_*
   uint decoding;                   // LICHEN_DECODING_*

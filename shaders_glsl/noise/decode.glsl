@@ -45,6 +45,23 @@ LichenMap lichenMapOf(int role, LichenMap map) {
   return map;
 }
 
+/// Occlusion, roughness and metallic, as glTF orders them, of a value of that role. Those that the
+/// map does not have are taken from `absent`.
+vec3 lichenOrm(vec3 value, vec3 absent, LichenMap map) {
+  vec3 orm = absent;
+  if ((map.ormChannels & 1u) != 0u) {
+    orm.x = value.x;
+    value.xy = value.yz;
+  }
+  if ((map.ormChannels & 2u) != 0u) {
+    orm.y = value.x;
+    value.x = value.y;
+  }
+  if ((map.ormChannels & 4u) != 0u)
+    orm.z = value.x;
+  return orm;
+}
+
 /// Decodes by an inverse table. Each mip level holds averages over the variance that is lost there.
 vec4 lichenDecodeTable(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, LichenMap map) {
   // Levels are equidistant in the amplitude that is left: 1, 0.8, ... 0.2. Where all is lost,
@@ -97,7 +114,7 @@ vec4 lichenDecode(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, float contra
   float within = min(contrast, 1.0);
   vec4 value = lichenDecodeTable(table, gaussian, within * within * lost, map);
   // The variance of c g clamped to the table, over that of g, is 2 c - 1 within 3 % up to c = 2 and
-  // within a quarter up to 4.
+  // within a quarter up to 4, for near-Gaussian slopes. Of slopes in clusters it is less.
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     value.z *= max(1.0, 2.0 * contrast - 1.0);
   return value;

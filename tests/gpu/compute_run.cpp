@@ -178,28 +178,94 @@ struct Prepared {
   BufferSet buffers;
 };
 
-} // namespace
-
-std::vector<std::vector<std::byte>> runComputes(VulkanDevice& device,
-                                                std::span<const ComputeRun> runs) {
+std::vector<std::unique_ptr<Prepared>> preparedOf(VulkanDevice& device,
+                                                  std::span<const ComputeRun> runs) {
   std::vector<std::unique_ptr<Prepared>> prepared;
   for (const ComputeRun& run : runs)
     prepared.push_back(std::make_unique<Prepared>(device, run));
+  return prepared;
+}
+
+void record(VkCommandBuffer commands, const std::vector<std::unique_ptr<Prepared>>& all) {
+  for (const auto& one : all)
+    one->record(commands);
   VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
   toHost.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
   toHost.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-  const Result<void> submitted = device.submit([&](VkCommandBuffer commands) {
-    for (const auto& one : prepared)
-      one->record(commands);
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT,
-                         0, 1, &toHost, 0, nullptr, 0, nullptr);
-  });
-  if (!submitted)
-    throw std::runtime_error(submitted.error().message);
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_PIPELINE_STAGE_HOST_BIT,
+                       0, 1, &toHost, 0, nullptr, 0, nullptr);
+}
+
+std::vector<std::vector<std::byte>> outputsOf(const std::vector<std::unique_ptr<Prepared>>& all) {
   std::vector<std::vector<std::byte>> outputs;
-  for (const auto& one : prepared)
+  for (const auto& one : all)
     outputs.emplace_back(one->output.mapped, one->output.mapped + one->run.outputBytes);
   return outputs;
+}
+
+} // namespace
+
+struct PendingRuns::Submission {
+  Submission(VulkanDevice& device, std::vector<ComputeRun> r)
+      : runs(std::move(r)), prepared(preparedOf(device, runs)), handle(device.device()) {}
+  Submission(const Submission&) = delete;
+  Submission& operator=(const Submission&) = delete;
+  ~Submission() {
+    if (isSubmitted)
+      vkWaitForFences(handle, 1, &fence, VK_TRUE, UINT64_MAX);
+    vkDestroyFence(handle, fence, nullptr);
+    vkDestroyCommandPool(handle, pool, nullptr);
+  }
+
+  const std::vector<ComputeRun> runs;
+  const std::vector<std::unique_ptr<Prepared>> prepared;
+  const VkDevice handle;
+  VkCommandPool pool = VK_NULL_HANDLE;
+  VkFence fence = VK_NULL_HANDLE;
+  bool isSubmitted = false;
+};
+
+PendingRuns::PendingRuns(VulkanDevice& device, std::vector<ComputeRun> runs)
+    : submission_(std::make_unique<Submission>(device, std::move(runs))) {
+  VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+  pool.queueFamilyIndex = device.queueFamily();
+  require(vkCreateCommandPool(device.device(), &pool, nullptr, &submission_->pool), "a pool");
+  VkCommandBufferAllocateInfo allocation{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+  allocation.commandPool = submission_->pool;
+  allocation.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+  allocation.commandBufferCount = 1;
+  VkCommandBuffer commands = VK_NULL_HANDLE;
+  require(vkAllocateCommandBuffers(device.device(), &allocation, &commands), "commands");
+  const VkFenceCreateInfo fence{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
+  require(vkCreateFence(device.device(), &fence, nullptr, &submission_->fence), "a fence");
+  VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+  begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+  require(vkBeginCommandBuffer(commands, &begin), "commands");
+  record(commands, submission_->prepared);
+  require(vkEndCommandBuffer(commands), "commands");
+  VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+  submit.commandBufferCount = 1;
+  submit.pCommandBuffers = &commands;
+  require(vkQueueSubmit(device.queue(), 1, &submit, submission_->fence), "a submission");
+  submission_->isSubmitted = true;
+}
+
+PendingRuns::~PendingRuns() = default;
+
+std::vector<std::vector<std::byte>> PendingRuns::outputs() {
+  require(vkWaitForFences(submission_->handle, 1, &submission_->fence, VK_TRUE, UINT64_MAX),
+          "a fence");
+  return outputsOf(submission_->prepared);
+}
+
+std::vector<std::vector<std::byte>> runComputes(VulkanDevice& device,
+                                                std::span<const ComputeRun> runs) {
+  const std::vector<std::unique_ptr<Prepared>> prepared = preparedOf(device, runs);
+  const Result<void> submitted =
+      device.submit([&](VkCommandBuffer commands) { record(commands, prepared); });
+  if (!submitted)
+    throw std::runtime_error(submitted.error().message);
+  return outputsOf(prepared);
 }
 
 std::vector<std::byte> runCompute(VulkanDevice& device, const ComputeRun& run) {

@@ -45,6 +45,24 @@ struct ComputeRun {
   ComputePipelines* pipelines = nullptr; ///< of the same device; null: the run creates its own
 };
 
+/// Runs that have been submitted and may not have finished: a frame in flight.
+class PendingRuns {
+public:
+  /// Submits the runs, one after the other in one command buffer, and does not wait. Copies their
+  /// inputs. Throws std::runtime_error.
+  PendingRuns(VulkanDevice& device, std::vector<ComputeRun> runs);
+  /// Waits.
+  ~PendingRuns();
+  PendingRuns(const PendingRuns&) = delete;
+  PendingRuns& operator=(const PendingRuns&) = delete;
+  /// Waits and returns the bytes of each output buffer. Throws std::runtime_error.
+  [[nodiscard]] std::vector<std::vector<std::byte>> outputs();
+
+private:
+  struct Submission;
+  std::unique_ptr<Submission> submission_;
+};
+
 /// Returns the bytes of the output buffer. Throws std::runtime_error with the device's message.
 [[nodiscard]] std::vector<std::byte> runCompute(VulkanDevice& device, const ComputeRun& run);
 

@@ -124,11 +124,10 @@ TEST_CASE("the shader with fewer taps or table levels matches its CPU twin: 99.9
     TilingQuality quality;
     std::span<const std::uint32_t> spirv;
   };
-  for (const auto& [quality, spirv] :
-       {Level{{2, 0.0}, tiling_evaluate_comp_two_taps},
-        Level{{3, kOneTapTiles}, tiling_evaluate_comp_one_tap},
-        Level{{2, kOneTapTiles}, tiling_evaluate_comp_fewest_taps},
-        Level{{3, 0.0, true}, tiling_evaluate_comp_nearest_level}}) {
+  for (const auto& [quality, spirv] : {Level{{2, 0.0}, tiling_evaluate_comp_two_taps},
+                                       Level{{3, kOneTapTiles}, tiling_evaluate_comp_one_tap},
+                                       Level{{2, kOneTapTiles}, tiling_evaluate_comp_fewest_taps},
+                                       Level{{3, 0.0, true}, tiling_evaluate_comp_nearest_level}}) {
     OnDevice noise(quality);
     const std::vector<Point> points = flattened(noise.points);
     const MaterialUse own = noise.host.use();

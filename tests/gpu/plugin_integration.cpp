@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs the C host of docs/integration.md on a device: drawing, and reloading with frames in flight.
+// Runs the C host of docs/integration.md on a device: drawing, and reloading with two frames in
+// flight.
 #include "integration_host.h"
 #include "plugin_host.h"
 #include "require_device.h"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <memory>
 #include <tiling_maps.comp.h>
 
 using namespace lichen;
@@ -20,9 +23,15 @@ constexpr std::array<SyntheticMap, 3> kMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 3
 constexpr std::uint32_t kFramesInFlight = 2;
 constexpr std::uint32_t kGenerations = 4;
 constexpr std::uint32_t kMaterials = 2;
-constexpr std::int64_t kCameraTile[2] = {1000000, -3};
+constexpr std::uint32_t kFramesPerGeneration = kFramesInFlight + 1;
 
 using Values = std::vector<std::array<float, 4>>;
+
+/// The camera moves on each frame, so that a frame which reads another's uniforms differs.
+void setCamera(LichenPlacement& placement, std::uint64_t frame) {
+  placement.tileOrigin[0] = 1000000 + std::int64_t(frame);
+  placement.tileOrigin[1] = -3;
+}
 
 /// A file with two materials that differ only in their seed.
 std::vector<std::byte> twoMaterials() {
@@ -42,7 +51,7 @@ std::vector<std::byte> twoMaterials() {
 
 /// The engine around the documented code: a pool and a uniform buffer.
 struct Engine {
-  explicit Engine(VulkanDevice& d) : device(d) {
+  explicit Engine(VulkanDevice& d) : device(d), pipelines(d.device()) {
     constexpr std::uint32_t kSets = kGenerations * kMaterials;
     const VkDescriptorPoolSize sizes[] = {
         {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kSets},
@@ -89,34 +98,30 @@ struct Engine {
   /// The last use of the bundle.
   std::array<NoiseMaterial, kMaterials> addMaterials(NoiseBundle& loaded) {
     std::array<NoiseMaterial, kMaterials> materials{};
-    for (std::uint32_t k = 0; k < kMaterials; ++k) {
+    for (std::uint32_t k = 0; k < kMaterials; ++k)
       REQUIRE(addMaterial(&host, &loaded, k, k, &materials[k], &diagnostic) == LICHEN_SUCCESS);
-      std::copy(std::begin(kCameraTile), std::end(kCameraTile), materials[k].placement.tileOrigin);
-    }
     finishLoading(&loaded);
     return materials;
   }
 
-  /// Evaluates all materials in one command buffer. The uniforms of all are written before
-  /// submission; each draw selects its own by the dynamic offset of its set.
-  std::vector<Values> draw(const std::array<NoiseMaterial, kMaterials>& materials,
-                           std::uint64_t frame, const std::vector<Point>& points) {
-    std::array<std::uint32_t, kMaterials> offsets{};
-    for (std::uint32_t k = 0; k < kMaterials; ++k)
-      REQUIRE(updateMaterial(&host, &materials[k], std::uint32_t(frame % kFramesInFlight),
-                             &offsets[k], &diagnostic) == LICHEN_SUCCESS);
-    std::array<ComputeRun, kMaterials> runs;
+  /// Submits a frame that evaluates all materials, and does not wait for it. The uniforms of all
+  /// are written before submission; each draw selects its own by the dynamic offset of its set.
+  std::unique_ptr<PendingRuns> draw(std::array<NoiseMaterial, kMaterials>& materials,
+                                    std::uint64_t frame, const std::vector<Point>& points) {
+    std::vector<ComputeRun> runs(kMaterials);
     for (std::uint32_t k = 0; k < kMaterials; ++k) {
+      setCamera(materials[k].placement, frame);
+      std::uint32_t offset = 0;
+      REQUIRE(updateMaterial(&host, &materials[k], std::uint32_t(frame % kFramesInFlight), &offset,
+                             &diagnostic) == LICHEN_SUCCESS);
       setArrays<Values::value_type>(runs[k], points, kMaps.size());
       runs[k].spirv = tiling_maps_comp;
       runs[k].layout = setLayout;
       runs[k].set = materials[k].set;
-      runs[k].dynamicOffsets = {offsets[k]};
+      runs[k].dynamicOffsets = {offset};
+      runs[k].pipelines = &pipelines;
     }
-    std::vector<Values> values;
-    for (const std::vector<std::byte>& bytes : runComputes(device, runs))
-      values.push_back(asArray<Values::value_type>(bytes));
-    return values;
+    return std::make_unique<PendingRuns>(device, std::move(runs));
   }
 
   VulkanDevice& device;
@@ -124,6 +129,7 @@ struct Engine {
   Host host{};
   LichenVulkanContext context = nullptr;
   VkDescriptorSetLayout setLayout = VK_NULL_HANDLE;
+  ComputePipelines pipelines;
   LichenDiagnostic diagnostic;
 };
 
@@ -136,30 +142,47 @@ TEST_CASE("the documented host draws two materials like the tests' host, even af
   for (std::size_t k = 0; k < points.size(); ++k)
     points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
   PluginHost plain(*device, glb);
-  std::vector<Values> expected;
-  for (std::uint32_t k = 0; k < kMaterials; ++k) {
-    MaterialUse use = plain.use(k);
-    std::copy(std::begin(kCameraTile), std::end(kCameraTile), use.placement.tileOrigin);
-    expected.push_back(plain.evaluate(tiling_maps_comp, 0, use, points, kMaps.size()));
+  std::vector<std::vector<Values>> expected; // of each frame: one for each material
+  for (std::uint64_t frame = 0; frame < kGenerations * kFramesPerGeneration; ++frame) {
+    expected.emplace_back();
+    for (std::uint32_t k = 0; k < kMaterials; ++k) {
+      MaterialUse use = plain.use(k);
+      setCamera(use.placement, frame);
+      expected.back().push_back(plain.evaluate(tiling_maps_comp, 0, use, points, kMaps.size()));
+    }
   }
-  REQUIRE(expected[0] != expected[1]);
+  REQUIRE(expected[0][0] != expected[0][1]);
+  REQUIRE(expected[0][0] != expected[1][0]);
   {
     Engine engine(*device);
+    std::deque<std::unique_ptr<PendingRuns>> inFlight;
+    std::uint64_t completed = 0;
+    const auto complete = [&] {
+      std::vector<Values> values;
+      for (const std::vector<std::byte>& bytes : inFlight.front()->outputs())
+        values.push_back(asArray<Values::value_type>(bytes));
+      CHECK((values == expected[completed])); // too many to print
+      inFlight.pop_front();
+      lichenVulkanFrameCompleted(engine.context, completed++);
+    };
     NoiseBundle loaded = engine.load(glb);
     std::uint64_t frame = 0;
     for (std::uint32_t generation = 0; generation < kGenerations; ++generation) {
-      const auto materials = engine.addMaterials(loaded);
-      for (std::uint32_t k = 0; k < kFramesInFlight + 1; ++k, ++frame) {
-        CHECK(engine.draw(materials, frame, points) == expected);
-        if (frame >= kFramesInFlight)
-          lichenVulkanFrameCompleted(engine.context, frame - kFramesInFlight);
-      }
+      auto materials = engine.addMaterials(loaded);
       NoiseBundle next{};
-      if (generation + 1 < kGenerations)
-        next = engine.load(glb);
+      for (std::uint32_t k = 0; k < kFramesPerGeneration; ++k, ++frame) {
+        if (inFlight.size() == kFramesInFlight)
+          complete(); // its block of uniforms is free again
+        inFlight.push_back(engine.draw(materials, frame, points));
+        if (k == 0 && generation + 1 < kGenerations)
+          next = engine.load(glb);
+      }
+      REQUIRE(inFlight.size() == kFramesInFlight); // both draw what is unloaded now
       unloadBundle(&loaded, frame - 1);
       loaded = next;
     }
+    while (!inFlight.empty())
+      complete();
   }
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The plugin from a host's view: function table and loader, dynamic uniforms, several maps, several
 // devices and threads, uploads by another queue, hot reload.
+#include "eight_bit_filter.h"
 #include "plugin_calls.h"
 #include "plugin_host.h"
 #include "require_device.h"
@@ -58,12 +59,20 @@ TEST_CASE("several maps share the taps: each has the values of a noise with that
   const auto values = host.evaluate(tiling_maps_comp, 0, host.use(), points, kMaps.size());
   for (std::size_t m = 0; m < kMaps.size(); ++m) {
     const TilingReference reference(bundle, m);
+    std::size_t beyond = 0;
     for (std::size_t k = 0; k < points.size(); ++k) {
       const auto expected = reference.evaluate(points[k], host.material());
-      for (std::size_t c = 0; c < 3; ++c) // the last map has 8 bits; see tiling_parity.cpp
-        REQUIRE(std::abs(double(values[k * kMaps.size() + m][c]) - expected.value[c]) <
-                (kMaps[m].eightBit ? 0.04 : 1.0 / 255.0));
+      const auto deviation = valueDeviation(reference, kMaps[m], expected, 1.0);
+      const auto error = [&](std::size_t c) {
+        return std::abs(double(values[k * kMaps.size() + m][c]) - expected.value[c]);
+      };
+      // Of 1,500 Gaussian values, the greatest is beyond 5 deviations once in 1,200 times.
+      for (std::size_t c = 0; c < 3; ++c)
+        REQUIRE(error(c) < (kMaps[m].eightBit ? 5.0 * deviation[c] : 1.0 / 255.0));
+      beyond += error(0) > kQuantile99 * deviation[0] ? 1u : 0u;
     }
+    if (kMaps[m].eightBit)
+      CHECK(beyond <= points.size() / 100);
   }
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
@@ -167,16 +176,16 @@ TEST_CASE("retired assets live until their last frame has completed") {
     for (int reload = 0; reload < 20; ++reload, ++frame) { // each bundle is used in one frame
       LichenVulkanAssets assets = nullptr;
       REQUIRE(lichenVulkanCreateAssets(context, bundle, &assets, nullptr) == LICHEN_SUCCESS);
+      lichenVulkanReleaseStaging(assets);
       if (frame == 0)
         perGeneration = Proxy::alive - withoutAssets;
-      lichenVulkanReleaseStaging(assets);
       lichenVulkanRetireAssets(assets, frame);
       if (frame + 1 >= framesInFlight)
         lichenVulkanFrameCompleted(context, frame + 1 - framesInFlight);
-      const int most = int(framesInFlight) * perGeneration;
-      CHECK(Proxy::alive - withoutAssets < most);
-      CHECK((Proxy::alive > withoutAssets) == (framesInFlight > 1));
+      // Those of the frames that have not completed, all of them and no more.
+      CHECK(Proxy::alive - withoutAssets == (int(framesInFlight) - 1) * perGeneration);
     }
+  REQUIRE(perGeneration > 0);
   lichenVulkanDestroyContext(context); // also destroys the last two generations
   CHECK(Proxy::alive == 0);
   lichenDestroyBundle(bundle);

@@ -242,12 +242,12 @@ TEST_CASE(
     const double drawn = meanRadiance(render(scene.glb(), lightOnly(kNear)));
     const double hidden = meanRadiance(render(scene.glb(), lightOnly(kFar)));
     const double expected = lobeRatio(map, roughness, 0.0);
-    greatest = std::max(greatest, expected);
+    greatest = std::max(greatest, hidden / drawn);
     INFO("roughness " << roughness << ": drawn " << drawn << ", hidden " << hidden << ", ratio "
                       << hidden / drawn << ", expected " << expected);
     CHECK(hidden / drawn == Approx(expected).epsilon(kRatioTolerance));
   }
-  CHECK(greatest > 1.15); // docs/theory.md: at most 1.25
+  CHECK(greatest > 1.2); // docs/theory.md: at most 1.25
 }
 
 namespace {
@@ -314,14 +314,24 @@ double meanRadiance(const LinearImage& image, std::uint32_t left, std::uint32_t 
   return sum / (3.0 * side * side);
 }
 
-/// At 2 texels a pixel tiling is fetched between the mip levels 0 and 1. Shares of the variance of a
-/// view with one texel a pixel, which interpolation has left.
+/// At 2 texels a pixel both methods fetch halfway between the mip levels 0 and 1. Shares of the
+/// variance of a view with one texel a pixel.
 SlopeShares sharesAtTwoTexels(const Bundle& bundle) {
-  const std::vector<float> losses =
-      fetchLosses(bundle.tables[bundle.noises[0].maps[1].as<TilingMap>().gaussian]);
-  const auto between = double(losses[0]);
-  const double lost = 0.5 * (between + double(losses[1]));
-  return {(1.0 - lost) / (1.0 - between), (lost - between) / (1.0 - between)};
+  const NoiseMap& map = bundle.noises[0].maps[1];
+  if (bundle.noises[0].method() == Method::tiling) { // interpolation has left less than all of it
+    const std::vector<float> losses = fetchLosses(bundle.tables[map.as<TilingMap>().gaussian]);
+    const auto between = double(losses[0]);
+    const double lost = 0.5 * (between + double(losses[1]));
+    return {(1.0 - lost) / (1.0 - between), (lost - between) / (1.0 - between)};
+  }
+  const auto& texton = map.as<TextonMap>();
+  double drawn = 0.0;
+  for (std::size_t c = 0; c < 2; ++c) { // the mean of two levels; docs/theory.md: their covariance
+    const double coarse2 = 1.0 - lossRow(texton.mipLoss, c, 2)[1];
+    const double covariance = coarse2 + 0.5 * std::pow(coarse2, 1.5) * (1.0 - coarse2);
+    drawn += 0.5 * 0.25 * (1.0 + 2.0 * covariance + coarse2);
+  }
+  return {drawn, 1.0 - drawn};
 }
 
 } // namespace
@@ -339,11 +349,17 @@ TEST_CASE("lit, coloured bumps have the same brightness at every distance, in bo
   constexpr double kStoneTolerance = 0.03;
   // Metal: brighter by the shape of the lobe, in full where a pixel hides all bumps.
   const double half = std::tan(kLightAngle / 2.0);
-  const MapExemplar drawnSlopes = betweenTexels(maps[1]);
-  const double metal = lobeRatio(drawnSlopes, 0.5, half);
   constexpr double kAllHidden = 8.0;
+  // There most slopes are drawn: tighter than the 0.034 by which brightness differs from a view
+  // that hides none. Measured: at most 0.023.
+  constexpr double kRatioToleranceAtTwo = 0.03;
   for (const BundleFile& file : {bundleFileOf(bakeTiling("bumps", maps, tiling)),
-                                 bundleFileOf(bakeTexton("bumps", maps, texton))})
+                                 bundleFileOf(bakeTexton("bumps", maps, texton))}) {
+    // Textons are scaled to the exemplar's variance as they are interpolated.
+    const bool isTiling = file.bundle.noises[0].method() == Method::tiling;
+    const MapExemplar drawnSlopes = isTiling ? betweenTexels(maps[1]) : maps[1];
+    const double metal = lobeRatio(drawnSlopes, 0.5, half);
+    const double metalAtTwo = lobeRatio(drawnSlopes, 0.5, half, sharesAtTwoTexels(file.bundle));
     for (const Mapping mapping : {Mapping::uv, Mapping::triplanar}) {
       const LinearImage image = squares(file, mapping, kTexelsAPixel, kSides);
       for (std::uint32_t row = 0; row < 2; ++row) {
@@ -355,20 +371,18 @@ TEST_CASE("lit, coloured bumps have the same brightness at every distance, in bo
                << nameOf(file.bundle.noises[0].method()) << ", " << nameOf(mapping) << ", "
                << kTexelsAPixel[k] << " texels a pixel: drawn " << drawn << ", seen " << seen);
           const double ratio = seen / drawn;
-          if (row == 0) {
+          const double ofMetal = kTexelsAPixel[k] >= kAllHidden ? metal : metalAtTwo;
+          INFO("ratio " << ratio << ", expected of metal " << ofMetal);
+          if (row == 0)
             CHECK(ratio == Approx(1.0).margin(kStoneTolerance));
-          } else if (kTexelsAPixel[k] >= kAllHidden) {
-            CHECK(ratio == Approx(metal).epsilon(kRatioTolerance));
-          } else if (file.bundle.noises[0].method() == Method::tiling) {
-            const SlopeShares shares = sharesAtTwoTexels(file.bundle);
-            CHECK(ratio == Approx(lobeRatio(drawnSlopes, 0.5, half, shares)).epsilon(kRatioTolerance));
-          } else {
-            CHECK(ratio > 1.0 - kRatioTolerance);
-            CHECK(ratio < metal * (1.0 + kRatioTolerance));
-          }
+          else
+            CHECK(ratio == Approx(ofMetal).epsilon(kTexelsAPixel[k] >= kAllHidden
+                                                       ? kRatioTolerance
+                                                       : kRatioToleranceAtTwo));
         }
       }
     }
+  }
 }
 
 TEST_CASE(
@@ -443,14 +457,19 @@ TEST_CASE("diffuse light of unresolved bumps averages all their slopes, under su
       CHECK(plane.seen(32.0, from, 8, light).meanError == Approx(0.0).margin(0.01));
 }
 
-TEST_CASE("rotating a noise rotates its slopes, but not their variance") {
+namespace {
+
+constexpr double kTurn = 0.7; // radians
+
+} // namespace
+
+TEST_CASE("rotating a noise rotates its slopes") {
   MapExemplar slope = bumps();
   for (std::size_t i = 0; i < slope.values.size(); i += 2) {
     slope.values[i] = 0.3f;
     slope.values[i + 1] = 0.0f;
   }
   BundleFile file = bumpyBundle(slope);
-  constexpr double kTurn = 0.7;
   file.bundle.materials[0]->rotation = kTurn;
   RenderSettings settings = lightOnly(8);
   settings.debugView = "normals";
@@ -462,4 +481,24 @@ TEST_CASE("rotating a noise rotates its slopes, but not their variance") {
   for (std::size_t c = 0; c < 3; ++c) // 0.3 as an 11-bit half, and an 8-bit or half target
     CHECK(double(normals.pixel(4, 4)[c]) ==
           Approx(0.5 + 0.5 * normal[c] / length).margin(2.0 / 255.0));
+}
+
+TEST_CASE("rotating a noise or its tiles leaves the variance of slopes that a pixel hides") {
+  const BundleFile bumpy = bumpyBundle(bumps());
+  BundleFile flat = bumpy;
+  removeVariance(flat.bundle);
+  // 16 texels a pixel. Without mean slopes, the light is that of the hidden ones.
+  const auto seen = [](BundleFile file, double rotation, std::uint32_t tileRotation) {
+    file.bundle.materials[0]->rotation = rotation;
+    file.bundle.materials[0]->tileRotation = tileRotation;
+    return meanRadiance(render(planeUnder(file, kLightAngle).glb(), lightOnly(16)));
+  };
+  const double unrotated = seen(bumpy, 0.0, 0);
+  constexpr double kTolerance = 0.01;
+  CHECK(seen(flat, 0.0, 0) > 1.5 * unrotated); // what is compared comes of the variance
+  for (const auto& [rotation, tileRotation] : std::vector<std::pair<double, std::uint32_t>>{
+           {kTurn, 0}, {0.0, 4}, {0.0, kMostTileRotation}, {kTurn, kMostTileRotation}}) {
+    INFO("rotation " << rotation << ", tiles by " << tileRotation << " steps");
+    CHECK(seen(bumpy, rotation, tileRotation) == Approx(unrotated).epsilon(kTolerance));
+  }
 }

@@ -169,7 +169,7 @@ TEST_CASE("a cooked bundle that is cut off or of another version is refused") {
         "moss.lichen: the cooked bundle ends inside its header");
   CHECK(messageOf({cooked.begin(), cooked.begin() + 100}).find("is the file truncated?") !=
         std::string::npos);
-  CHECK(messageOf({cooked.begin(), cooked.end() - 1}).find("pass the end of the file") !=
+  CHECK(messageOf({cooked.begin(), cooked.end() - 1}).find("the file is truncated") !=
         std::string::npos);
   Bytes later = cooked;
   later[8] = std::byte(2);

@@ -112,6 +112,29 @@ bool isShifted(const Hash& hash, std::uint32_t seed) {
   return false;
 }
 
+constexpr std::uint32_t kShifts = 300; // columns and rows, in both directions
+
+/// The sorted windows of a seed word's field at all shifts of up to kShifts.
+std::vector<Window> windowsWithinShifts(const Hash& hash, std::uint32_t word) {
+  std::vector<Window> near;
+  for (std::uint32_t j = 0; j <= 2 * kShifts; ++j)
+    for (std::uint32_t i = 0; i <= 2 * kShifts; ++i)
+      near.push_back(windowAt(hash, i - kShifts, j - kShifts, word));
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+/// How many seed words that differ from `word` in one bit, or by a power of two, give its field
+/// shifted by up to kShifts columns and rows.
+int countShifted(const Hash& hash, std::uint32_t word) {
+  const std::vector<Window> near = windowsWithinShifts(hash, word);
+  int count = 0;
+  for (std::uint32_t k = 0; k < 32; ++k)
+    for (const std::uint32_t other : {word ^ (1u << k), word + (1u << k), word - (1u << k)})
+      count += int(std::binary_search(near.begin(), near.end(), windowAt(hash, 0, 0, other)));
+  return count;
+}
+
 constexpr std::uint32_t kSizes[] = {1, 17, 64, 100, 255, 256, 512, 16384};
 
 } // namespace
@@ -200,7 +223,7 @@ TEST_CASE("hashes of vertices are those of the specification") {
   CHECK(vertexHash(~0u, ~0u, latticeSeed(1, 0)) == 120967172u); // as in the extension's README
 }
 
-TEST_CASE("no translation repeats the field, and no other seed shifts it") {
+TEST_CASE("no translation repeats the field, and other seeds do not shift it along its axes") {
   const auto hash = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
     return vertexHash(i, j, latticeSeed(seed, 0));
   };
@@ -209,6 +232,29 @@ TEST_CASE("no translation repeats the field, and no other seed shifts it") {
     INFO("seed " << seed);
     CHECK_FALSE(isShifted(hash, seed));
   }
+}
+
+TEST_CASE("seed words that differ in one bit do not shift the field by fewer than 2^31 rows") {
+  for (const std::uint32_t word : {0u, latticeSeed(1, 0), latticeSeed(7, 2)}) {
+    CHECK(countShifted(vertexHash, word) == 0);
+    // The one shift there is: the highest bit of a sum has no carry, so adding it flips it.
+    for (const std::uint32_t i : {0u, 1u, 0xfffffffeu})
+      CHECK(windowAt(vertexHash, i, 5u + 0x80000000u, word ^ 0x80000000u) ==
+            windowAt(vertexHash, i, 5u, word));
+  }
+}
+
+TEST_CASE("the search for shifts finds those of seeds that are added") {
+  // Up to kShifts, these are the nine powers 2^0 to 2^8, each of them in three words.
+  constexpr std::uint32_t kWord = 0x12345678u;
+  const auto addedToColumn = [](std::uint32_t i, std::uint32_t j, std::uint32_t word) {
+    return pcg(pcg(i + word) + j);
+  };
+  const auto addedToRow = [](std::uint32_t i, std::uint32_t j, std::uint32_t word) {
+    return pcg(pcg(i) + j + word);
+  };
+  CHECK(countShifted(addedToColumn, kWord) == 3 * 9);
+  CHECK(countShifted(addedToRow, kWord) == 3 * 9);
 }
 
 TEST_CASE("the search for repetitions finds those of linear hashes") {

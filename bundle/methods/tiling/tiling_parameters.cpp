@@ -81,8 +81,10 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
   const Table& image = bundle.tables[tiling.gaussian];
   setImage(constants, image);
   constants.dimensions = shader::uint(tiling.dimensions);
-  const double width = tileSize(bundle, noise)[0];
-  constants.levelOffset = float(std::log2(double(image.width) / width));
+  const auto [width, height] = tileSize(bundle, noise);
+  // 0 for images of the tile's size alone: others do not share their texels.
+  constants.levelOffset =
+      float(0.5 * std::log2(double(image.width) * image.height / (double(width) * double(height))));
   constants.interpolationLoss = fetchLosses(image).front();
   if (tableKindOf(tiling) == TableKind::none) {
     const std::size_t n = map.mean.size();

@@ -51,7 +51,7 @@ typedef enum LichenResult {
   LICHEN_SUCCESS = 0,
   LICHEN_ERROR_USAGE = 1,       /* an argument is outside its range */
   LICHEN_ERROR_VERSION = 2,     /* header or shaders do not fit the library */
-  LICHEN_ERROR_BAD_BUNDLE = 3,  /* the bundle is at fault, or needs what this version lacks */
+  LICHEN_ERROR_BAD_BUNDLE = 3,  /* the bundle is at fault, or needs a newer library */
   LICHEN_ERROR_UNSUPPORTED = 4, /* the device cannot filter an image, or has no memory for it */
   LICHEN_ERROR_OUT_OF_HOST_MEMORY = 5,
   LICHEN_ERROR_OUT_OF_DEVICE_MEMORY = 6, /* or more allocations than the device allows */
@@ -128,7 +128,7 @@ typedef struct LichenParseInfo {
 /* Reads a bundle and checks all of it; input may be hostile. Time and memory are in proportion to
  * its size. The caller owns *bundle. A glTF file without noises is a bundle with noiseCount 0.
  * Noises of a later revision than this library knows are left out, with what only they use: noises
- * and images are numbered without them, and LichenMaterialProperties tells which materials lack
+ * and images are numbered without them, and LichenMaterialProperties says which materials lost
  * theirs. */
 LICHEN_API LichenResult lichenParseBundle(const LichenParseInfo* info, LichenBundle* bundle,
                                           LichenDiagnostic* diagnostic);
@@ -240,7 +240,7 @@ typedef enum LichenMapping {
 typedef enum LichenSpace {
   LICHEN_SPACE_WORLD = 0,  /* one pattern runs from mesh to mesh */
   LICHEN_SPACE_OBJECT = 1, /* the mesh's own, before morph targets and skins: the pattern moves,
-                            * turns and scales with the object */
+                            * rotates and scales with the object */
   LICHEN_SPACE_MAX_ENUM = 0x7FFFFFFF
 } LichenSpace;
 
@@ -365,8 +365,12 @@ typedef struct LichenBinding {
   void* next;
   uint32_t binding; /* relative to LICHEN_FIRST_BINDING */
   LichenBindingKind kind;
-  LichenSamplerUse sampler; /* of a sampler, and of an image the one that it is sampled with */
-  uint32_t image; /* of a sampled image; where the noise lacks the map, one that is not read */
+  /* Of LICHEN_BINDING_SAMPLER, that sampler; of LICHEN_BINDING_SAMPLED_IMAGE, the sampler that the
+   * shader samples the image with. */
+  LichenSamplerUse sampler;
+  /* Of LICHEN_BINDING_SAMPLED_IMAGE: an image index. If the noise does not have the map, it is a
+   * placeholder that the shader does not read. */
+  uint32_t image;
 } LichenBinding;
 
 /* noise < noiseCount, index < LICHEN_SET_BINDINGS. */
@@ -394,24 +398,26 @@ typedef struct LichenMaterialParameters {
   LichenStructureType type;
   uint32_t size;
   const void* next;
-  uint32_t noise; /* in its bundle; written to the block for shaders that index noises: a host that
-                   * keeps the constants of several bundles in one buffer adds what comes before */
-  /* The shader's place must be one of the same mapping: LICHEN_POINT_TRIPLANAR for
-   * LICHEN_MAPPING_TRIPLANAR, LICHEN_POINT_SURFACE for LICHEN_MAPPING_SURFACE, which only textons
-   * have. */
+  /* Index of the noise in its bundle; written to the block for shaders that index the constants of
+   * noises. A host that stores the constants of several bundles in one buffer adds the index of the
+   * bundle's first noise in that buffer. */
+  uint32_t noise;
+  /* The shader must compute its point for the same mapping: with LICHEN_POINT for
+   * LICHEN_MAPPING_UV, LICHEN_POINT_TRIPLANAR for LICHEN_MAPPING_TRIPLANAR, LICHEN_POINT_SURFACE
+   * for LICHEN_MAPPING_SURFACE, which only textons have. */
   LichenMapping mapping;
   uint32_t seed; /* any; another seed is another noise of the same look */
-  /* [0, 65536] of tiling: how many steps of a turn tiles lie in. 0 and 1: none is turned; 65536:
-   * any angle. Above 1 it needs shaders with LICHEN_TILE_ROTATION 1. */
+  /* [0, 65536] of tiling: the number of evenly spaced angles by which tiles are rotated. 0 and 1:
+   * no rotation; 65536: any angle. Above 1 it needs shaders with LICHEN_TILE_ROTATION 1. */
   uint32_t tileRotation;
   double scale;          /* [1e-6, 1e6] texture-coordinate units that one exemplar spans */
-  double offset[2];      /* [-1e9, 1e9] tiles, in float precision: far moves are tileOrigin's */
+  double offset[2];      /* [-1e9, 1e9] tiles, in float precision; for large ones, use tileOrigin */
   double rotation;       /* [-1e6, 1e6] radians, as KHR_texture_transform */
   double blendSharpness; /* [0.25, 16] of tiling: exponent of the blend weights */
   double contrast;       /* [0, 4] scale of the Gaussian value about its mean */
   double planeSharpness; /* [1, 64] of the mapping triplanar: exponent of the planes' weights */
-  double impacts; /* [1, 1000] of texton noise: how many a point sees in the mean, on surfaces twice
-                   * as many; cost goes with it */
+  double impacts; /* [1, 1000] of texton noise: the mean number of impacts that reach a point, on
+                   * surfaces twice as many; cost is proportional */
   LichenPointProcess pointProcess; /* of texton noise */
   /* Of a mix: the weight of LICHEN_MIX_CONSTANT; the texture coordinates of 0 and 1 of
    * LICHEN_MIX_DIRECTION. */

@@ -91,14 +91,12 @@ struct FrameData {
 
 struct MaterialData {
   vec4 baseColor;
-  vec4 emissive;       // w is the alpha cutoff, 0 without one
-  vec4 factors;        // metallic, roughness, normal scale, occlusion strength
-  ivec4 texCoords;     // of textures 0 to 3
-  ivec4 flags;         // x texCoord of texture 4, y ALPHA_*, z unused, w texCoord of the noise
-  ivec4 ormComponents; // of the noise's value: occlusion, roughness, metallic;
-                       // -1 for none
-  ivec4 mixSource;     // x MIX_*, y texCoord of the mask, z its channel;
-                       // w 1 for a noise in the space of the object, 0 in the world
+  vec4 emissive;   // w is the alpha cutoff, 0 without one
+  vec4 factors;    // metallic, roughness, normal scale, occlusion strength
+  ivec4 texCoords; // of textures 0 to 3
+  ivec4 flags;     // x texCoord of texture 4, y ALPHA_*, z unused, w texCoord of the noise
+  ivec4 mixSource; // x MIX_*, y texCoord of the mask, z its channel;
+                   // w 1 for a noise in the space of the object, 0 in the world
   // offset from the renderer's origin to the noise's tile origin, added to positions; w unused
   vec4 fromTileOrigin;
   vec4 transformRows[2 * MATERIAL_TEXTURES]; // of KHR_texture_transform: uv' = rows * (u, v, 1)

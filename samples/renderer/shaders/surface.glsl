@@ -27,11 +27,13 @@ layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates 
 const bool kHasNoise = false;
 #define NOISE_HAS(role) false
 #define NOISE_VALUE(role, shading) vec4(0.0)
+#define NOISE_ORM(shading, absent) absent
 #include "lichen.glsl"
 #else
 const bool kHasNoise = true;
 #define NOISE_HAS(role) LICHEN_HAS(role)
 #define NOISE_VALUE(role, shading) LICHEN_VALUE(role, shading)
+#define NOISE_ORM(shading, absent) LICHEN_ORM(shading, absent)
 #define LICHEN_SET SET_NOISE
 #define LICHEN_ROLES 47 // all but height: this renderer does not displace surfaces
 #include "lichen.glsl"
@@ -221,12 +223,8 @@ vec3 ormAt(Footprint f, LichenShadingPoint shading) {
   orm.yz = materialTexture(metallicRoughnessTexture, TEXTURE_METALLIC_ROUGHNESS,
                            material.texCoords.y, f)
                .gb;
-  if (NOISE_HAS(LICHEN_OCCLUSION_ROUGHNESS_METALLIC)) {
-    vec3 value = NOISE_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, shading).rgb;
-    for (int k = 0; k < 3; ++k)
-      if (material.ormComponents[k] >= 0)
-        orm[k] = value[material.ormComponents[k]];
-  }
+  if (NOISE_HAS(LICHEN_OCCLUSION_ROUGHNESS_METALLIC))
+    orm = NOISE_ORM(shading, orm);
   return orm;
 }
 
