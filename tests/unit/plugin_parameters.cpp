@@ -318,6 +318,20 @@ TEST_CASE("the switches leave out what no material needs") {
   CHECK(switchesOf({mixed}).find("POISSON") == std::string::npos);
 }
 
+TEST_CASE("the switches keep values above 1 for a noise that has them") {
+  BundleFile file = example::smallest();
+  NoiseMap& height = file.bundle.noises[0].maps[0];
+  height.encoding = ValueEncoding::log2;
+  file.bundle.tables[*height.as<TilingMap>().inverseTable] =
+      example::patternTable("", TexelFormat::r16Sfloat, 256, 1, 1, 1);
+  const OwnedBundle above(file), below(example::smallest());
+  const LichenMaterialParameters high = parametersOf(above.handle);
+  const LichenMaterialParameters low = parametersOf(below.handle);
+  CHECK(switchesOf({high}).find("VALUES_ABOVE_ONE") == std::string::npos);
+  CHECK(switchesOf({low, high}).find("VALUES_ABOVE_ONE") == std::string::npos);
+  CHECK(switchesOf({low}).find(" -DLICHEN_VALUES_ABOVE_ONE=0") != std::string::npos);
+}
+
 TEST_CASE("the longest text of switches fits") {
   // Materials of both methods, in three planes, with an anisotropic sampler. Each switch that is
   // missing excludes longer ones.

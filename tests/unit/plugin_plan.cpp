@@ -125,6 +125,15 @@ TEST_CASE("a noise's block holds the bundle's constants, each map at its role") 
   CHECK(lichenGetNoiseConstants(nullptr, 0, &block) == LICHEN_ERROR_USAGE);
 }
 
+TEST_CASE("a map of another shape than the tile has a level of its own, and the mean loss") {
+  // "moss" has 8 x 8 texels of colour and 8 x 4 of slopes: half as many.
+  const OwnedBundle bundle(example::everyMap());
+  shader::LichenNoiseConstants block{};
+  REQUIRE(lichenGetNoiseConstants(bundle.handle, 1, &block) == LICHEN_SUCCESS);
+  CHECK(block.maps[LICHEN_BASE_COLOR].levelOffset == 0.0f);
+  CHECK(block.maps[LICHEN_NORMAL].levelOffset == -0.5f);
+}
+
 TEST_CASE("a file without noises is an empty bundle") {
   const std::string gltf = R"({"asset": {"version": "2.0"}, "materials": [{}]})";
   LichenParseInfo info;
