@@ -1,306 +1,46 @@
 // SPDX-License-Identifier: MIT
-// Exemplar maps (width * height * channels values each) -> a noise and its tables.
-#include "exemplar/color_space.h"
-#include "exemplar/map_ranges.h"
-#include "exemplar/value_encoding.h"
-#include "gaussian/normality.h"
-#include "gaussian_image.h"
-#include "inverse_table.h"
-#include "level_means.h"
-#include "map_fit.h"
-#include "mip_chain.h"
-#include "prefilter.h"
-#include "slope_variance.h"
+// Exemplar maps (width * height * channels values each) -> a tiling noise and its tables.
+#include "gaussianization/gaussianized_maps.h"
 
 #include <lichen/tiling.h>
 
-#include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace lichen {
 namespace {
 
-using namespace tiling;
-
-/// Whether the covariance is positive definite, as the format requires of a map without a table,
-/// with a margin for rounding in the file.
-bool spansAll(const MapExemplar& map) {
-  const exemplar::ColorSpace space = exemplar::colorSpaceOf(exemplar::asStored(map));
-  constexpr double kLeastShare = 1e-8; // of the variance, ten times what the format accepts
-  const auto solver = transport::principalAxes(space.moments.covariance);
-  return space.dimensions() == int(space.moments.mean.size()) &&
-         solver.eigenvalues()[0] > kLeastShare * space.moments.covariance.trace();
-}
-
-Result<void> checkOptions(std::span<const MapExemplar> maps, const TilingOptions& options) {
-  const auto usage = [](const std::string& message) { return Error{ErrorKind::usage, message}; };
-  if (options.bits != 8 && options.bits != 16)
-    return usage("precision " + std::to_string(options.bits) + "; expected 8 or 16 bits");
-  if (maps.empty())
-    return usage("no map to bake; expected at least one");
-  for (const MapExemplar& map : maps) {
-    if (Result<void> checked = exemplar::checkRanges(map); !checked)
-      return checked;
-    if (options.gaussian == GaussianOnly::yes && !spansAll(map))
-      return usage(
-          "the values of " + std::string(nameOf(map.target)) + " span less than " +
-          std::to_string(map.channels.size()) +
-          " dimensions, and a bake without an inverse table needs all; expected gaussian auto "
-          "or no");
-  }
-  return {};
-}
-
-/// The fit of a map that does not vary: one constant for image and table.
-MapFit constantFit(const MapExemplar& map) {
-  MapFit fit;
-  fit.gaussian.width = map.width;
-  fit.gaussian.height = map.height;
-  fit.gaussian.image.assign(std::size_t(map.width) * std::size_t(map.height),
-                            Point{float(gaussian::kGaussianMean), 0.0f, 0.0f});
-  fit.table.channels = int(map.channels.size());
-  for (int cell = 0; cell < fit.table.side; ++cell)
-    for (std::size_t c = 0; c < map.channels.size(); ++c)
-      fit.table.values.push_back(exemplar::tableValue(map.values[c], map.encoding));
-  return fit;
-}
-
-void appendValues(std::vector<double>& to, const auto& matrix) {
-  for (Eigen::Index row = 0; row < matrix.rows(); ++row)
-    for (Eigen::Index column = 0; column < matrix.cols(); ++column)
-      to.push_back(matrix(row, column));
-}
-
-/// How the values of a map are stored.
-enum class MapKind { constant, gaussianOnly, sorted, transported };
-
-/// A map and the way it will be stored.
-struct PlannedMap {
-  const MapExemplar& map;
-  exemplar::ColorSpace space;
-  MapKind kind;
-};
-
-/// A map without a table cannot correlate with others, so maps of a set are not tested.
-bool detectsGaussian(std::size_t maps, GaussianOnly wanted) {
-  return maps == 1 && wanted == GaussianOnly::detect;
-}
-
-MapKind kindOf(const MapExemplar& map, const exemplar::ColorSpace& space,
-               const TilingOptions& options, bool mayBeGaussian, ProgressPart progress) {
-  if (options.gaussian == GaussianOnly::yes)
-    return MapKind::gaussianOnly;
-  if (space.dimensions() == 0)
-    return MapKind::constant;
-  if (mayBeGaussian && spansAll(map) && gaussian::isGaussian(exemplar::asStored(map), progress))
-    return MapKind::gaussianOnly;
-  if (space.dimensions() == 1)
-    return MapKind::sorted;
-  return MapKind::transported;
-}
-
-/// The work of the steps of a map's bake, in units of transporting a pixel with the default effort.
-struct MapWork {
-  double fit = 0.0;
-  double rest = 0.0; ///< mips, losses and the table's levels
-
-  [[nodiscard]] double whole() const { return fit + rest; }
-};
-
-/// Work of the Gaussian test, relative to the whole bake: 16 projections of 6 ns per pixel on two
-/// cores. Twenty times as much if surrogates decide, which is rare.
-constexpr double kKindWork = 0.02;
-
-/// The work of a map. With `others` before it, it correlates with them and reuses their share.
-MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
-  // The table's levels. Nearly the same for every exemplar; measured on 256 x 256.
-  constexpr double kTableLevelsWork = 0.4 * 65536.0;
-  // Per pixel, measured on 1024 x 1024: mips and losses; sorting an axis once; a Gaussian image.
-  constexpr double kMips = 0.08;
-  constexpr double kSort = 0.03;
-  constexpr double kWhitening = 0.02;
-  const double pixels = double(planned.map.width) * double(planned.map.height);
-  const double matchings = (periodic ? 1.0 : 2.0) * pixels;
-  const double joining =
-      others && effort != TransportEffort::fast ? 1.0 + kJoiningWork : 1.0; // of joint tables
-  MapWork work{0.0, kMips * pixels};
-  switch (planned.kind) {
-  case MapKind::constant:
-    break;
-  case MapKind::gaussianOnly:
-    work.fit = kWhitening * pixels;
-    break;
-  case MapKind::sorted:
-    work.fit = joining * kSort * matchings;
-    break;
-  case MapKind::transported:
-    const FitWork fit = fitWork(planned.map, periodic, effort);
-    work.fit = joining * fit.fit + (others ? 0.0 : fit.trial);
-    work.rest += kTableLevelsWork;
-  }
-  return work;
-}
-
-/// The tables of a map.
-struct MapTables {
-  int dimensions = 1;
-  Table gaussian;
-  std::optional<Table> inverse;
-};
-
-/// Part of the progress after the fit; the levels of the table take the rest.
-constexpr double kMipsOfProgress = 0.5;
-
-MapTables jointTables(const MapExemplar& map, const MapFit& fit, int bits, ProgressPart progress) {
-  progress.reach(0.0);
-  MapTables tables{fit.gaussian.dimensions, gaussianTable(fit.gaussian, bits), {}};
-  const std::vector<exemplar::ChannelMatrix> lost =
-      lostVariance(tables.gaussian, tables.dimensions);
-  const std::vector<float> losses = fetchLosses(tables.gaussian);
-  progress.reach(kMipsOfProgress);
-  const ValueEncoding encoding = exemplar::storedEncoding(map.encoding);
-  const bool holdsRoots = encoding == ValueEncoding::root;
-  std::vector<InverseTable> levels = prefilteredLevels(fit.table, lost, holdsRoots);
-  restoreLevelMeans(levels, holdsRoots, tables.gaussian, losses);
-  if (encoding == ValueEncoding::slope)
-    appendSlopeVariance(levels, fit.table, tables.gaussian, lost, losses);
-  tables.inverse = inverseTableTexels(levels, encoding, bits);
-  return tables;
-}
-
-void appendMap(const MapExemplar& map, MapTables tables, const std::string& name,
-               TilingBake& bake) {
-  const MapExemplar stored = exemplar::asStored(map);
-  const exemplar::Moments moments = exemplar::momentsOf(stored.values, int(stored.channels.size()));
-  NoiseMap result;
-  result.target = map.target;
-  result.channels = map.channels;
-  result.encoding = stored.encoding;
-  appendValues(result.mean, moments.mean);
-  appendValues(result.covariance, moments.covariance);
-  TilingMap tiling;
-  tiling.dimensions = tables.dimensions;
-  const std::string prefix = name + "." + std::string(nameOf(map.target));
-  tables.gaussian.name = prefix + ".gaussian";
-  tiling.gaussian = bake.tables.size();
-  bake.tables.push_back(std::move(tables.gaussian));
-  if (tables.inverse) {
-    tables.inverse->name = prefix + ".inverse";
-    tiling.inverseTable = bake.tables.size();
-    bake.tables.push_back(*std::move(tables.inverse));
-  }
-  result.data = std::move(tiling);
-  bake.noise.maps.push_back(std::move(result));
-}
-
-/// Makes the joint fit. The first map that chooses a share of the surroundings chooses it for all,
-/// in `fitting`, so that Gaussian images are similar where the maps are. If `settled` is not null,
-/// the map is appended to it for later maps.
-MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<SettledMap>* settled,
-                ProgressPart progress) {
-  fitting.progress = progress;
-  MapFit fit = fitMap(planned.map, planned.space, fitting);
-  if (planned.space.dimensions() > 1)
-    fitting.share = fit.share;
-  if (settled != nullptr)
-    settled->emplace_back(planned.map, planned.space, fit.gaussian, fit.table);
-  return fit;
-}
-
-/// Makes the map's tables, of the planned kind. Only a map with a joint table correlates with the
-/// `settled` maps and joins them; `settled` is nullptr if no map follows.
-MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
-                   std::vector<SettledMap>* settled, ProgressPart progress) {
-  const MapExemplar& map = planned.map;
-  const MapWork work =
-      workOf(planned, fitting.periodic, fitting.transport, !fitting.settled.empty());
-  const double fitted = work.fit / work.whole();
-  const ProgressPart first = progress.part(0.0, fitted), rest = progress.part(fitted, 1.0);
-  first.reach(0.0);
-  if (planned.kind == MapKind::constant)
-    return jointTables(map, constantFit(map), bits, rest);
-  if (planned.kind == MapKind::gaussianOnly) {
-    const Gaussianized image =
-        gaussianImage(exemplar::asStored(map), fitting.periodic, fitting.precision, first);
-    rest.reach(0.0);
-    return {image.dimensions, gaussianTable(image, bits), std::nullopt};
-  }
-  return jointTables(map, fitJoint(planned, fitting, settled, first), bits, rest);
-}
-
-/// Plans each map. `progress` covers only this step.
-std::vector<PlannedMap> plannedMaps(std::span<const MapExemplar> maps, const TilingOptions& options,
-                                    ProgressPart progress) {
-  std::vector<PlannedMap> planned;
-  const bool mayBeGaussian = detectsGaussian(maps.size(), options.gaussian);
-  const auto count = double(maps.size());
-  for (const MapExemplar& map : maps) {
-    const double begin = double(planned.size()) / count;
-    const ProgressPart part = progress.part(begin, begin + 1.0 / count);
-    part.reach(0.0);
-    const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
-    planned.push_back({map, space, kindOf(map, space, options, mayBeGaussian, part)});
-  }
-  return planned;
+std::size_t appended(Table table, std::vector<Table>& tables) {
+  tables.push_back(std::move(table));
+  return tables.size() - 1;
 }
 
 /// As bakeTiling(), but throws std::bad_alloc.
 Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
                             const TilingOptions& options) {
-  if (Result<void> checked = checkOptions(maps, options); !checked)
-    return checked.error();
-  try {
-    TilingBake bake;
-    bake.noise.name = name;
-    bake.exemplarWasPeriodic = bordersFit(maps, options.periodic);
-    const ProgressPart progress(options.progress);
-    const bool detects = detectsGaussian(maps.size(), options.gaussian);
-    const double begin = detects ? kKindWork / (kKindWork + 1.0) : 0.0;
-    const std::vector<PlannedMap> planned = plannedMaps(maps, options, progress.part(0.0, begin));
-    const auto workOfMap = [&](const PlannedMap& map) {
-      return workOf(map, bake.exemplarWasPeriodic, options.transport, &map != &planned.front())
-          .whole();
-    };
-    double whole = 0.0;
-    for (const PlannedMap& map : planned)
-      whole += workOfMap(map);
-    MapFitOptions fitting;
-    fitting.periodic = bake.exemplarWasPeriodic;
-    fitting.precision =
-        options.bits == 8 ? gaussian::Precision::bits8 : gaussian::Precision::bits16;
-    fitting.transport = options.transport;
-    fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
-    std::vector<SettledMap> settled;
-    const bool joins = options.transport != TransportEffort::fast;
-    double done = 0.0;
-    const ProgressPart bakes = progress.part(begin, 1.0);
-    for (const PlannedMap& map : planned) {
-      const double after = done + workOfMap(map);
-      fitting.settled = settled;
-      const ProgressPart part = bakes.part(done / whole, after / whole);
-      std::vector<SettledMap>* const joined = joins && &map != &planned.back() ? &settled : nullptr;
-      appendMap(map.map, tablesOf(map, options.bits, fitting, joined, part), name, bake);
-      part.reach(1.0);
-      done = after;
-    }
-    return bake;
-  } catch (const Interrupted&) {
-    return Error{ErrorKind::environment, name + ": interrupted"};
-  }
+  TilingBake bake;
+  bake.noise.name = name;
+  const auto append = [&](gaussianization::GaussianizedMap map) {
+    TilingMap tiling;
+    tiling.dimensions = map.image.dimensions;
+    tiling.gaussian = appended(std::move(map.gaussian), bake.tables);
+    if (map.inverse)
+      tiling.inverseTable = appended(*std::move(map.inverse), bake.tables);
+    map.map.data = tiling;
+    bake.noise.maps.push_back(std::move(map.map));
+  };
+  const Result<bool> periodic = gaussianization::gaussianizeMaps(name, maps, options, append);
+  if (!periodic)
+    return periodic.error();
+  bake.exemplarWasPeriodic = periodic.value();
+  return bake;
 }
 
 } // namespace
 
 Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                               const TilingOptions& options) {
-  const auto exhausted = [&] {
-    const std::string pixels = maps.empty() ? "nothing"
-                                            : std::to_string(maps.front().width) + " x " +
-                                                  std::to_string(maps.front().height) + " pixels";
-    return name + ": not enough memory to bake " + pixels;
-  };
-  return withinMemory(exhausted, [&] { return bakeMaps(name, maps, options); });
+  return withinMemory([&] { return gaussianization::noMemoryToBake(name, maps); },
+                      [&] { return bakeMaps(name, maps, options); });
 }
 
 } // namespace lichen

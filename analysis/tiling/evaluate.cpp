@@ -3,7 +3,7 @@
 // the prefiltered table. Steps and names follow shaders_glsl/noise/tiling.glsl with a trilinear
 // sampler.
 #include "fewer_taps.h"
-#include "polynomial_cdf.h"
+#include "gaussianization/polynomial_cdf.h"
 #include "sampling/footprint_level.h"
 #include "sampling/repeating_image.h"
 #include "simplex_lattice.h"
@@ -159,7 +159,7 @@ Value TilingEvaluator::decodeTable(const Map& map, const Value& gaussian, float 
     level = std::floor(level + 0.5f);
   Value uniform{};
   for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
-    uniform[axis] = tiling::polynomialCdf(gaussian[axis]);
+    uniform[axis] = gaussianization::polynomialCdf(gaussian[axis]);
   const auto fine = std::size_t(level);
   const float t = level - float(fine);
   Value value = lookup(map, uniform, fine);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cumulative distribution of the Gaussian N(1/2, (1/6)^2) per channel: Gaussian value ->
 // uniform value, the coordinate in an inverse table. The CPU twin is
-// analysis/tiling/polynomial_cdf.
+// analysis/gaussianization/polynomial_cdf.
 #ifndef LICHEN_GAUSSIAN_CDF_GLSL
 #define LICHEN_GAUSSIAN_CDF_GLSL
 

@@ -11,10 +11,10 @@
 #include <materials.h>
 #include <memory>
 #include <optional>
-#include <tiling/gaussianize.h>
-#include <tiling/inverse_table.h>
-#include <tiling/mip_chain.h>
-#include <tiling/prefilter.h>
+#include <gaussianization/gaussianize.h>
+#include <gaussianization/inverse_table.h>
+#include <gaussianization/mip_chain.h>
+#include <gaussianization/prefilter.h>
 
 namespace lichen::bench {
 namespace {
@@ -64,7 +64,7 @@ Row setRow() {
 
 /// Time of the prefiltered mip levels alone.
 double levelSeconds(const SrgbImage& image) {
-  using namespace tiling;
+  using namespace gaussianization;
   const MapExemplar map = baseColorMap(image);
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
   const std::vector<Point> points = exemplar::transportPoints(map, space);

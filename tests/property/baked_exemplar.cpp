@@ -8,7 +8,7 @@
 
 namespace lichen::test {
 
-using namespace tiling;
+using namespace gaussianization;
 
 Baked baked(MapExemplar map, bool periodic, gaussian::Precision precision) {
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);

@@ -8,12 +8,12 @@
 
 #include <array>
 #include <cmath>
-#include <tiling/coarse_table.h>
+#include <gaussianization/coarse_table.h>
 #include <transport/random.h>
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

@@ -10,13 +10,13 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <tiling/cross_covariance.h>
-#include <tiling/map_fit.h>
+#include <gaussianization/cross_covariance.h>
+#include <gaussianization/map_fit.h>
 #include <transport/random.h>
 #include <transport/tie_order.h>
 
 using namespace lichen;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

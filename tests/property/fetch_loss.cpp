@@ -12,13 +12,13 @@
 #include <cmath>
 #include <random>
 #include <string>
-#include <tiling/fetch_loss.h>
-#include <tiling/mip_chain.h>
+#include <gaussianization/fetch_loss.h>
+#include <gaussianization/mip_chain.h>
 #include <transport/random.h>
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

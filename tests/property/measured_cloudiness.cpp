@@ -5,8 +5,8 @@
 
 #include <cassert>
 #include <cmath>
-#include <tiling/map_fit.h>
-#include <tiling/table_lookup.h>
+#include <gaussianization/map_fit.h>
+#include <gaussianization/table_lookup.h>
 
 namespace lichen::test {
 
@@ -35,13 +35,13 @@ double variance(const std::vector<double>& values) {
 }
 
 double measuredCloudiness(const MapExemplar& map, int samples) {
-  const tiling::MapFit fit = tiling::fitMap(map, exemplar::colorSpaceOf(map),
+  const gaussianization::MapFit fit = gaussianization::fitMap(map, exemplar::colorSpaceOf(map),
                                             {.transport = TransportEffort::fast, .share = 0.1f});
   assert(fit.table.dimensions == 3);
-  tiling::InverseTable codes = fit.table;
+  gaussianization::InverseTable codes = fit.table;
   for (float& value : codes.values)
     value = linearToSrgb(value);
-  const tiling::TableLookup<3> lookup(codes);
+  const gaussianization::TableLookup<3> lookup(codes);
   const auto tap = [&](int sample, int k, int x, int y) {
     const auto offset = pcg3d({std::uint32_t(sample), std::uint32_t(k), 7u});
     const auto column = (std::size_t(x) + offset[0]) % std::size_t(map.width);

@@ -8,11 +8,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tiling/polynomial_cdf.h>
+#include <gaussianization/polynomial_cdf.h>
 #include <transport/random.h>
 
 using namespace lichen;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

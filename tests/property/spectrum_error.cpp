@@ -11,13 +11,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tiling/map_fit.h>
-#include <tiling/mip_chain.h>
-#include <tiling/spectrum_error.h>
+#include <gaussianization/map_fit.h>
+#include <gaussianization/mip_chain.h>
+#include <gaussianization/spectrum_error.h>
 #include <transport/random.h>
 
 using namespace lichen;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

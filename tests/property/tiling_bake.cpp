@@ -12,10 +12,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <tiling/prefilter.h>
+#include <gaussianization/prefilter.h>
 
 using namespace lichen;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

@@ -11,7 +11,7 @@
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 TEST_CASE("an exemplar tiles, and a crop of it does not") {
   for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {

@@ -11,7 +11,7 @@
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

@@ -9,16 +9,16 @@
 #include <cmath>
 #include <optional>
 #include <random>
-#include <tiling/level_means.h>
-#include <tiling/mip_chain.h>
-#include <tiling/prefilter.h>
-#include <tiling/slope_variance.h>
-#include <tiling/table_lookup.h>
+#include <gaussianization/level_means.h>
+#include <gaussianization/mip_chain.h>
+#include <gaussianization/prefilter.h>
+#include <gaussianization/slope_variance.h>
+#include <gaussianization/table_lookup.h>
 #include <transport/random.h>
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

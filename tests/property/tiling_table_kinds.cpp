@@ -14,11 +14,11 @@
 #include <exemplar/color_space.h>
 #include <exemplar/value_encoding.h>
 #include <gaussian/normality.h>
-#include <tiling/gaussian_image.h>
+#include <gaussianization/gaussian_image.h>
 #include <transport/random.h>
 
 using namespace lichen;
-using namespace lichen::tiling;
+using namespace lichen::gaussianization;
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <lichen/bundle.h>
 #include <lichen/exemplar.h>
-#include <lichen/progress.h>
+#include <lichen/gaussianization.h>
 #include <lichen/result.h>
 
 #include <span>
@@ -13,27 +13,8 @@
 
 namespace lichen {
 
-/// Whether maps with Gaussian stored values omit the inverse table.
-enum class GaussianOnly {
-  detect, ///< test each map (docs/decisions/011-gaussian-only.md)
-  yes,    ///< all maps omit it; values that are not Gaussian get another histogram
-  no
-};
-
-/// How close to the optimum the optimal transport gets: its largest cost above the optimum,
-/// measured on the exemplars of docs/decisions/008-multiscale-transport.md.
-enum class TransportEffort {
-  fast,     ///< 0.4 %; for previews
-  standard, ///< 0.1 %; for production
-};
-
-struct TilingOptions {
-  Periodic periodic = Periodic::detect;
-  int bits = 8; ///< 8 or 16 per channel of the tables
-  TransportEffort transport = TransportEffort::standard;
-  GaussianOnly gaussian = GaussianOnly::detect;
-  Progress progress; ///< empty: no reports
-};
+/// Tiling has no options beyond those of the Gaussianization.
+using TilingOptions = GaussianizationOptions;
 
 /// The result of a bake. The maps of `noise` number its tables from 0.
 struct TilingBake {

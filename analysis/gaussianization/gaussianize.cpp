@@ -9,7 +9,7 @@
 #include <numeric>
 #include <utility>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 using transport::TransportOptions;
 
@@ -83,4 +83,4 @@ Gaussianized gaussianizeInOrder(const Gaussianized& near, const std::vector<std:
   return withImage(near, transport::matchedInOrder(order, near.matched), periodic, {});
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// Appends a channel to each level of a slope map's table: the variance of a slope, (Var sx + Var
 /// sy) / 2 of T^-1(g + e), with e ~ N(0, S / 36) as for the levels' means; 0 in level 0. `levels`
@@ -20,4 +20,4 @@ void appendSlopeVariance(std::vector<InverseTable>& levels, const InverseTable& 
                          const Table& gaussian, const std::vector<exemplar::ChannelMatrix>& lost,
                          const std::vector<float>& losses);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// Mip levels of a table, and the amplitude that a Gaussian value keeps at one of them: 1, 0.8, ...
 /// 0.2 (docs/decisions/002-inverse-table.md).
@@ -51,4 +51,4 @@ prefilteredLevels(const InverseTable& table, const std::vector<exemplar::Channel
 [[nodiscard]] Table inverseTableTexels(const std::vector<InverseTable>& levels,
                                        ValueEncoding encoding, int bits);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

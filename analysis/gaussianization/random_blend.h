@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// [HN18] eq. 8 at a point uniform in the triangle, from two words of a hash. The squares of the
 /// weights sum to 1.
@@ -32,4 +32,4 @@ namespace lichen::tiling {
   return {(float(k) + 0.5f) / float(count), float(turns - std::floor(turns))};
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -6,7 +6,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 Gaussianized gaussianImage(const MapExemplar& map, bool periodic, gaussian::Precision precision,
                            ProgressPart progress) {
@@ -35,4 +35,4 @@ Gaussianized gaussianImage(const MapExemplar& map, bool periodic, gaussian::Prec
       map.width, map.height, int(n), gaussian::whitenedForStorage(points, int(n), precision), {}};
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

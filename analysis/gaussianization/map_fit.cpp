@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 /// In pixels. The share for a larger map is chosen on its middle.
@@ -204,4 +204,4 @@ MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,
   return fit;
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

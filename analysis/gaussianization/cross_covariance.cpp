@@ -21,7 +21,7 @@
 #include <array>
 #include <cmath>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 using Eigen::Index;
@@ -366,4 +366,4 @@ Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorS
   return best;
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

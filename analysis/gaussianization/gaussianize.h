@@ -6,12 +6,12 @@
 #include "gaussian/gaussian_distribution.h"
 #include "transport/assignment.h"
 
-#include <lichen/tiling.h>
+#include <lichen/gaussianization.h>
 
 #include <cstdint>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// A Gaussianized image and its correspondence with the exemplar's values.
 struct Gaussianized {
@@ -43,4 +43,4 @@ struct Gaussianized {
                                               const std::vector<std::uint32_t>& order,
                                               bool periodic);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

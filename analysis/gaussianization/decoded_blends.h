@@ -7,7 +7,7 @@
 
 #include <Eigen/Dense>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// One column per blend.
 struct DecodedBlends {
@@ -19,4 +19,4 @@ struct DecodedBlends {
 /// images use the same positions and weights: the k-th columns of two maps are the same blend.
 [[nodiscard]] DecodedBlends decodedBlends(const Gaussianized& gaussian, const InverseTable& table);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 /// Quantiles of the Gaussian that the moments are averaged over.
@@ -77,4 +77,4 @@ InverseTable coarser(const InverseTable& table, int side, double amplitude) {
   return {table.dimensions, side, table.channels, std::move(from)};
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// What later maps need from a finished map to correlate with it: 2 D floats per pixel, and blends.
 struct SettledMap {
@@ -44,4 +44,4 @@ struct SettledMap {
                                                 Gaussianized alone, const InverseTable& table,
                                                 bool periodic, ProgressPart progress);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

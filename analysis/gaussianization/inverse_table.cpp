@@ -10,7 +10,7 @@
 #include <numeric>
 #include <optional>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 using transport::TransportOptions;
@@ -267,4 +267,4 @@ InverseTable fitInverseTable(const Gaussianized& gaussian, std::span<const Point
   return table;
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// Means of the looked-up values of a level and of their squares.
 struct FetchMoments {
@@ -35,4 +35,4 @@ struct FetchMoments {
 void restoreLevelMeans(std::vector<InverseTable>& levels, bool holdsRoots, const Table& gaussian,
                        const std::vector<float>& losses);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

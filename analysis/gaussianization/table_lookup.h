@@ -9,7 +9,7 @@
 #include <array>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// Cell coordinate of a Gaussian value, side * U - 1/2. Tabulated, as it is evaluated about 10^7
 /// times.
@@ -97,4 +97,4 @@ private:
   std::vector<TableValue> cells_;
 };
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 struct Plane {
@@ -141,4 +141,4 @@ double scalarLoss(const exemplar::ChannelMatrix& loss) {
   return std::clamp(loss.trace() / double(loss.rows()), 0.0, 1.0);
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// The CPU twin of lichenGaussianCdf: within 1.9e-4 of gaussianCdf() between the centres of the
 /// outermost of 256 cells, and constant beyond them.
@@ -16,4 +16,4 @@ namespace lichen::tiling {
                                        q * (65.2096975f + q * (-182.1468761f + q * 220.6686413f))));
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

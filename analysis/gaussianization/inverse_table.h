@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// Cells per axis of a table of D = 1, 2, 3 dimensions.
 inline constexpr std::array<int, 3> kTableSide{256, 64, 32};
@@ -52,4 +52,4 @@ enum class CellValue {
                                            const transport::TransportOptions& options,
                                            CellValue value = CellValue::onePixel);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// Stores the image as an RG8 (D = 1) or RGBA8 table, or for 16 bits as RG16F or RGBA16F, with all
 /// mip levels down to 1 x 1. Each texel is the area average of the next finer level, so odd sides
@@ -25,4 +25,4 @@ namespace lichen::tiling {
 /// The mean over the channels of a loss matrix.
 [[nodiscard]] double scalarLoss(const exemplar::ChannelMatrix& loss);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

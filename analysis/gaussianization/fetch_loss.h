@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// The share of the variance of level 0 that a trilinear fetch loses, one value for each mip level,
 /// in [0, 1] and never decreasing: interpolated linearly between the levels it is, in the least
@@ -14,4 +14,4 @@ namespace lichen::tiling {
 /// loss of a bilinear fetch. `dimensions` of the table's channels count. Throws std::bad_alloc.
 [[nodiscard]] std::vector<double> fetchLoss(const Table& gaussian, int dimensions);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -6,7 +6,7 @@
 #include "gaussianize.h"
 #include "progress_part.h"
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// G = 1/2 + A^-1 (x - mean) / 6, with A the lower Cholesky factor of the map's covariance, which
 /// must be positive definite. If `periodic` is false the borders are then cross-faded. Mean 1/2 and
@@ -15,4 +15,4 @@ namespace lichen::tiling {
 [[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, bool periodic,
                                          gaussian::Precision precision, ProgressPart progress = {});
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 /// Blended fetches per mean. Independent values of standard deviation 0.3 would give it a standard
@@ -127,4 +127,4 @@ void restoreLevelMeans(std::vector<InverseTable>& levels, bool holdsRoots, const
   });
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -12,7 +12,7 @@
 #include <array>
 #include <cstdint>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 /// The quantity measured on blends has about a fifth of the values' standard deviation on
@@ -73,4 +73,4 @@ DecodedBlends decodedBlends(const Gaussianized& gaussian, const InverseTable& ta
   return blendsThrough<3>(gaussian, table);
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

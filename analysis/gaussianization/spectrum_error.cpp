@@ -16,7 +16,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 constexpr int kSmallestWindow = 16;
@@ -154,4 +154,4 @@ double spectrumErrorDb(const MapExemplar& map, const Gaussianized& gaussian,
   return sum / double(noise.size() - kLowestComparedCycles);
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

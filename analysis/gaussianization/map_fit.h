@@ -7,12 +7,12 @@
 #include "gaussianize.h"
 #include "inverse_table.h"
 
-#include <lichen/tiling.h>
+#include <lichen/gaussianization.h>
 
 #include <optional>
 #include <span>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// At a larger share, points no longer consist mostly of the pixels' own values.
 inline constexpr float kLargestShare = 0.5f;
@@ -57,4 +57,4 @@ struct FitWork {
 [[nodiscard]] MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,
                             const MapFitOptions& options);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

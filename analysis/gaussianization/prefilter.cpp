@@ -13,7 +13,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 /// Samples along an axis for the part of the loss that all directions share.
@@ -232,4 +232,4 @@ Table inverseTableTexels(const std::vector<InverseTable>& levels, ValueEncoding 
   return table;
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -16,7 +16,7 @@
 #include <array>
 #include <cmath>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 /// Positions at which two mip levels are fetched together. The ratio of their covariance to the
@@ -128,4 +128,4 @@ std::vector<double> fetchLoss(const Table& gaussian, int dimensions) {
   return losses;
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

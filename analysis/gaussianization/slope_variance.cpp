@@ -13,7 +13,7 @@
 
 #include <algorithm>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 namespace {
 
 /// Stratified samples for a cell's variance; exact for a linear table.
@@ -93,4 +93,4 @@ void appendSlopeVariance(std::vector<InverseTable>& levels, const InverseTable& 
   });
 }
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

@@ -5,9 +5,9 @@
 #include "gaussianize.h"
 #include "inverse_table.h"
 
-#include <lichen/tiling.h>
+#include <lichen/gaussianization.h>
 
-namespace lichen::tiling {
+namespace lichen::gaussianization {
 
 /// Returns whether the map is large enough to measure: 64 pixels or more on both sides.
 [[nodiscard]] bool hasSpectrum(const MapExemplar& map);
@@ -20,4 +20,4 @@ namespace lichen::tiling {
 [[nodiscard]] double spectrumErrorDb(const MapExemplar& map, const Gaussianized& gaussian,
                                      const InverseTable& table);
 
-} // namespace lichen::tiling
+} // namespace lichen::gaussianization

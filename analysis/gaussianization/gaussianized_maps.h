@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Gaussianizes the maps of an exemplar: what every method begins with that decodes by an inverse
+// table. [HN18] section 4.
+#pragma once
+
+#include "gaussianize.h"
+
+#include <lichen/bundle.h>
+#include <lichen/gaussianization.h>
+#include <lichen/result.h>
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace lichen::gaussianization {
+
+/// One map as Gaussian values, and the way back.
+struct GaussianizedMap {
+  NoiseMap map; ///< without the method's data
+  /// Its `image` is the Gaussian image at full precision. A map that does not vary has the mean
+  /// everywhere.
+  Gaussianized image;
+  Table gaussian;               ///< the image with its mips, and the loss of each
+  std::optional<Table> inverse; ///< absent if the stored values are Gaussian
+};
+
+using MapConsumer = std::function<void(GaussianizedMap)>;
+
+/// Passes each map to `consume`, in the order given; maps of one set correlate. Returns whether the
+/// exemplar was treated as periodic. `name` is that of the noise, with which the tables' names
+/// begin. Errors and requirements: as bakeTiling(), but throws std::bad_alloc.
+[[nodiscard]] Result<bool> gaussianizeMaps(const std::string& name,
+                                           std::span<const MapExemplar> maps,
+                                           const GaussianizationOptions& options,
+                                           const MapConsumer& consume);
+
+/// The message when memory runs out.
+[[nodiscard]] std::string noMemoryToBake(const std::string& name,
+                                         std::span<const MapExemplar> maps);
+
+} // namespace lichen::gaussianization
