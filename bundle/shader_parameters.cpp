@@ -40,11 +40,6 @@ SplitOrigin splitOrigin(std::int64_t origin, double offset, std::int64_t step) {
   return {tile - rest, float(offset - whole + double(rest))};
 }
 
-/// How many tiles hold a whole number of columns: two of 3.5.
-std::int64_t tilesOfColumns(const Lattice& lattice) {
-  return lattice.columnsPerTile == std::floor(lattice.columnsPerTile) ? 1 : 2;
-}
-
 /// A place reduced to one period. [tiles] Unless the origin is 0, the period is a whole number.
 float withinPeriod(double offset, std::int64_t origin, double periodTiles) {
   const std::int64_t rest = origin == 0 ? 0 : origin % std::int64_t(periodTiles);
@@ -73,8 +68,9 @@ void setCells(shader::LichenMaterial& result, const shader::LichenNoise& noise,
     return;
   }
   const SplitOrigin x =
-      splitOrigin(placement.tileOriginX, material.offset[0], tilesOfColumns(lattice));
-  const SplitOrigin y = splitOrigin(placement.tileOriginY, material.offset[1], 1);
+      splitOrigin(placement.tileOriginX, material.offset[0], format.originStep()[0]);
+  const SplitOrigin y =
+      splitOrigin(placement.tileOriginY, material.offset[1], format.originStep()[1]);
   result.offsetX = x.offset;
   result.offsetY = y.offset;
   const std::array<std::int32_t, 2> cell = format.cellOf(lattice, x.tile, y.tile);
@@ -113,8 +109,8 @@ void setPlanes(shader::LichenTriplanarMaterial& planes, const shader::LichenNois
       const double whole = std::floor(origin[k]);
       return splitOrigin(std::int64_t(whole), origin[k] - whole + material.offset[k], step);
     };
-    const SplitOrigin x = split(0, tilesOfColumns(lattice));
-    const SplitOrigin y = split(1, 1);
+    const SplitOrigin x = split(0, format.originStep()[0]);
+    const SplitOrigin y = split(1, format.originStep()[1]);
     const std::array<std::int32_t, 2> cell = format.cellOf(lattice, x.tile, y.tile);
     const std::uint32_t seedWord = latticeSeed(material.seed, std::uint32_t(axis));
     if (axis > 0) {

@@ -62,27 +62,10 @@ LichenChannel channelOf(MapChannel channel) {
   return LICHEN_CHANNEL_RED;
 }
 
-LichenTableKind tableKindNumber(TableKind kind) {
-  switch (kind) {
-  case TableKind::joint:
-    return LICHEN_TABLE_JOINT;
-  case TableKind::none:
-    return LICHEN_TABLE_NONE;
-  }
-  return LICHEN_TABLE_JOINT;
-}
-
 /// What is bound where a noise lacks a map, or a map a table: shaders declare it and never read it.
 Table placeholder(bool isTable) {
   return {isTable ? "no table" : "no image", TexelFormat::rgba8Unorm, 1, 1, isTable ? 1u : 0u, 1,
           std::vector<std::byte>(4)};
-}
-
-/// The table that the shader fetches from for a map: Gaussian image or texton.
-std::size_t imageOf(const NoiseMap& map) {
-  if (const auto* tiling = std::get_if<TilingMap>(&map.data))
-    return tiling->gaussian;
-  return map.as<TextonMap>().image;
 }
 
 /// Plans a noise's block and the images of its roles. Appends the tables of mixes to the bundle's.
@@ -95,15 +78,16 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
   result.tables.fill(noTable);
   for (const NoiseMap& map : noise.maps) {
     const std::uint32_t role = roleOf(map.target);
-    result.images[role] = std::uint32_t(imageOf(map));
-    assert(plan.bundle.tables[imageOf(map)].mipLevels <= LICHEN_MAX_MIPS);
+    result.images[role] = std::uint32_t(imageTableOf(map));
+    assert(plan.bundle.tables[imageTableOf(map)].mipLevels <= LICHEN_MAX_MIPS);
+    if (const std::optional<std::size_t> table = decodingTableOf(map))
+      result.tables[role] = std::uint32_t(*table);
     if (const auto* tiling = std::get_if<TilingMap>(&map.data)) {
       // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
       if (tiling->dimensions == 1)
         plan.showsGreenAsAlpha[tiling->gaussian] = true;
-      if (tiling->inverseTable)
-        result.tables[role] = std::uint32_t(*tiling->inverseTable);
-    } else if (!map.as<TextonMap>().laterSteps.empty()) {
+    } else if (const auto* texton = std::get_if<TextonMap>(&map.data);
+               texton != nullptr && !texton->laterSteps.empty()) {
       plan.bundle.tables.push_back(mixTable(map));
       plan.showsGreenAsAlpha.push_back(false);
       result.tables[role] = std::uint32_t(plan.bundle.tables.size() - 1);
@@ -240,7 +224,7 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.name = source.name.c_str();
   values.mapCount = std::uint32_t(source.maps.size());
   values.tileSizeMetres = source.tileSizeMetres;
-  values.method = source.method() == Method::texton ? LICHEN_NOISE_TEXTON : LICHEN_NOISE_TILING;
+  values.method = LichenNoiseMethod(source.method());
   const auto* shape = std::get_if<TextonShape>(&source.data);
   values.mixSteps = shape != nullptr ? std::uint32_t(shape->steps) : 1;
   values.textonOrder = shape != nullptr ? std::uint32_t(shape->order) : 0;
@@ -257,10 +241,9 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   values.target = targetOf(source.target);
   values.channelCount = std::uint32_t(source.channels.size());
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
-  values.image = std::uint32_t(imageOf(source));
+  values.image = std::uint32_t(imageTableOf(source));
   values.tableImage = bundle->noises[noise].tables[roleOf(source.target)];
-  const auto* tiling = std::get_if<TilingMap>(&source.data);
-  values.tableKind = tableKindNumber(tiling != nullptr ? tableKindOf(*tiling) : TableKind::none);
+  values.tableKind = decodingTableOf(source) ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE;
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
 }
 

@@ -3,6 +3,8 @@
 #include "abi.h"
 #include "noise_summary.h"
 
+#include <lichen/shader_parameters.h>
+
 #include <cstdio>
 #include <string>
 
@@ -21,17 +23,19 @@ struct Needs {
   bool rotation = false, sharpness = false, period = false, anisotropy = false;
 };
 
-void addTiling(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
-               Needs& needs) {
+void addTables(const NoiseSummary& noise, Needs& needs) {
   needs.tables = needs.tables || (noise.mapKinds & (1u << LICHEN_TABLE_JOINT)) != 0;
   needs.gaussianOnly = needs.gaussianOnly || (noise.mapKinds & (1u << LICHEN_TABLE_NONE)) != 0;
+}
+
+void addTiling(const LichenMaterialParameters& parameters, Needs& needs) {
   needs.rotation = needs.rotation || parameters.tileRotation > 1;
   needs.sharpness = needs.sharpness || parameters.blendSharpness != 1.0;
 }
 
 void addTextons(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
                 Needs& needs) {
-  const shader::LichenTexton& texton = noise.constants.texton;
+  const shader::LichenTextonNoise texton = textonPart(noise.constants);
   constexpr std::uint32_t kCubic = 3;
   needs.mixes = needs.mixes || texton.steps > 1;
   needs.poisson = needs.poisson || parameters.pointProcess == LICHEN_POINT_PROCESS_POISSON;
@@ -46,8 +50,12 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
   needs.valuesAboveOne = needs.valuesAboveOne || (noise.mapKinds & kValuesAboveOne) != 0;
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? needs.triplanar : needs.otherMappings) = true;
   needs.surface = needs.surface || parameters.mapping == LICHEN_MAPPING_SURFACE;
-  (noise.constants.method == LICHEN_METHOD_TEXTON ? addTextons : addTiling)(parameters, noise,
-                                                                            needs);
+  if (noise.constants.method == LICHEN_METHOD_TEXTON)
+    addTextons(parameters, noise, needs);
+  else
+    addTables(noise, needs);
+  if (noise.constants.method == LICHEN_METHOD_TILING)
+    addTiling(parameters, needs);
 }
 
 std::string switchesOf(const Needs& needs) {
@@ -69,9 +77,11 @@ std::string switchesOf(const Needs& needs) {
     unless(needs.cubic, "CUBIC_TEXTONS=0");
     unless(needs.nearest, "NEAREST_TEXTONS=0");
   }
-  if ((needs.methods & (1u << LICHEN_METHOD_TILING)) != 0) {
+  if ((needs.methods & ~(1u << LICHEN_METHOD_TEXTON)) != 0) {
     unless(needs.tables, "TABLES=0");
     unless(needs.gaussianOnly, "GAUSSIAN_ONLY=0");
+  }
+  if ((needs.methods & (1u << LICHEN_METHOD_TILING)) != 0) {
     unless(needs.rotation, "TILE_ROTATION=0");
     unless(needs.sharpness, "BLEND_SHARPNESS=0");
   }

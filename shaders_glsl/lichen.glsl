@@ -43,6 +43,7 @@ layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
   textureGrad(sampler2D(image, lichenImageSampler), uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level)                                                        \
   textureLod(sampler3D(image, lichenTableSampler), uvw, level)
+#define LICHEN_FETCH_2D(image, texel) texelFetch(sampler2D(image, lichenImageSampler), texel, 0)
 #define LICHEN_GATHER_2D(image, uv) textureGather(sampler2D(image, lichenImageSampler), uv, 0)
 #endif
 

@@ -2,6 +2,8 @@
 // Tables and statistics -> text.
 #include "table_words.h"
 
+#include <lichen/counted.h>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,6 +39,18 @@ std::string statisticsOf(const std::vector<double>& mean, const std::vector<doub
     deviations.push_back(std::sqrt(std::max(0.0, covariance[c * (mean.size() + 1)])));
   return fmt::format("mean {:.3f}; deviation {:.3f}", fmt::join(mean, ", "),
                      fmt::join(deviations, ", "));
+}
+
+std::string inverseTableWords(std::optional<std::size_t> index, int dimensions,
+                              const std::vector<Table>& tables) {
+  if (!index)
+    return "no inverse table";
+  const Table& table = tables[*index];
+  std::string cells = std::to_string(table.width);
+  for (int axis = 1; axis < dimensions; ++axis)
+    cells += fmt::format(" x {}", table.width);
+  return fmt::format("inverse table {}: joint, {} cells, {}", *index, cells,
+                     counted(table.mipLevels, "level"));
 }
 
 } // namespace lichen::cli

@@ -4,6 +4,8 @@
 
 #include <lichen/bundle.h>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,10 @@ struct FormatName {
   int bits; ///< per channel
 };
 [[nodiscard]] FormatName formatName(TexelFormat format);
+
+/// "inverse table 1: joint, 32 x 32 x 32 cells, 5 levels"; "no inverse table" for an absent index.
+[[nodiscard]] std::string inverseTableWords(std::optional<std::size_t> index, int dimensions,
+                                            const std::vector<Table>& tables);
 
 /// "mean 0.310, 0.360; deviation 0.140, 0.130".
 [[nodiscard]] std::string statisticsOf(const std::vector<double>& mean,

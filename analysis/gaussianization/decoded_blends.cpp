@@ -5,7 +5,7 @@
 #include "random_blend.h"
 #include "table_lookup.h"
 
-#include <lichen/tiling_evaluate.h>
+#include <lichen/lattice.h>
 
 #include <tbb/parallel_for.h>
 

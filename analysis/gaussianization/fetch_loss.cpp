@@ -6,7 +6,7 @@
 #include "random_blend.h"
 #include "sampling/repeating_image.h"
 
-#include <lichen/tiling_map.h>
+#include <lichen/gaussian_image.h>
 
 #include <Eigen/Dense>
 #include <tbb/parallel_for.h>

@@ -8,7 +8,7 @@
 #include "table_lookup.h"
 
 #include <lichen/lattice.h>
-#include <lichen/tiling_map.h>
+#include <lichen/gaussian_image.h>
 
 #include <tbb/parallel_for.h>
 

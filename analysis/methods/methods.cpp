@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The methods of the analysis, in the order of Method.
+#include "local_random_phase/local_random_phase_analysis.h"
 #include "method_analysis.h"
 #include "texton/texton_analysis.h"
 #include "tiling/tiling_analysis.h"
@@ -9,7 +10,9 @@ namespace lichen {
 const MethodAnalysis& analysisOf(Method method) {
   static const TilingAnalysis kTiling;
   static const TextonAnalysis kTexton;
-  static const std::array<const MethodAnalysis*, 2> kAnalyses{&kTiling, &kTexton};
+  static const LocalRandomPhaseAnalysis kLocalRandomPhase;
+  static const std::array<const MethodAnalysis*, 3> kAnalyses{&kTiling, &kTexton,
+                                                              &kLocalRandomPhase};
   static_assert(kAnalyses.size() == std::variant_size_v<MethodMap>);
   return *kAnalyses[std::size_t(method)];
 }

@@ -44,7 +44,7 @@ class Textons {
 public:
   Textons(const RepeatingImage& image, const shader::LichenNoise& noise, const Impacts& impacts,
           const MixPlace& mix)
-      : image_(image), noise_(noise), shape_(noise.texton), impacts_(impacts), mix_(mix) {}
+      : image_(image), noise_(noise), shape_(textonPart(noise)), impacts_(impacts), mix_(mix) {}
 
   /// Returns h at an offset in an impact's frame, filtered to the footprint.
   [[nodiscard]] Value at(const Vec2& place) const {
@@ -156,7 +156,7 @@ private:
 
   const RepeatingImage& image_;
   const shader::LichenNoise& noise_;
-  const shader::LichenTexton& shape_;
+  const shader::LichenTextonNoise shape_;
   const Impacts& impacts_;
   const MixPlace& mix_;
 };

@@ -19,7 +19,7 @@ std::uint32_t wrapped(std::int64_t cell, std::int32_t period) {
 
 } // namespace
 
-Reach mipReach(float level, const shader::LichenTexton& texton) {
+Reach mipReach(float level, const shader::LichenTextonNoise& texton) {
   const float side = std::exp2(std::ceil(level));
   const auto high = [&](int coefficients) {
     return (std::ceil(float(coefficients) / side) + 0.5f) * side;
@@ -32,17 +32,17 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
   const Vec2 texelsPerTile{noise.tileTexelsX, noise.tileTexelsY};
   const Vec2 cellsPerTile{material.columnsPerTile, material.rowsPerTile};
   const Vec2 offset{material.offsetX, material.offsetY};
-  const Vec2 coefficients{float(noise.texton.coefficientsX), float(noise.texton.coefficientsY)};
+  const Vec2 coefficients{float(textonPart(noise).coefficientsX), float(textonPart(noise).coefficientsY)};
   const std::array<std::int32_t, 2> origin{material.cellI, material.cellJ};
   const std::array<std::int32_t, 2> period{material.periodColumns, material.periodRows};
   Impacts impacts;
   impacts.footprintLevel = sharpLevel(footprintLevel(at, texelsPerTile[0], texelsPerTile[1]));
-  impacts.level = std::min(impacts.footprintLevel, float(noise.texton.mipCount - 1));
-  const Reach reach = mipReach(impacts.level, noise.texton);
+  impacts.level = std::min(impacts.footprintLevel, float(textonPart(noise).mipCount - 1));
+  const Reach reach = mipReach(impacts.level, textonPart(noise));
   for (std::size_t k = 0; k < 2; ++k) {
     float low = reach.low[k];
     float high = reach.high[k];
-    if (noise.texton.order == 3 && impacts.level < 1.0f) {
+    if (textonPart(noise).order == 3 && impacts.level < 1.0f) {
       constexpr float kReach = 1.5f; // reach of a cubic B-spline beyond its texel
       low = std::min(low, -kReach);
       high = std::max(high, coefficients[k] + kReach);

@@ -21,7 +21,7 @@ struct Reach {
 };
 
 /// A bilinear fetch is 0 from half a texel of the mip outside the coefficients on.
-[[nodiscard]] Reach mipReach(float level, const shader::LichenTexton& texton);
+[[nodiscard]] Reach mipReach(float level, const shader::LichenTextonNoise& texton);
 
 /// Values that all maps of a noise share at one point. Offsets are in texels, in the frame of an
 /// impact's texton, relative to the centre of the area that the texton covers.

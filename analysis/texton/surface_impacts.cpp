@@ -47,7 +47,7 @@ Frame turned(const Frame& frame, float cosine, float sine) {
 }
 
 /// Returns the thickness of the layer of impacts that reach a point. [texels]
-float thickness(const shader::LichenTexton& texton) {
+float thickness(const shader::LichenTextonNoise& texton) {
   const int order = int(texton.order);
   return std::sqrt(float(texton.coefficientsX + order) * float(texton.coefficientsY + order));
 }
@@ -68,15 +68,15 @@ SurfaceImpacts surfaceImpactsAt(const SurfaceFootprint& at, const shader::Lichen
   SurfaceImpacts surface;
   surface.impacts = impactsWithin(0.0f, plane, material, noise);
   const float side = textonPart(material).surfaceCubeTexels;
-  const float greatestHeight = 0.5f * thickness(noise.texton);
+  const float greatestHeight = 0.5f * thickness(textonPart(noise));
   const Vec3 none{};
   surface.axes = {combined(side, frame.right, 0.0f, none), combined(side, frame.down, 0.0f, none),
                   combined(side / greatestHeight, frame.outward, 0.0f, none)};
   const Impacts& impacts = surface.impacts;
   surface.radius = {impacts.radius[0], impacts.radius[1], 1.0f};
   // The centre of the coefficients lies at the impact's position.
-  const Vec2 shift{0.5f * float(noise.texton.coefficientsX) - impacts.middle[0],
-                   0.5f * float(noise.texton.coefficientsY) - impacts.middle[1]};
+  const Vec2 shift{0.5f * float(textonPart(noise).coefficientsX) - impacts.middle[0],
+                   0.5f * float(textonPart(noise).coefficientsY) - impacts.middle[1]};
   const std::array<std::int32_t, 3> origin{material.cellI, material.cellJ,
                                            textonPart(material).cellK};
   Vec3 inside{};

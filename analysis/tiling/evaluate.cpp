@@ -3,7 +3,7 @@
 // the prefiltered table. Steps and names follow shaders_glsl/noise/tiling.glsl with a trilinear
 // sampler.
 #include "fewer_taps.h"
-#include "gaussianization/polynomial_cdf.h"
+#include "gaussianization/value_decoder.h"
 #include "sampling/footprint_level.h"
 #include "sampling/repeating_image.h"
 #include "simplex_lattice.h"
@@ -68,15 +68,11 @@ struct TilingEvaluator::Tiles {
 };
 
 struct TilingEvaluator::Map {
-  /// A mip level of the inverse table: cells with the first axis fastest.
-  struct Level {
-    int side = 0;
-    std::vector<Value> cells;
-  };
-  shader::LichenMap constants{};
+  gaussianization::ValueDecoder decoder;
   RepeatingImage image;
   std::size_t channels = 0;
-  std::vector<Level> table; ///< empty without one
+
+  [[nodiscard]] const shader::LichenMap& constants() const { return decoder.constants(); }
 };
 
 Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex,
@@ -97,16 +93,10 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
     auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
       const auto& stored = noise.maps[m].as<TilingMap>();
-      Map map{shaderMap(bundle, noise, m),
-              RepeatingImage(bundle.tables[stored.gaussian], Alpha::lastChannel),
-              noise.maps[m].channels.size(),
-              {}};
-      if (stored.inverseTable) {
-        const Table& table = bundle.tables[*stored.inverseTable];
-        for (std::uint32_t level = 0; level < table.mipLevels; ++level)
-          map.table.push_back({int(table.width >> level), texelsOf(table, level)});
-      }
-      maps->push_back(std::move(map));
+      maps->push_back(
+          {gaussianization::ValueDecoder(bundle, shaderMap(bundle, noise, m), stored.inverseTable),
+           RepeatingImage(bundle.tables[stored.gaussian], Alpha::lastChannel),
+           noise.maps[m].channels.size()});
     }
     return TilingEvaluator(shaderNoise(bundle, noiseIndex), std::move(maps), quality);
   });
@@ -127,70 +117,16 @@ std::vector<float> TilingEvaluator::decodedTexels(std::size_t mapIndex) const {
   return values;
 }
 
-Value TilingEvaluator::lookup(const Map& map, const Value& uniform, std::size_t level) {
-  const std::vector<Value>& cells = map.table[level].cells;
-  const auto side = std::size_t(map.table[level].side);
-  std::array<std::size_t, 3> step{};
-  std::array<float, 3> fraction{};
-  std::size_t first = 0;
-  std::size_t stride = 1;
-  for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis, stride *= side) {
-    const float place = std::clamp(uniform[axis] * float(side) - 0.5f, 0.0f, float(side - 1));
-    const auto cell = std::size_t(place);
-    first += cell * stride;
-    step[axis] = cell + 1 < side ? stride : 0;
-    fraction[axis] = place - float(cell);
-  }
-  const auto line = [&](std::size_t at) {
-    return mix(cells[at], cells[at + step[0]], fraction[0]);
-  };
-  const auto square = [&](std::size_t at) {
-    return step[1] > 0 ? mix(line(at), line(at + step[1]), fraction[1]) : line(at);
-  };
-  return step[2] > 0 ? mix(square(first), square(first + step[2]), fraction[2]) : square(first);
-}
-
-/// lichenDecodeTable.
-Value TilingEvaluator::decodeTable(const Map& map, const Value& gaussian, float lost) const {
-  constexpr float kLevels = 5.0f;
-  const float retained = std::sqrt(std::max(1.0f - lost, 0.0f));
-  float level = std::min(kLevels - kLevels * retained, float(map.table.size() - 1));
-  if (quality_.nearestTableLevel)
-    level = std::floor(level + 0.5f);
-  Value uniform{};
-  for (std::size_t axis = 0; axis < map.constants.dimensions; ++axis)
-    uniform[axis] = gaussianization::polynomialCdf(gaussian[axis]);
-  const auto fine = std::size_t(level);
-  const float t = level - float(fine);
-  Value value = lookup(map, uniform, fine);
-  if (t > 0.0f)
-    value = mix(value, lookup(map, uniform, fine + 1), t);
-  if (map.constants.encoding == LICHEN_ENCODING_ROOT)
-    for (float& component : value)
-      component *= component;
-  return value;
-}
-
 /// lichenDecode, of a Gaussian value with the share of the lost variance in the fourth component.
 Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float contrast) const {
-  const float lost = gaussian[3];
-  const float within = std::min(contrast, 1.0f);
-  const float scaled = contrast * contrast * lost;
-  Value value = map.constants.decoding == LICHEN_DECODING_GAUSSIAN
-                    ? decodedGaussian(map.constants, {gaussian[0], gaussian[1], gaussian[2]},
-                                      {scaled, scaled, scaled})
-                    : decodeTable(map, gaussian, within * within * lost);
-  // As lichenDecode has it.
-  if (isSlope(map.constants) && map.constants.decoding != LICHEN_DECODING_GAUSSIAN)
-    value[2] *= std::max(1.0f, 2.0f * contrast - 1.0f);
-  return value;
+  return map.decoder.decode(gaussian, contrast, quality_.nearestTableLevel);
 }
 
 /// lichenDecodeTile.
 Value TilingEvaluator::decodeTile(const Map& map, const Value& tile, float lossShare,
                                   float contrast) const {
   Value value = decode(map, {tile[0], tile[1], tile[2], lossShare * tile[3]}, contrast);
-  if (isSlope(map.constants))
+  if (isSlope(map.constants()))
     value[2] *= footprintShare(map, tile[3]);
   return value;
 }
@@ -203,9 +139,9 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
   Tiles tiles{tiling::tapsAt(material, noise_, at.position)};
   tiling::reduceTaps(tiles.taps, at, quality_);
   const float footprint = footprintLevel(at, noise_.tileTexelsX, noise_.tileTexelsY);
-  const float level = sharpLevel(footprint + map.constants.levelOffset);
+  const float level = sharpLevel(footprint + map.constants().levelOffset);
   const bool sharesTexels =
-      map.constants.levelOffset == 0.0f &&
+      map.constants().levelOffset == 0.0f &&
       tiling::rotationsKeepTexels(tilingPart(material).tileRotation, noise_.tileAspect);
   if (sharesTexels)
     tiles.lossShare = lossShare(noise_, at, footprint);
@@ -222,7 +158,7 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
 
 /// lichenFootprintShare.
 float TilingEvaluator::footprintShare(const Map& map, float loss) {
-  const float interpolation = map.constants.interpolationLoss;
+  const float interpolation = map.constants().interpolationLoss;
   return loss > interpolation ? 1.0f - interpolation / loss : 0.0f;
 }
 
@@ -241,8 +177,8 @@ Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenMaterial&
 Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
                                       const shader::LichenMaterial& material,
                                       BlendOperator blend) const {
-  const bool rotatesSlopes = tiling::rotatesTiles(material) && isSlope(map.constants);
-  const shader::vec4& mean = map.constants.mean;
+  const bool rotatesSlopes = tiling::rotatesTiles(material) && isSlope(map.constants());
+  const shader::vec4& mean = map.constants().mean;
   const Value middle =
       rotatesSlopes ? Value{0.0f, 0.0f, mean.z, 1.0f} : Value{mean.x, mean.y, mean.z, 1.0f};
   Value result = middle;
@@ -294,7 +230,7 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenMateri
   const Tiles tiles = tilesAt(map, material, at);
   if (blend != BlendOperator::histogramPreserving)
     return blendedDecoded(map, tiles, material, blend);
-  if (tiling::rotatesTiles(material) && isSlope(map.constants))
+  if (tiling::rotatesTiles(material) && isSlope(map.constants()))
     return rotatedSlopes(map, tiles, material);
   return decodeTile(map, blended(tiles, material), tiles.lossShare, material.contrast);
 }
@@ -311,7 +247,7 @@ Value TilingEvaluator::evaluate(std::size_t mapIndex,
                                 const shader::LichenTriplanarMaterial& material,
                                 const TriplanarFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
-  if (isSlope(map.constants))
+  if (isSlope(map.constants()))
     return triplanar::blendedSlopes(
         triplanar::planesAt(at, material, noise_),
         [&](const auto& plane) { return evaluate(mapIndex, plane.material, plane.at); });

@@ -5,6 +5,7 @@
 #include <lichen/shader_parameters.h>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,5 +25,10 @@ void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,
 
 /// Sets the mean of the decoded values, for maps without an inverse table.
 void setGaussianMean(shader::LichenMap& constants);
+
+/// Sets how the Gaussian values of a map are decoded: by its inverse table, or by the affine map
+/// from mean and covariance.
+void setDecoding(shader::LichenMap& constants, const Bundle& bundle, const NoiseMap& map,
+                 std::optional<std::size_t> inverseTable);
 
 } // namespace lichen

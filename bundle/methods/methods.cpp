@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The methods of the format, in the order of Method.
+#include "local_random_phase/local_random_phase_format.h"
 #include "texton/texton_format.h"
 #include "tiling/tiling_format.h"
 
@@ -10,7 +11,8 @@ namespace lichen {
 std::span<const MethodFormat* const> methodFormats() {
   static const TilingFormat kTiling;
   static const TextonFormat kTexton;
-  static const std::array<const MethodFormat*, 2> kFormats{&kTiling, &kTexton};
+  static const LocalRandomPhaseFormat kLocalRandomPhase;
+  static const std::array<const MethodFormat*, 3> kFormats{&kTiling, &kTexton, &kLocalRandomPhase};
   static_assert(kFormats.size() == std::variant_size_v<MethodMap>);
   return kFormats;
 }
@@ -18,7 +20,7 @@ std::span<const MethodFormat* const> methodFormats() {
 const MethodFormat& formatOf(Method method) { return *methodFormats()[std::size_t(method)]; }
 
 std::span<const Method> allMethods() {
-  static constexpr std::array kMethods{Method::tiling, Method::texton};
+  static constexpr std::array kMethods{Method::tiling, Method::texton, Method::localRandomPhase};
   static_assert(kMethods.size() == std::variant_size_v<MethodMap>);
   return kMethods;
 }

@@ -189,7 +189,7 @@ void NoiseHost::readUse(MaterialState& material) {
   for (std::uint32_t m = 0; m < noise.mapCount; ++m) {
     auto map = lichenStruct<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     checkLichen(lichenGetMapProperties(bundle_.get(), material.parameters.noise, m, &map));
-    features_.gaussianOnly = features_.gaussianOnly || (noise.method == LICHEN_NOISE_TILING &&
+    features_.gaussianOnly = features_.gaussianOnly || (noise.method != LICHEN_NOISE_TEXTON &&
                                                         map.tableKind == LICHEN_TABLE_NONE);
     if (map.target == LICHEN_TARGET_BASE_COLOR)
       use.hasBaseColor = true;

@@ -31,7 +31,7 @@ struct NoiseUse {
 
 /// What the noises that are rendered use of the shaders.
 struct NoiseFeatures {
-  bool gaussianOnly = false;  ///< some tiling map has no inverse table
+  bool gaussianOnly = false;  ///< some map of a noise but textons has no inverse table
   std::uint32_t methods = 0;  ///< bit m: some noise has the method m
   bool surfaceNoises = false; ///< some noise uses surface mapping
   bool triplanarNoises = false;

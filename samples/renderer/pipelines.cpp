@@ -9,17 +9,21 @@
 #include <accumulate.comp.h>
 #include <cstddef>
 #include <depth.frag.bare.h>
+#include <depth.frag.cosines.h>
 #include <depth.frag.h>
 #include <depth.frag.plane.h>
 #include <depth.frag.surface.h>
+#include <depth.frag.textons.h>
 #include <depth.frag.tiling.h>
 #include <depth.frag.triplanar_tiling.h>
 #include <depth.vert.h>
 #include <optional>
 #include <scene.frag.bare.h>
+#include <scene.frag.cosines.h>
 #include <scene.frag.h>
 #include <scene.frag.plane.h>
 #include <scene.frag.surface.h>
+#include <scene.frag.textons.h>
 #include <scene.frag.tiling.h>
 #include <scene.frag.triplanar_tiling.h>
 #include <scene.vert.h>
@@ -196,12 +200,15 @@ FragmentCode fragmentCodeFor(const NoiseFeatures& noises, bool hasNoise) {
   if (!hasNoise)
     return {scene_frag_bare, depth_frag_bare};
   const bool hasTextons = noises.hasMethod(LICHEN_NOISE_TEXTON);
+  if (noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE))
+    return hasTextons ? FragmentCode{scene_frag, depth_frag}
+                      : FragmentCode{scene_frag_cosines, depth_frag_cosines};
   if (!hasTextons && !noises.triplanarNoises)
     return {scene_frag_tiling, depth_frag_tiling};
   if (!hasTextons)
     return {scene_frag_triplanar_tiling, depth_frag_triplanar_tiling};
   if (noises.triplanarNoises)
-    return {scene_frag, depth_frag};
+    return {scene_frag_textons, depth_frag_textons};
   if (noises.surfaceNoises)
     return {scene_frag_surface, depth_frag_surface};
   return {scene_frag_plane, depth_frag_plane};

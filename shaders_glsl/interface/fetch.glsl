@@ -6,13 +6,15 @@
 #define LICHEN_FETCH_GLSL
 
 #ifndef LICHEN_IMAGE_2D
-// Types of what functions are handed: Gaussian images and textons, and tables.
+// Types of what functions are handed: Gaussian images, textons and cosines, and tables.
 #define LICHEN_IMAGE_2D sampler2D
 #define LICHEN_IMAGE_3D sampler3D
 // vec4 at texture coordinates and a mip level, or with derivatives of the coordinates.
 #define LICHEN_SAMPLE_2D(image, uv, level) textureLod(image, uv, level)
 #define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY) textureGrad(image, uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(image, uvw, level)
+// vec4 of one texel of level 0, unfiltered.
+#define LICHEN_FETCH_2D(image, texel) texelFetch(image, texel, 0)
 // The red of four texels around texture coordinates, in textureGather's order.
 #if defined(GL_ES) && __VERSION__ < 310
 #define LICHEN_GATHER_2D(image, uv) lichenGather(image, uv)

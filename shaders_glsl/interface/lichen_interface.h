@@ -26,8 +26,12 @@
 // LichenNoise::method.
 #define LICHEN_METHOD_TILING 0
 #define LICHEN_METHOD_TEXTON 1
+#define LICHEN_METHOD_LOCAL_RANDOM_PHASE 2
 
-// LichenTexton::pointProcess.
+// Octaves of the lattice of local random-phase noise.
+#define LICHEN_MAX_OCTAVES 12
+
+// LichenTextonMaterial::pointProcess.
 #define LICHEN_POINTS_STRATIFIED 0 // one impact in each cell
 #define LICHEN_POINTS_POISSON 1    // a Poisson number of impacts, 1 in the mean
 
@@ -77,17 +81,17 @@ struct LichenMaterial {
   float offsetX, offsetY;
   float contrast;       // [0, 4] scale of the Gaussian value about its mean
   float planeSharpness; // [1, 64] exponent of the planes' weights; 0 but for triplanar noise
-  // Cells per tile, of the lattice of tiling or the impacts of textons. Cells of surface noise are
-  // cubes, columnsPerTile of them to the width of a tile.
+  // Cells per tile: of the lattice of tiling, of the first octave of cosines, or of the impacts of
+  // textons. Cells of surface noise are cubes, columnsPerTile of them to the width of a tile.
   float columnsPerTile, rowsPerTile;
   int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
   float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
-  int periodColumns, periodRows;    // 0, 0 when the cells do not repeat; rows of tiling even
+  int periodColumns, periodRows;    // 0, 0 when the cells do not repeat; lattices: even rows
   uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
   uint seed;                        // as the material gives it
   float maxAnisotropy;    // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
   uint noise;             // index of the noise in its bundle
-  uvec4 own0, own1, own2; // of the method: LichenTilingMaterial or LichenTextonMaterial
+  uvec4 own0, own1, own2; // of the method: Lichen...Material below
 };
 
 /// A plane of triplanar noise, which has a lattice of its own, at the host's tile origin in space.
@@ -122,14 +126,29 @@ struct LichenTextonMaterial {
   float mixWeight, mixPerU, mixPerV;
 };
 
-/// What the textons of all maps of a noise share; zeros for tiling.
-struct LichenTexton {
+/// What only local random-phase noise has of a material: own0 to own2.
+struct LichenCosinesMaterial {
+  // Octave of the lattice of columnsPerTile and rowsPerTile, which octaves below it share: 0 unless
+  // the lattice is periodic and its period short.
+  int firstOctave;
+};
+
+/// What only textons have of a noise: own0 and own1.
+struct LichenTextonNoise {
   int coefficientsX, coefficientsY; // in the top left corner of a frame
   int frameX, frameY;               // [texels] the rest of which is zero
   uint order;                       // of the B-spline between coefficients: 0, 1 or 3
   uint mipCount;                    // of the textons' images
   uint steps;                       // frames of an image, one above the other
   uint reserved0;                   // 0: to a multiple of 16 bytes
+};
+
+/// What only local random-phase noise has of a noise: own0 and own1.
+struct LichenCosinesNoise {
+  uint octaves0, octaves1, octaves2; // the number of octave k's cosines: byte k of twelve
+  uint variants;                     // vectors of a cosine, a power of two
+  uint columns, rows;                // of octave 0 in eight tiles
+  uint reserved0, reserved1;         // 0: to a multiple of 16 bytes
 };
 
 /// What all maps of a noise share. Fixed by the bundle.
@@ -140,7 +159,7 @@ struct LichenNoise {
   uint method;                    // LICHEN_METHOD_*
   uint roles;                     // bit r: the map of role r is there
   float offsetStepX, offsetStepY; // of tiling: between neighbouring offsets of a tile [tiles]
-  LichenTexton texton;
+  uvec4 own0, own1; // of the method: Lichen...Noise above
 };
 
 /// The constants of one map of a noise. Fixed by the bundle.

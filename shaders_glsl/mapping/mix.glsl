@@ -10,8 +10,7 @@
 
 /// Half the size of a texton [tiles].
 vec2 lichenImpactReach(LichenNoise noise) {
-  return 0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) /
-         vec2(noise.tileTexelsX, noise.tileTexelsY);
+  return 0.5 * lichenTextonCoefficients(noise) / vec2(noise.tileTexelsX, noise.tileTexelsY);
 }
 
 /// `weight` 0 is the first step, 1 the last. `gradient` is its derivative along x and y of tile

@@ -11,7 +11,7 @@
 #include "../interface/lichen_interface.h"
 #include "footprint_level.glsl"
 #include "hash.glsl"
-#include "material_parts.glsl"
+#include "method_parts.glsl"
 #include "periodic_lattice.glsl"
 
 // 0 where every material's point process is stratified. A literal, or the host's specialization
@@ -102,7 +102,7 @@ float lichenAnisotropicLevel(float major, float minor, float maxAnisotropy) {
 /// The levels and axes of the footprint with these derivatives [texels / pixel].
 void lichenSetFootprint(inout LichenImpacts impacts, vec2 texelsX, vec2 texelsY,
                         LichenMaterial material, LichenNoise noise) {
-  float lastLevel = float(int(noise.texton.mipCount) - 1);
+  float lastLevel = float(int(lichenTextonNoise(noise).mipCount) - 1);
 #if LICHEN_ANISOTROPIC
   // The axes of the ellipse: eigenvectors of texelsX texelsX^T + texelsY texelsY^T.
   const float kLeast = 1.0e-10; // texels; keeps axes and levels defined at a point
@@ -156,7 +156,7 @@ float lichenMinified(LichenImpacts impacts) {
 /// The texels outside which a texton fetched with this footprint is 0.
 void lichenReach(LichenImpacts impacts, LichenMaterial material, LichenNoise noise, out vec2 low,
                  out vec2 high) {
-  vec2 coefficients = vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY));
+  vec2 coefficients = lichenTextonCoefficients(noise);
 #if LICHEN_ANISOTROPIC
   // Fetches in a row along the major axis, each at the level of the minor one.
   float major = length(impacts.majorAxis);
@@ -169,7 +169,7 @@ void lichenReach(LichenImpacts impacts, LichenMaterial material, LichenNoise noi
   lichenMipReach(impacts.level, coefficients, low, high);
 #endif
   float minified = lichenMinified(impacts);
-  if (bool(LICHEN_CUBIC_TEXTONS) && noise.texton.order == 3u && minified < 1.0) {
+  if (bool(LICHEN_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0) {
     vec2 lowMip, highMip;
     lichenMipReach(minified, coefficients, lowMip, highMip);
     const float kReach = 1.5; // of a cubic B-spline beyond the border of its texel
@@ -184,7 +184,7 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
                                   LichenMaterial material, LichenNoise noise) {
   vec2 texelsPerTile = vec2(noise.tileTexelsX, noise.tileTexelsY);
   vec2 cellsPerTile = vec2(material.columnsPerTile, material.rowsPerTile);
-  vec2 coefficients = vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY));
+  vec2 coefficients = lichenTextonCoefficients(noise);
   LichenImpacts impacts;
   lichenSetFootprint(impacts, gradientX * texelsPerTile, gradientY * texelsPerTile, material,
                      noise);

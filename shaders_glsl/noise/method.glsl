@@ -11,6 +11,7 @@
 
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
+#include "local_random_phase.glsl"
 #include "method_choice.glsl"
 #include "texton.glsl"
 #include "tiling_options.glsl"

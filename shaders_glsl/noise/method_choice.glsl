@@ -5,11 +5,11 @@
 #define LICHEN_METHOD_CHOICE_GLSL
 
 #include "../interface/lichen_interface.h"
-#include "material_parts.glsl"
+#include "method_parts.glsl"
 
 // Bit m: the method m (LICHEN_METHOD_...) is compiled. A literal.
 #ifndef LICHEN_METHODS
-#define LICHEN_METHODS 3
+#define LICHEN_METHODS 7
 #endif
 // Bit m: some noise has the method m, of those that are compiled. A literal, or the host's
 // specialization constant; some drivers take longer to drop the code of such a constant than to
@@ -20,7 +20,8 @@
 
 // DO(name, Type, LICHEN_METHOD_...) for each method that is compiled: its member of LichenPoint,
 // and the type of that, for which the method has the functions that method.glsl lists.
-#define LICHEN_EACH_METHOD(DO) LICHEN_EACH_TILING(DO) LICHEN_EACH_TEXTON(DO)
+#define LICHEN_EACH_METHOD(DO)                                                                     \
+  LICHEN_EACH_TILING(DO) LICHEN_EACH_TEXTON(DO) LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)
 #if (LICHEN_METHODS & 1) != 0
 #define LICHEN_EACH_TILING(DO) DO(tiling, LichenTilingTaps, LICHEN_METHOD_TILING)
 #else
@@ -34,6 +35,13 @@
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
 #define LICHEN_OMIT_SURFACE_TEXTONS
 #endif
+#endif
+#if (LICHEN_METHODS & 4) != 0
+#define LICHEN_HAS_LOCAL_RANDOM_PHASE
+#define LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)                                                         \
+  DO(localRandomPhase, LichenCosinesPoint, LICHEN_METHOD_LOCAL_RANDOM_PHASE)
+#else
+#define LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)
 #endif
 
 // 0 where no texton noise is mapped onto a surface. A literal, or the host's specialization

@@ -43,9 +43,9 @@ struct LichenSurfaceWalk {
 /// How thick a layer of impacts a point sees. [texels]
 float lichenSurfaceThickness(LichenNoise noise) {
   // [GLM17] section 6: r, the side of a square texton; of another that of the square of its area.
-  ivec2 support =
-      ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY) + int(noise.texton.order);
-  return sqrt(float(support.x) * float(support.y));
+  vec2 support =
+      lichenTextonCoefficients(noise) + float(int(lichenTextonNoise(noise).order));
+  return sqrt(support.x * support.y);
 }
 
 /// Impacts that reach `position` [tile widths, relative to the host's integer tile origin], where
@@ -67,8 +67,7 @@ LichenSurfaceImpacts lichenSurfaceImpactsAt(vec3 position, vec3 right, vec3 down
   surface.cell = uvec3(lichenLowWord(cell.x), lichenLowWord(cell.y), lichenLowWord(cell.z)) +
                  uvec3(ivec3(material.cellI, material.cellJ, lichenTextonMaterial(material).cellK));
   // The centre of a texton's coefficients lies on its impact.
-  vec2 shift =
-      0.5 * vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)) - impacts.middle;
+  vec2 shift = 0.5 * lichenTextonCoefficients(noise) - impacts.middle;
   surface.offset = inside * surface.axes + vec3(shift, 0.0);
   surface.radius = vec3(impacts.radius, 1.0);
   // The impacts in reach lie in a box that is askew among the cubes.

@@ -21,8 +21,7 @@
 /// One fetch at `texel` of the image.
 vec3 lichenTextonFetch(LICHEN_IMAGE_2D image, vec2 texel, float level, LichenNoise noise) {
   // A product, whose factor is the same for all impacts: 4 % of the whole cost of a quotient.
-  vec2 perTexel =
-      1.0 / vec2(ivec2(noise.texton.frameX, noise.texton.frameY * int(noise.texton.steps)));
+  vec2 perTexel = 1.0 / lichenTextonImageSize(noise);
   return LICHEN_SAMPLE_2D(image, texel * perTexel, level).rgb;
 }
 
@@ -30,7 +29,7 @@ vec3 lichenTextonFetch(LICHEN_IMAGE_2D image, vec2 texel, float level, LichenNoi
 vec3 lichenTextonFiltered(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts,
                           LichenNoise noise) {
 #if LICHEN_ANISOTROPIC
-  vec2 size = vec2(ivec2(noise.texton.frameX, noise.texton.frameY * int(noise.texton.steps)));
+  vec2 size = lichenTextonImageSize(noise);
   return LICHEN_SAMPLE_2D_GRAD(image, texel / size, impacts.majorAxis / size,
                                impacts.minorAxis / size)
       .rgb;
@@ -52,8 +51,7 @@ vec3 lichenTextonCubic(LICHEN_IMAGE_2D image, vec2 texel, float frame, LichenNoi
   vec2 far = 1.0 - near;
   // Half a texel outside the coefficients all is 0, as beyond, where the image repeats.
   vec2 low, high;
-  lichenMipReach(0.0, vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)), low,
-                 high);
+  lichenMipReach(0.0, lichenTextonCoefficients(noise), low, high);
   vec2 at0 = clamp(base - 0.5 + weight1 / near, low, high);
   vec2 at1 = clamp(base + 1.5 + weight3 / far, low, high);
   at0.y += frame;
@@ -70,15 +68,14 @@ vec3 lichenTextonAt(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts, Li
   float frame = lichenTextonFrame(texel, impacts, noise);
   float minified = lichenMinified(impacts);
   // Order 0: steps where magnified, none from the first mip on.
-  if (bool(LICHEN_NEAREST_TEXTONS) && noise.texton.order == 0u)
+  if (bool(LICHEN_NEAREST_TEXTONS) && lichenTextonNoise(noise).order == 0u)
     texel = mix(floor(texel) + 0.5, texel, minified);
-  if (bool(LICHEN_CUBIC_TEXTONS) && noise.texton.order == 3u && minified < 1.0) {
+  if (bool(LICHEN_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0) {
     // Between the spline and the first mip.
     vec3 magnified = lichenTextonCubic(image, texel, frame, noise);
     vec2 low, high;
     float mip = ceil(minified);
-    lichenMipReach(mip, vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)), low,
-                   high);
+    lichenMipReach(mip, lichenTextonCoefficients(noise), low, high);
     texel = clamp(texel, low, high);
     texel.y += frame;
     return mix(magnified, lichenTextonFetch(image, texel, mip, noise), minified);

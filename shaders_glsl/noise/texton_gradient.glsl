@@ -29,14 +29,14 @@ vec3 lichenTextonCubicGradient(LICHEN_IMAGE_2D image, vec2 texel, float frame, L
   // The image repeats: texels that hold no coefficients do not count.
   vec4 columns = base.x + vec4(-1.0, 0.0, 1.0, 2.0);
   vec4 rows = base.y + vec4(-1.0, 0.0, 1.0, 2.0);
-  vec2 coefficients = vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY));
+  vec2 coefficients = lichenTextonCoefficients(noise);
   vec4 isColumn = step(vec4(0.0), columns) * step(columns, vec4(coefficients.x - 1.0));
   vec4 isRow = step(vec4(0.0), rows) * step(rows, vec4(coefficients.y - 1.0));
   vec4 weightX = lichenCubicWeights(f.x) * isColumn;
   vec4 weightY = lichenCubicWeights(f.y) * isRow;
   vec4 slopeX = lichenCubicSlopes(f.x) * isColumn;
   vec4 slopeY = lichenCubicSlopes(f.y) * isRow;
-  vec2 size = vec2(ivec2(noise.texton.frameX, noise.texton.frameY * int(noise.texton.steps)));
+  vec2 size = lichenTextonImageSize(noise);
   vec2 corner = base + vec2(0.0, frame); // between the first two texels along each axis
   vec4 aboveLeft = LICHEN_GATHER_2D(image, corner / size);
   vec4 aboveRight = LICHEN_GATHER_2D(image, (corner + vec2(2.0, 0.0)) / size);
@@ -57,7 +57,8 @@ vec3 lichenTextonGradientAt(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts imp
                             LichenNoise noise) {
   float frame = lichenTextonFrame(texel, impacts, noise);
   float minified = lichenMinified(impacts);
-  bool isCubic = bool(LICHEN_CUBIC_TEXTONS) && noise.texton.order == 3u && minified < 1.0;
+  bool isCubic =
+      bool(LICHEN_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0;
   float side = exp2(isCubic ? ceil(minified) : impacts.level);
   // Where the image repeats, the next copy does not count.
   vec2 reach = impacts.radius - LICHEN_GRADIENT_MARGIN * exp2(impacts.level);
@@ -65,13 +66,12 @@ vec3 lichenTextonGradientAt(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts imp
   vec2 high = impacts.middle + reach;
   LichenImpacts mip = impacts;
   if (isCubic) {
-    lichenMipReach(ceil(minified),
-                   vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY)), low, high);
+    lichenMipReach(ceil(minified), lichenTextonCoefficients(noise), low, high);
     lichenSetSquare(mip, side);
   }
   // The value of order 0 has steps; its differences are those between them.
   vec2 valueTexel = texel;
-  if (bool(LICHEN_NEAREST_TEXTONS) && noise.texton.order == 0u)
+  if (bool(LICHEN_NEAREST_TEXTONS) && lichenTextonNoise(noise).order == 0u)
     valueTexel = mix(floor(texel) + 0.5, texel, minified);
   vec2 top = vec2(0.0, frame);
   vec2 alongX = vec2(0.5 * side, 0.0);

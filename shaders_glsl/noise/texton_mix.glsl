@@ -9,7 +9,7 @@
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "impacts.glsl"
-#include "material_parts.glsl"
+#include "method_parts.glsl"
 #include "mip_variance.glsl"
 #include "tile_frame.glsl"
 
@@ -19,7 +19,7 @@
 #endif
 
 bool lichenIsMix(LichenNoise noise) {
-  return bool(LICHEN_MIXED_TEXTONS) && noise.texton.steps > 1u;
+  return bool(LICHEN_MIXED_TEXTONS) && lichenTextonNoise(noise).steps > 1u;
 }
 
 /// The weight of a constant or a direction, at texture coordinates.
@@ -43,22 +43,23 @@ void lichenMixByUv(inout LichenImpacts impacts, vec2 uv, LichenMaterial material
 float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenNoise noise) {
   if (!lichenIsMix(noise))
     return 0.0;
-  vec2 coefficients = vec2(ivec2(noise.texton.coefficientsX, noise.texton.coefficientsY));
+  vec2 coefficients = lichenTextonCoefficients(noise);
   vec2 tiles = (0.5 * coefficients - texel) / vec2(noise.tileTexelsX, noise.tileTexelsY);
   float weight = clamp(impacts.mixWeight + dot(impacts.mixGradient, tiles), 0.0, 1.0);
-  return floor(weight * (float(int(noise.texton.steps)) - 1.0) + 0.5) * float(noise.texton.frameY);
+  LichenTextonNoise texton = lichenTextonNoise(noise);
+  return floor(weight * (float(int(texton.steps)) - 1.0) + 0.5) * float(texton.frameY);
 }
 
 /// A row of a mix's table at a step, [0, steps - 1], linear between whole ones.
 vec4 lichenMixRow(LICHEN_IMAGE_3D table, float atStep, int row, LichenNoise noise) {
-  vec3 coordinate = vec3((atStep + 0.5) / float(int(noise.texton.steps)), 0.5,
+  vec3 coordinate = vec3((atStep + 0.5) / float(int(lichenTextonNoise(noise).steps)), 0.5,
                     (float(row) + 0.5) / float(LICHEN_MIX_ROWS));
   return LICHEN_SAMPLE_3D(table, coordinate, 0.0);
 }
 
 /// The step of the point itself, [0, steps - 1].
 float lichenMixStep(LichenImpacts impacts, LichenNoise noise) {
-  return clamp(impacts.mixWeight, 0.0, 1.0) * (float(int(noise.texton.steps)) - 1.0);
+  return clamp(impacts.mixWeight, 0.0, 1.0) * (float(int(lichenTextonNoise(noise).steps)) - 1.0);
 }
 
 /// The map's constants at the point's weight in a mix, except the amplitudes of mips
@@ -97,7 +98,7 @@ vec3 lichenTextonMipRetained(LICHEN_IMAGE_3D table, int mip, LichenImpacts impac
 vec2 lichenMixMeanSlope(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise) {
   if (!lichenIsMix(noise) || impacts.mixWeight < 0.0 || impacts.mixWeight > 1.0)
     return vec2(0.0);
-  float last = float(int(noise.texton.steps)) - 1.0;
+  float last = float(int(lichenTextonNoise(noise).steps)) - 1.0;
   float below = min(floor(lichenMixStep(impacts, noise)), last - 1.0);
   float rise = lichenMixRow(table, below + 1.0, LICHEN_MIX_MEAN, noise).x -
                lichenMixRow(table, below, LICHEN_MIX_MEAN, noise).x;

@@ -8,7 +8,7 @@
 
 #include "../interface/lichen_interface.h"
 #include "hash.glsl"
-#include "material_parts.glsl"
+#include "method_parts.glsl"
 
 // 0 where no material's tileRotation is above 1. A literal, or the host's specialization constant.
 #ifndef LICHEN_TILE_ROTATION

@@ -8,13 +8,13 @@
 #include <cstdio>
 #include <exemplar/value_encoding.h>
 #include <filesystem>
-#include <materials.h>
-#include <memory>
-#include <optional>
 #include <gaussianization/gaussianize.h>
 #include <gaussianization/inverse_table.h>
 #include <gaussianization/mip_chain.h>
 #include <gaussianization/prefilter.h>
+#include <materials.h>
+#include <memory>
+#include <optional>
 
 namespace lichen::bench {
 namespace {

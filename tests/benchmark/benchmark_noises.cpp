@@ -56,6 +56,10 @@ std::vector<std::byte> setGlb(std::span<const MapExemplar> maps) {
 
 std::vector<std::byte> textonGlb() { return test::syntheticTextonGlb(textons()); }
 
+std::vector<std::byte> localRandomPhaseGlb() {
+  return bundleGlb(localRandomPhaseBundle(exemplars::rust(kShaderExemplarSide)));
+}
+
 std::vector<std::byte> mixGlb() {
   test::SyntheticTexton texton = textons();
   texton.steps = TextonMixOptions{}.steps;

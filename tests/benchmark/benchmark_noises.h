@@ -17,6 +17,8 @@ namespace lichen::bench {
 [[nodiscard]] std::vector<std::byte> setGlb(std::span<const MapExemplar> maps);
 /// Bilinear textons that reach 64 texels, with the default of 30 impacts.
 [[nodiscard]] std::vector<std::byte> textonGlb();
+/// Local random-phase noise of the exemplar of tilingGlb(), 50 cosines.
+[[nodiscard]] std::vector<std::byte> localRandomPhaseGlb();
 /// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other
 /// over four tiles.
 [[nodiscard]] std::vector<std::byte> mixGlb();

@@ -14,6 +14,7 @@
 #include <hextile.frag.h>
 #include <hextile.frag.unrotated.h>
 #include <hn18.frag.h>
+#include <local_random_phase.frag.h>
 #include <plain.frag.h>
 #include <stdexcept>
 #include <surface.frag.h>
@@ -231,6 +232,7 @@ std::vector<Row> measure() {
       {"triplanar tiling", triplanar_frag, noise},
       {"texton", texton_frag, noise},
       {"mix of textons", texton_frag_mixed, noise},
+      {"local random phase", local_random_phase_frag, noise},
       {"surface texton", surface_frag, noise},
       {"four layers of tiling, bindless", bindless_frag, device.bindlessLayout()}};
   // RADV's; cycles are its estimates of a wave alone, and of many waves.

@@ -4,6 +4,7 @@
 #include "checkout_paths.h"
 
 #include <lichen/image_io.h>
+#include <lichen/local_random_phase.h>
 #include <lichen/texton.h>
 
 #include <algorithm>
@@ -127,6 +128,19 @@ Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options) {
 Bundle textonBundle(const SrgbImage& image) {
   const MapExemplar map = baseColorMap(image);
   Result<TextonBake> bake = bakeTexton("benchmark", {&map, 1}, {});
+  if (!bake) {
+    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
+    std::exit(int(bake.error().kind));
+  }
+  Bundle bundle;
+  bundle.noises.push_back(std::move(bake.value().noise));
+  bundle.tables = std::move(bake.value().tables);
+  return bundle;
+}
+
+Bundle localRandomPhaseBundle(const SrgbImage& image) {
+  const MapExemplar map = baseColorMap(image);
+  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("benchmark", {&map, 1}, {});
   if (!bake) {
     std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
     std::exit(int(bake.error().kind));

@@ -38,5 +38,7 @@ struct Exemplar {
 [[nodiscard]] Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options = {});
 /// Likewise for a texton of support 64, without a material.
 [[nodiscard]] Bundle textonBundle(const SrgbImage& image);
+/// Likewise for local random-phase noise of 50 cosines.
+[[nodiscard]] Bundle localRandomPhaseBundle(const SrgbImage& image);
 
 } // namespace lichen::bench

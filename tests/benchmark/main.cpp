@@ -18,7 +18,7 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 12> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 13> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
@@ -27,6 +27,7 @@ constexpr std::array<Family, 12> kFamilies{{{"bake", bakeRows},
                                             {"view", viewRows},
                                             {"lit", litRows},
                                             {"texton", textonRows},
+                                            {"local-random-phase", localRandomPhaseRows},
                                             {"load", loadRows},
                                             {"shader", shaderRows},
                                             {"code", codeRows}}};

@@ -15,6 +15,7 @@
 #include <hextile.frag.h>
 #include <hextile.frag.unrotated.h>
 #include <hn18.frag.h>
+#include <local_random_phase.frag.h>
 #include <materials.h>
 #include <plain.frag.h>
 #include <stdexcept>
@@ -112,7 +113,9 @@ std::vector<Row> measure() {
       noise("tiling, nearest table level", tiling_frag_nearest_level, screen, joint, {3.5, 3.7}),
       noise("tiling, Gaussian only", tiling_frag_gaussian, screen, gaussian, {2.8, 3.1}),
       noise("texton, 30 impacts", texton_frag, screen, textonGlb(), {36.0, 40.0}),
-      noise("mix of textons, 30 impacts", texton_frag_mixed, screen, mixGlb(), {42.0, 46.0})};
+      noise("mix of textons, 30 impacts", texton_frag_mixed, screen, mixGlb(), {42.0, 46.0}),
+      noise("local random phase, 50 cosines", local_random_phase_frag, screen,
+            localRandomPhaseGlb(), {54.0, 60.0})};
   std::vector<Row> rows;
   appendRows(rows, screen, shaders, kFlat, "flat", &Targets::flat);
   appendRows(rows, screen, shaders, kFloor, "perspective", &Targets::perspective);

@@ -18,6 +18,7 @@ layout(set = 0, binding = 1) uniform sampler3D tables[8];
 #define LICHEN_SAMPLE_2D(image, uv, level) textureLod(images[image], uv, level)
 #define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY) textureGrad(images[image], uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(tables[image], uvw, level)
+#define LICHEN_FETCH_2D(image, texel) texelFetch(images[image], texel, 0)
 #define LICHEN_GATHER_2D(image, uv) textureGather(images[image], uv, 0)
 #endif
 #include "lichen.glsl"

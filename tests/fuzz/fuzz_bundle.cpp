@@ -96,6 +96,31 @@ void checkTiling(const NoiseMap& map, const Bundle& bundle) {
           "shape of an inverse table");
 }
 
+void checkCosines(const LocalRandomPhaseNoise& shared) {
+  require(isWithin(shared.texelsPerTileX, 1, int(kMaxTableSide)) &&
+              isWithin(shared.texelsPerTileY, 1, int(kMaxTableSide)),
+          "size of the exemplar");
+  require(isWithin(shared.columns, 1, kMostOctaveCells) &&
+              isWithin(shared.rows, 2, kMostOctaveCells) && shared.rows % 2 == 0,
+          "cells of the first octave");
+  require(!shared.cosines.empty() && shared.cosines.size() <= kMostOctaves &&
+              shared.cosines.back() > 0 && isWithin(shared.cosineCount(), 1, kMostCosines),
+          "number of cosines");
+  require(isWithin(shared.variants, 1, kMostVariants), "number of variants");
+}
+
+void checkCosines(const NoiseMap& map, const LocalRandomPhaseNoise& shared, const Bundle& bundle) {
+  const auto& own = map.as<LocalRandomPhaseMap>();
+  require(own.cosines < bundle.tables.size(), "index of the image");
+  const Table& image = bundle.tables[own.cosines];
+  require(image.depth == 0 && image.width == 1 + std::uint32_t(shared.variants) &&
+              image.height == std::uint32_t(shared.cosineCount()) &&
+              channelCount(image.format) == 4,
+          "shape of an image of cosines");
+  require(isWithin(own.dimensions, 1, int(map.channels.size())), "number of dimensions");
+  require(!own.inverseTable || *own.inverseTable < bundle.tables.size(), "index of the table");
+}
+
 void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
   const std::size_t n = map.channels.size();
   require(n >= 1 && n <= 3, "number of channels");
@@ -104,6 +129,8 @@ void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
   require(map.data.index() == noise.data.index(), "a map of another method than its noise");
   if (noise.method() == Method::texton)
     checkTexton(map, noise.as<TextonShape>(), bundle);
+  else if (noise.method() == Method::localRandomPhase)
+    checkCosines(map, noise.as<LocalRandomPhaseNoise>(), bundle);
   else
     checkTiling(map, bundle);
 }
@@ -113,6 +140,8 @@ void checkContract(const Bundle& bundle) {
   for (const Noise& noise : bundle.noises) {
     if (noise.method() == Method::texton)
       checkShape(noise.as<TextonShape>());
+    if (noise.method() == Method::localRandomPhase)
+      checkCosines(noise.as<LocalRandomPhaseNoise>());
     for (const NoiseMap& map : noise.maps)
       checkMap(map, noise, bundle);
   }

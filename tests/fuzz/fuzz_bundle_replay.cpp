@@ -49,6 +49,7 @@ std::vector<Bytes> seeds() {
           encodeGlb(withScene).value(),
           laterRevision(),
           encodeGlb(example::smallestTexton()).value(),
+          encodeGlb(example::smallestCosines()).value(),
           encodeGlb(example::textonMix()).value(),
           cookBundle(example::smallest().bundle),
           cookBundle(example::textonMix().bundle),

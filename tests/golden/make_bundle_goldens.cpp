@@ -205,6 +205,7 @@ int main(int argumentCount, char** arguments) {
   const bool written =
       report(writeBundle(golden / "bundle_smallest.glb", example::smallest())) &&
       report(writeBundle(golden / "bundle_texton.glb", example::smallestTexton())) &&
+      report(writeBundle(golden / "bundle_cosines.glb", example::smallestCosines())) &&
       report(replaceFile(golden / "table_mips.ktx2", encodeKtx2(example::tableWithMips()))) &&
       report(writeBundle(examples / "felt.glb", felt)) &&
       report(writeBundle(examples / "felt.gltf", felt)) &&

@@ -36,7 +36,7 @@ std::vector<std::uint32_t> wordsOf(const std::array<std::int64_t, 3>& cube,
 
 SurfaceReference::SurfaceReference(const Bundle& bundle, const shader::LichenMaterial& material)
     : bundle_(bundle), material_(material), part_(textonPart(material)),
-      noise_(shaderNoise(bundle, 0)), texton_(noise_.texton) {
+      noise_(shaderNoise(bundle, 0)), texton_(textonPart(noise_)) {
   const Table& image = bundle.tables[bundle.noises[0].maps[0].as<TextonMap>().image];
   for (std::uint32_t level = 0; level < image.mipLevels; ++level)
     mips_.push_back(decodeLevel(image, level));

@@ -50,7 +50,7 @@ double deviationAt(const NoiseMap& map, double weight, std::size_t channel) {
 
 TextonReference::TextonReference(const Bundle& bundle, const shader::LichenMaterial& material)
     : bundle_(bundle), material_(material), part_(textonPart(material)),
-      noise_(shaderNoise(bundle, 0)), texton_(noise_.texton) {
+      noise_(shaderNoise(bundle, 0)), texton_(textonPart(noise_)) {
   const double cellX = double(noise_.tileTexelsX) / double(material_.columnsPerTile);
   const double offsetX = double(material_.offsetX) * double(noise_.tileTexelsX);
   const double offsetY = double(material_.offsetY) * double(noise_.tileTexelsY);

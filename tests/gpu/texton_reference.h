@@ -48,7 +48,7 @@ private:
   const shader::LichenMaterial material_;
   const shader::LichenTextonMaterial part_;
   const shader::LichenNoise noise_;
-  const shader::LichenTexton texton_;
+  const shader::LichenTextonNoise texton_;
   std::vector<Impact> impacts_;
   std::vector<std::vector<float>> mips_;
 };

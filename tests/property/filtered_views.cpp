@@ -2,6 +2,7 @@
 #include "filtered_views.h"
 
 #include <lichen/lattice.h>
+#include <lichen/local_random_phase_evaluate.h>
 #include <lichen/texton_evaluate.h>
 #include <lichen/tiling_evaluate.h>
 
@@ -115,6 +116,10 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
         [twin = TextonEvaluator::create(bundle, 0).value()](const auto& use, const auto& at) {
           return twin.evaluate(0, use, at);
         });
+  if (bundle.noises[0].method() == Method::localRandomPhase)
+    return withEvaluator(
+        [twin = LocalRandomPhaseEvaluator::create(bundle, 0).value()](
+            const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
   return withEvaluator([twin = TilingEvaluator::create(bundle, 0, quality).value()](
                            const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
 }

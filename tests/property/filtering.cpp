@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Noise at every distance. Compares views from eight pixels per texel to one pixel per 100 tiles,
 // and a camera that moves over a floor, with the same pixels supersampled; also checks steps in the
-// level of detail and between tiles. Covers both methods, on texture coordinates and triplanar.
+// level of detail and between tiles. Covers all methods, on texture coordinates and triplanar.
 #include "example_exemplar.h"
 #include "filtered_views.h"
 
 #include <lichen/lattice.h>
+#include <lichen/local_random_phase.h>
 #include <lichen/texton.h>
 #include <lichen/tiling.h>
 
@@ -45,11 +46,14 @@ const std::vector<NamedPlane>& planes() {
     options.support = 32;
     const Bundle tiling = bundleOf(bakeTiling("example", {&map, 1}, {}));
     const Bundle texton = bundleOf(bakeTexton("example", {&map, 1}, options));
+    const Bundle cosines = bundleOf(bakeLocalRandomPhase("example", {&map, 1}, {}));
     return std::vector<NamedPlane>{
         {"tiling, uv", noisePlane(tiling, Mapping::uv), 1200},
         {"tiling, triplanar", noisePlane(tiling, Mapping::triplanar), 1200},
         {"texton, uv", noisePlane(texton, Mapping::uv), 400},
-        {"texton, triplanar", noisePlane(texton, Mapping::triplanar), 400}};
+        {"texton, triplanar", noisePlane(texton, Mapping::triplanar), 400},
+        {"local random phase, uv", noisePlane(cosines, Mapping::uv), 400},
+        {"local random phase, triplanar", noisePlane(cosines, Mapping::triplanar), 300}};
   }();
   return all;
 }
@@ -62,21 +66,24 @@ TEST_CASE("a view has the mean colour, contrast and features of its supersampled
   // pixels are a quarter as wide as long.
   struct Size {
     double texels, slant;
-    std::array<double, 4> contrast, difference; // bounds of the planes
+    std::array<double, 6> contrast, difference; // bounds of the planes
   };
   // What each plane has plus at most 0.03, the spread of the ratios of 400 pixels. At the level of
   // the longer side, contrast is off by 0.1 to 0.3 from 2 texels on, and by 0.3 for narrow pixels.
+  // Local random phase has frequencies up to the limit of the exemplar's texels, over which pixels
+  // of a texel or less do not average: so that a view of one texel a pixel is as sharp as the
+  // exemplar.
   for (const auto& [texels, slant, contrast, difference] :
-       {Size{0.125, 1, {0.01, 0.01, 0.01, 0.01}, {0.02, 0.02, 0.02, 0.02}},
-        Size{0.5, 1, {0.04, 0.03, 0.05, 0.05}, {0.07, 0.06, 0.09, 0.08}},
-        Size{1, 1, {0.08, 0.06, 0.12, 0.10}, {0.20, 0.13, 0.22, 0.18}},
-        Size{1.41, 1, {0.05, 0.06, 0.10, 0.10}, {0.15, 0.17, 0.24, 0.23}},
-        Size{2, 1, {0.05, 0.05, 0.08, 0.08}, {0.16, 0.16, 0.29, 0.27}},
-        Size{2.83, 1, {0.05, 0.03, 0.04, 0.04}, {0.18, 0.17, 0.29, 0.28}},
-        Size{4, 1, {0.09, 0.06, 0.09, 0.05}, {0.19, 0.19, 0.27, 0.27}},
-        Size{5.66, 1, {0.10, 0.10, 0.10, 0.08}, {0.24, 0.22, 0.27, 0.27}},
-        Size{1, 4, {0.06, 0.04, 0.08, 0.08}, {0.26, 0.22, 0.39, 0.36}},
-        Size{2, 4, {0.12, 0.11, 0.13, 0.09}, {0.34, 0.31, 0.39, 0.37}}})
+       {Size{0.125, 1, {0.01, 0.01, 0.01, 0.01, 0.02, 0.02}, {0.02, 0.02, 0.02, 0.02, 0.11, 0.11}},
+        Size{0.5, 1, {0.04, 0.03, 0.05, 0.05, 0.11, 0.1}, {0.07, 0.06, 0.09, 0.08, 0.29, 0.28}},
+        Size{1, 1, {0.08, 0.06, 0.12, 0.10, 0.19, 0.19}, {0.20, 0.13, 0.22, 0.18, 0.49, 0.46}},
+        Size{1.41, 1, {0.05, 0.06, 0.10, 0.10, 0.15, 0.15}, {0.15, 0.17, 0.24, 0.23, 0.3, 0.37}},
+        Size{2, 1, {0.05, 0.05, 0.08, 0.08, 0.13, 0.13}, {0.16, 0.16, 0.29, 0.27, 0.29, 0.27}},
+        Size{2.83, 1, {0.05, 0.03, 0.04, 0.04, 0.1, 0.1}, {0.18, 0.17, 0.29, 0.28, 0.29, 0.28}},
+        Size{4, 1, {0.09, 0.06, 0.09, 0.05, 0.1, 0.1}, {0.19, 0.19, 0.27, 0.27, 0.29, 0.29}},
+        Size{5.66, 1, {0.10, 0.10, 0.10, 0.08, 0.1, 0.1}, {0.24, 0.22, 0.27, 0.27, 0.29, 0.29}},
+        Size{1, 4, {0.06, 0.04, 0.08, 0.08, 0.13, 0.13}, {0.26, 0.22, 0.39, 0.36, 0.33, 0.3}},
+        Size{2, 4, {0.12, 0.11, 0.13, 0.09, 0.1, 0.1}, {0.34, 0.31, 0.39, 0.37, 0.33, 0.3}}})
     for (std::size_t k = 0; k < planes().size(); ++k) {
       const NamedPlane& one = planes()[k];
       const FilteredView view =
@@ -122,8 +129,8 @@ TEST_CASE("a distant view has the mean colour of its supersampled pixels and no 
       INFO(one.name << ", " << tiles << " tiles a pixel");
       CHECK(view.meanError < view.meanTolerance(1.0, one.pixels));
       // What averages of independent parts of a plane leave falls with their area: measured at most
-      // 1.4e-4 for three channels at 1 tile a pixel, a deviation of 0.007 each.
-      constexpr double kOfOneTile = 2e-4;
+      // 2.3e-4 for three channels at 1 tile a pixel, a deviation of 0.009 each.
+      constexpr double kOfOneTile = 2.6e-4;
       if (tiles >= 1.0) {
         CHECK(view.filteredVariance < kOfOneTile / (tiles * tiles));
       } else {
@@ -139,7 +146,7 @@ TEST_CASE("a camera moving over a floor shimmers hardly more than supersampled f
   // 1.2 is wanted, and the exemplars of lichen-bench have 0.9 to 1.05. Here pixels of the floor are
   // up to eight times as long as wide, in texels as large as the exemplar's grain, and one square
   // fetch keeps more of it than their average does: measured 1.14, 1.23, 1.39 and 1.57, to 0.02.
-  const std::array<double, 4> most{1.2, 1.26, 1.42, 1.6};
+  const std::array<double, 6> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5};
   for (std::size_t k = 0; k < planes().size(); ++k) {
     const NamedPlane& one = planes()[k];
     const CameraMove move = cameraMove(one.plane, 5);

@@ -354,9 +354,11 @@ TEST_CASE(
 TEST_CASE("the index of a distant cell is exact, modulo 2^32 or the period") {
   shader::LichenNoise noise{};
   noise.tileTexelsX = noise.tileTexelsY = 16384.0f;
-  noise.texton.coefficientsX = noise.texton.coefficientsY = 1;
-  noise.texton.frameX = noise.texton.frameY = 2;
-  noise.texton.mipCount = 1;
+  shader::LichenTextonNoise texton{};
+  texton.coefficientsX = texton.coefficientsY = 1;
+  texton.frameX = texton.frameY = 2;
+  texton.mipCount = 1;
+  setPart(noise, texton);
   shader::LichenMaterial material{};
   material.columnsPerTile = material.rowsPerTile = 49152.0f; // 3 cells per texel
   for (const std::int32_t period : {0, 7, 49152 * 5, 1 << 29})

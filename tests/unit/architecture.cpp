@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -38,7 +39,8 @@ std::map<std::string, std::string> sources() {
 /// Whether a file belongs to a method: its folder or its name has the name of the method.
 bool belongsToMethod(const std::string& path) {
   for (const Method method : allMethods()) {
-    const std::string name(nameOf(method));
+    std::string name(nameOf(method));
+    std::replace(name.begin(), name.end(), '-', '_');
     if (path.find("/" + name + "/") != std::string::npos ||
         path.find("/" + name + "_") != std::string::npos ||
         path.find("/" + name + ".") != std::string::npos)

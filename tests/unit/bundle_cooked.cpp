@@ -112,8 +112,9 @@ Parsed parseInPlace(const Bytes& cooked) {
 TEST_CASE("a cooked bundle has the plan of its glTF file, copied or in place") {
   BundleFile masked = example::textonMix();
   masked.bundle.materials[1]->mix = {MixSource::texture, 0.0, {}, {0.0, 1.0}, 2, 1, 0, 3};
-  for (const BundleFile& file : {example::smallest(), example::everyMap(),
-                                 example::smallestTexton(), example::textonMix(), masked}) {
+  for (const BundleFile& file :
+       {example::smallest(), example::everyMap(), example::smallestTexton(),
+        example::smallestCosines(), example::textonMix(), masked}) {
     const Bytes cooked = cookBundle(file.bundle);
     CHECK(checkBundle(cooked).empty());
     if (file.bundle.materials.back()->mix.source != MixSource::texture) { // GLBs have no textures

@@ -274,6 +274,41 @@ BundleFile smallestTexton() {
   return file;
 }
 
+BundleFile smallestCosines() {
+  BundleFile file;
+  Noise noise;
+  noise.name = "swell";
+  noise.data = LocalRandomPhaseNoise{16, 12, 7, 6, {2, 0, 1}, 2};
+  NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
+  Table table;
+  table.name = "swell.height.cosines";
+  table.format = TexelFormat::rgba16Sfloat;
+  table.width = 3;
+  table.height = 3;
+  const auto append = [&](std::array<float, 4> box, float first, float second, float phase) {
+    const std::array texels{box[0],
+                            box[1],
+                            box[2] / 1024.0f,
+                            box[3] / 1024.0f, // its frequencies
+                            first,
+                            0.0f,
+                            0.0f,
+                            0.0f, // two variants
+                            second,
+                            0.0f,
+                            0.0f,
+                            phase};
+    appendTexels(table.texels, table.format, texels);
+  };
+  // The variance of an amplitude a is a^2 / 2; together they have 1 / 36.
+  append({0.0f, 1.0f, 1.0f, 1.0f}, 0.1667f, -0.1667f, 0.25f);
+  append({1.0f, -2.0f, 1.0f, 2.0f}, 0.0833f, 0.0833f, 0.0f);
+  append({2.0f, 0.0f, 4.0f, 3.0f}, 0.1443f, 0.1443f, 0.5f);
+  map.data = LocalRandomPhaseMap{addTable(file.bundle, std::move(table)), std::nullopt, 1};
+  addNoise(file, std::move(noise), std::move(map));
+  return file;
+}
+
 BundleFile textonMix() {
   using enum MapChannel;
   BundleFile file = smallest();

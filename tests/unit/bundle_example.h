@@ -38,6 +38,10 @@ void setLosses(Table& gaussian, const std::vector<float>& losses);
 /// for base colour, normal (whose texton has one channel too many) and height.
 [[nodiscard]] BundleFile textonMix();
 
+/// One height map as local random-phase noise: three cosines in octaves 0 and 2, with two variants
+/// each. About 2 KB as a GLB.
+[[nodiscard]] BundleFile smallestCosines();
+
 /// A valid PNG of 2 x 2 texels in one colour.
 [[nodiscard]] std::vector<std::byte> tinyPng();
 

@@ -97,7 +97,7 @@ TEST_CASE("a table of every format survives the round trip through KTX2") {
 
 TEST_CASE("a bundle survives the round trip through a GLB") {
   for (BundleFile file : {example::smallest(), example::everyMap(), example::smallestTexton(),
-                          example::textonMix()}) {
+                          example::smallestCosines(), example::textonMix()}) {
     const auto glb = encodeGlb(file);
     if (!glb.ok())
       FAIL(glb.error().message);
@@ -110,8 +110,9 @@ TEST_CASE("a bundle survives the round trip through a GLB") {
 }
 
 TEST_CASE("a bundle survives the round trip through a cooked bundle") {
-  for (const BundleFile& file : {example::smallest(), example::everyMap(),
-                                 example::smallestTexton(), example::textonMix()}) {
+  for (const BundleFile& file :
+       {example::smallest(), example::everyMap(), example::smallestTexton(),
+        example::smallestCosines(), example::textonMix()}) {
     const auto bundle = parseBundle(cookBundle(file.bundle), "test");
     if (!bundle.ok())
       FAIL(bundle.error().message);

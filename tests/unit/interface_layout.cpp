@@ -21,6 +21,14 @@ TEST_CASE("the methods' parts of a material fit its own words") {
       sizeof(lichen::shader::LichenMaterial) - offsetof(lichen::shader::LichenMaterial, own0);
   CHECK(sizeof(lichen::shader::LichenTilingMaterial) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenTextonMaterial) <= kOwn);
+  CHECK(sizeof(lichen::shader::LichenCosinesMaterial) <= kOwn);
+}
+
+TEST_CASE("the methods' parts of a noise fit its own words") {
+  constexpr std::size_t kOwn =
+      sizeof(lichen::shader::LichenNoise) - offsetof(lichen::shader::LichenNoise, own0);
+  CHECK(sizeof(lichen::shader::LichenTextonNoise) <= kOwn);
+  CHECK(sizeof(lichen::shader::LichenCosinesNoise) <= kOwn);
 }
 
 TEST_CASE("an array of noise constants fits any device's minUniformBufferOffsetAlignment") {

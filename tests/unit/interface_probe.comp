@@ -11,6 +11,9 @@ struct Interface {
   LichenTriplanarMaterial material;
   LichenTilingMaterial tiling;
   LichenTextonMaterial texton;
+  LichenCosinesMaterial cosines;
+  LichenTextonNoise textonNoise;
+  LichenCosinesNoise cosinesNoise;
 };
 
 layout(std140, set = 0, binding = 0) uniform Std140 { Interface std140; };

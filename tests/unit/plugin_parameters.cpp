@@ -93,8 +93,8 @@ TEST_CASE("a material's block is that of the bundle library, with any parameters
 TEST_CASE("the blocks of every kind of noise and mapping are those of the bundle library") {
   BundleFile mix = example::textonMix();
   mix.bundle.materials[1]->mix = {MixSource::direction, 0.0, {0.5, -1.0}, {2.0, 3.0}, 0, 0, 0, 0};
-  for (BundleFile& file :
-       std::array{example::everyMap(), example::smallestTexton(), std::move(mix)}) {
+  for (BundleFile& file : std::array{example::everyMap(), example::smallestTexton(),
+                                     example::smallestCosines(), std::move(mix)}) {
     const OwnedBundle bundle(file);
     for (std::uint32_t noise = 0; noise < file.bundle.noises.size(); ++noise) {
       shader::LichenNoiseConstants block{};
@@ -316,6 +316,18 @@ TEST_CASE("the switches leave out what no material needs") {
   CHECK(switchesOf({mixed}).find(" -DLICHEN_POISSON_POINTS=0") != std::string::npos);
   mixed.pointProcess = LICHEN_POINT_PROCESS_POISSON;
   CHECK(switchesOf({mixed}).find("POISSON") == std::string::npos);
+}
+
+TEST_CASE("the switches of local random-phase noise leave out what only other methods have") {
+  const OwnedBundle cosines(example::smallestCosines());
+  CHECK(switchesOf({parametersOf(cosines.handle)}) ==
+        "-DLICHEN_ROLES=16 -DLICHEN_METHODS=4 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR"
+        " -DLICHEN_TABLES=0 -DLICHEN_PERIODIC_LATTICE=0");
+  const OwnedBundle tiling(example::smallest());
+  const std::string both = switchesOf({parametersOf(cosines.handle), parametersOf(tiling.handle)});
+  CHECK(both.find(" -DLICHEN_METHODS=5") != std::string::npos);
+  CHECK(both.find("TABLES=0") == std::string::npos);
+  CHECK(both.find("GAUSSIAN_ONLY") == std::string::npos);
 }
 
 TEST_CASE("the switches keep values above 1 for a noise that has them") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The methods on the command line, in the order of Method.
+#include "local_random_phase_command.h"
 #include "method_command.h"
 #include "texton_command.h"
 #include "tiling_command.h"
@@ -11,7 +12,9 @@ namespace lichen::cli {
 const MethodCommand& commandOf(Method method) {
   static const TilingCommand kTiling;
   static const TextonCommand kTexton;
-  static const std::array<const MethodCommand*, 2> kCommands{&kTiling, &kTexton};
+  static const LocalRandomPhaseCommand kLocalRandomPhase;
+  static const std::array<const MethodCommand*, 3> kCommands{&kTiling, &kTexton,
+                                                             &kLocalRandomPhase};
   static_assert(kCommands.size() == std::variant_size_v<MethodMap>);
   return *kCommands[std::size_t(method)];
 }

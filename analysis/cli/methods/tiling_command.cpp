@@ -4,7 +4,6 @@
 
 #include "../table_words.h"
 
-#include <lichen/counted.h>
 #include <lichen/tiling.h>
 #include <lichen/tiling_precision.h>
 
@@ -132,19 +131,6 @@ int fetchesOfTiling(const TilingMap& map) {
   return tableKindOf(map) == TableKind::none ? kTaps : kTaps + 1;
 }
 
-/// Returns "inverse table 1: joint, 32 x 32 x 32 cells, 5 levels".
-std::string inverseTableOf(const TilingMap& map, const std::vector<Table>& tables) {
-  const TableKind kind = tableKindOf(map);
-  if (kind == TableKind::none)
-    return "no inverse table";
-  const Table& table = tables[*map.inverseTable];
-  std::string cells = std::to_string(table.width);
-  for (int axis = 1; axis < map.dimensions; ++axis)
-    cells += fmt::format(" x {}", table.width);
-  return fmt::format("inverse table {}: {}, {} cells, {}", *map.inverseTable, nameOf(kind), cells,
-                     counted(table.mipLevels, "level"));
-}
-
 } // namespace
 
 std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb) const {
@@ -199,7 +185,7 @@ void TilingCommand::describe(const Bundle&, const NoiseMap& map, Json& json) con
 std::vector<std::string> TilingCommand::linesOf(const Bundle& bundle, const NoiseMap& map) const {
   const auto& tiling = map.as<TilingMap>();
   return {fmt::format("Gaussian image: table {}", tiling.gaussian),
-          inverseTableOf(tiling, bundle.tables)};
+          inverseTableWords(tiling.inverseTable, tiling.dimensions, bundle.tables)};
 }
 
 int TilingCommand::fetches(const Bundle&, const Noise&, const NoiseMap& map,

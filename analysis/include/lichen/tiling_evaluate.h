@@ -71,8 +71,6 @@ private:
   [[nodiscard]] static float footprintShare(const Map& map, float loss);
   [[nodiscard]] Value decodeTile(const Map& map, const Value& tile, float lossShare,
                                  float contrast) const;
-  [[nodiscard]] static Value lookup(const Map& map, const Value& uniform, std::size_t level);
-  [[nodiscard]] Value decodeTable(const Map& map, const Value& gaussian, float lost) const;
   [[nodiscard]] Value decode(const Map& map, const Value& gaussian, float contrast) const;
 
   TilingEvaluator(const shader::LichenNoise& noise, std::shared_ptr<const std::vector<Map>> maps,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The methods that comparison and report support, in the order of Method.
+#include "local_random_phase_report.h"
 #include "texton_report.h"
 #include "tiling_report.h"
 
@@ -10,7 +11,8 @@ namespace lichen {
 const MethodReport& reportOf(Method method) {
   static const TilingReport kTiling;
   static const TextonReport kTexton;
-  static const std::array<const MethodReport*, 2> kReports{&kTiling, &kTexton};
+  static const LocalRandomPhaseReport kLocalRandomPhase;
+  static const std::array<const MethodReport*, 3> kReports{&kTiling, &kTexton, &kLocalRandomPhase};
   static_assert(kReports.size() == std::variant_size_v<MethodMap>);
   return *kReports[std::size_t(method)];
 }

@@ -2,6 +2,8 @@
 // A tiling noise and its exemplar -> measures, and pictures of the Gaussian image and the table.
 #include "tiling_report.h"
 
+#include "../inverse_table_pictures.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -67,28 +69,6 @@ Result<Json> gaussianPicture(const Table& table, int dimensions, int side) {
   return pictureJson(twoAsRedGreen(std::move(image)));
 }
 
-/// One level of an inverse table, its slices side by side, decoded.
-LinearImage slicesPicture(const Table& table, std::uint32_t level, std::size_t channels,
-                          ValueEncoding encoding) {
-  const auto side = [level](std::uint32_t size) {
-    return std::size_t(std::max(1u, size >> level));
-  };
-  const std::size_t width = side(table.width), height = side(table.height);
-  const std::size_t slices = side(table.depth);
-  std::vector<float> texels = decodeLevel(table, level);
-  if (encoding == ValueEncoding::root)
-    for (float& value : texels)
-      value *= value;
-  const auto stored = std::size_t(channelCount(table.format));
-  LinearImage image(int(width * slices), int(height), int(channels));
-  for (std::size_t z = 0; z < slices; ++z)
-    for (std::size_t y = 0; y < height; ++y)
-      for (std::size_t x = 0; x < width; ++x)
-        std::copy_n(&texels[((z * height + y) * width + x) * stored], std::min(channels, stored),
-                    image.pixel(int(z * width + x), int(y)));
-  return image;
-}
-
 } // namespace
 
 double TilingReport::judgedPixels(int exemplarWidth, int exemplarHeight) const {
@@ -132,22 +112,7 @@ Result<Json> TilingReport::image(const Bundle& bundle, const Noise&, const Noise
 
 Result<Json> TilingReport::table(const Bundle& bundle, const NoiseMap& map,
                                  const MapLook& look) const {
-  const auto& tiling = map.as<TilingMap>();
-  if (!tiling.inverseTable)
-    return Json();
-  const Table& table = bundle.tables[*tiling.inverseTable];
-  Json levels = Json::array();
-  for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
-    Result<Json> shown =
-        pictureJson(look.picture(slicesPicture(table, level, map.channels.size(), map.encoding)));
-    if (!shown)
-      return shown;
-    const double amplitude = 1.0 - double(level) / kMostTableLevels;
-    levels.push_back({{"picture", std::move(shown).value()},
-                      {"slices", std::max(1u, table.depth >> level)},
-                      {"lost", 1.0 - amplitude * amplitude}});
-  }
-  return Json{{"levels", std::move(levels)}};
+  return inverseTablePictures(bundle, map, look);
 }
 
 } // namespace lichen

@@ -3,6 +3,7 @@
 // materials that use them. docs/gltf_extension/README.md specifies the format.
 #pragma once
 
+#include <lichen/local_random_phase_map.h>
 #include <lichen/result.h>
 #include <lichen/table.h>
 #include <lichen/texton_map.h>
@@ -47,8 +48,9 @@ enum class Mapping { uv, triplanar, surface, solid };
 /// The coordinate space of a mapping that evaluates the noise at 3-D positions: world space, or
 /// object space, where the noise moves, rotates and scales with the object.
 enum class NoiseSpace { world, object };
-/// The synthesis method: tiling and blending [HN18], or sparse convolution of a texton [GLM17].
-enum class Method { tiling, texton };
+/// The synthesis method: tiling and blending [HN18], sparse convolution of a texton [GLM17], or
+/// local random-phase noise [LRP14].
+enum class Method { tiling, texton, localRandomPhase };
 
 /// All methods, in the order of the enumeration.
 [[nodiscard]] std::span<const Method> allMethods();
@@ -82,8 +84,8 @@ enum class MixSource { constant, direction, texture, vertexColor };
 
 /// The data of one method: what all maps of a noise share, and what each map has. The alternatives
 /// of both variants follow the order of Method.
-using MethodNoise = std::variant<TilingNoise, TextonShape>;
-using MethodMap = std::variant<TilingMap, TextonMap>;
+using MethodNoise = std::variant<TilingNoise, TextonShape, LocalRandomPhaseNoise>;
+using MethodMap = std::variant<TilingMap, TextonMap, LocalRandomPhaseMap>;
 
 /// One map of a noise.
 struct NoiseMap {
@@ -109,6 +111,14 @@ struct NoiseMap {
 
   [[nodiscard]] bool operator==(const NoiseMap&) const = default;
 };
+
+/// The index of the image that the shader fetches for a map, and of the inverse table.
+[[nodiscard]] inline std::size_t imageTableOf(const NoiseMap& map) {
+  return std::visit([](const auto& data) { return data.imageTable(); }, map.data);
+}
+[[nodiscard]] inline std::optional<std::size_t> decodingTableOf(const NoiseMap& map) {
+  return std::visit([](const auto& data) { return data.decodingTable(); }, map.data);
+}
 
 /// Calls visit(index) for each table index in a map, const or not.
 template <class Map, class Visit>

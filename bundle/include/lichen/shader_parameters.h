@@ -70,10 +70,16 @@ inline constexpr std::uint32_t kSurfacePlane = 3;
 [[nodiscard]] shader::LichenTriplanarMaterial
 shaderMaterial(const Bundle& bundle, const MaterialNoise& material, const Placement& placement);
 
-/// What a material holds for its noise's method, and back.
+/// What a material and a noise hold for their method, and back.
 [[nodiscard]] shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material);
 [[nodiscard]] shader::LichenTextonMaterial textonPart(const shader::LichenMaterial& material);
+[[nodiscard]] shader::LichenCosinesMaterial cosinesPart(const shader::LichenMaterial& material);
+[[nodiscard]] shader::LichenTextonNoise textonPart(const shader::LichenNoise& noise);
+[[nodiscard]] shader::LichenCosinesNoise cosinesPart(const shader::LichenNoise& noise);
 void setPart(shader::LichenMaterial& material, const shader::LichenTilingMaterial& part);
 void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part);
+void setPart(shader::LichenMaterial& material, const shader::LichenCosinesMaterial& part);
+void setPart(shader::LichenNoise& noise, const shader::LichenTextonNoise& part);
+void setPart(shader::LichenNoise& noise, const shader::LichenCosinesNoise& part);
 
 } // namespace lichen

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -74,6 +75,10 @@ struct TextonMap {
   /// averages.
   std::vector<double> mipLoss;
   std::vector<TextonStep> laterSteps; ///< TextonShape::steps - 1 elements
+
+  /// As those of TilingMap.
+  [[nodiscard]] std::size_t imageTable() const { return image; }
+  [[nodiscard]] static std::optional<std::size_t> decodingTable() { return std::nullopt; }
 
   /// Calls visit(index) for each table index.
   template <class Self, class Visit>

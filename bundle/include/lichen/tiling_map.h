@@ -2,13 +2,13 @@
 // The data of a tiling noise [HN18]: tiling and blending.
 #pragma once
 
+#include <lichen/gaussian_image.h>
+#include <lichen/inverse_table.h>
 #include <lichen/table.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
 
 namespace lichen {
 
@@ -30,6 +30,10 @@ struct TilingMap {
   std::optional<std::size_t> inverseTable; ///< absent if the exemplar is already Gaussian
   int dimensions = 1;                      ///< D, [1, 3]
 
+  /// The image that the shader fetches, and the table that decodes its Gaussian values.
+  [[nodiscard]] std::size_t imageTable() const { return gaussian; }
+  [[nodiscard]] std::optional<std::size_t> decodingTable() const { return inverseTable; }
+
   /// Calls visit(index) for each table index.
   template <class Self, class Visit>
   static void visitTables(Self& self, const Visit& visit) {
@@ -40,19 +44,6 @@ struct TilingMap {
 
   [[nodiscard]] bool operator==(const TilingMap&) const = default;
 };
-
-/// Sides of an inverse table: powers of two in this range. It has at most kMostTableLevels mip
-/// levels, and none of one cell.
-inline constexpr std::uint32_t kLeastTableSide = 4, kMostTableSide = 256;
-inline constexpr std::uint32_t kMostTableLevels = 5;
-
-/// What a Gaussian image holds in place of the mean 1/2: a value of 8-bit texels, so that coarse
-/// mip levels, which hold little else, are not rounded away from it.
-inline constexpr float kStoredGaussianMean = 128.0f / 255.0f;
-
-/// The last channel of each mip level of a Gaussian image: the share of the variance that a fetch
-/// of the level loses, interpolation between texels included. In [0, 1], never decreasing.
-[[nodiscard]] std::vector<float> fetchLosses(const Table& gaussian);
 
 /// How Gaussian values are decoded: by one table over all dimensions, or by the affine map from the
 /// mean and covariance.

@@ -61,11 +61,12 @@ LinearWeight linearWeight(const MaterialNoise& material, const Placement& placem
 
 /// What of a noise's shape its constants hold.
 TextonShape shapeOf(const shader::LichenNoise& noise) {
+  const shader::LichenTextonNoise part = textonPart(noise);
   TextonShape shape;
-  shape.coefficientsX = noise.texton.coefficientsX;
-  shape.coefficientsY = noise.texton.coefficientsY;
-  shape.order = int(noise.texton.order);
-  shape.steps = int(noise.texton.steps);
+  shape.coefficientsX = part.coefficientsX;
+  shape.coefficientsY = part.coefficientsY;
+  shape.order = int(part.order);
+  shape.steps = int(part.steps);
   shape.texelsPerTileX = int(noise.tileTexelsX);
   shape.texelsPerTileY = int(noise.tileTexelsY);
   return shape;
@@ -114,10 +115,10 @@ void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& ma
 
 void TextonFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
   const auto& shape = noise.as<TextonShape>();
-  constants.texton = {shape.coefficientsX,       shape.coefficientsY,
-                      int(shape.frameWidth()),   int(shape.frameHeight()),
-                      shader::uint(shape.order), shader::uint(shape.mipLevels),
-                      shader::uint(shape.steps), 0};
+  setPart(constants, shader::LichenTextonNoise{
+                         shape.coefficientsX, shape.coefficientsY, int(shape.frameWidth()),
+                         int(shape.frameHeight()), shader::uint(shape.order),
+                         shader::uint(shape.mipLevels), shader::uint(shape.steps), 0});
 }
 
 void TextonFormat::setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
@@ -150,6 +151,14 @@ shader::LichenTextonMaterial textonPart(const shader::LichenMaterial& material) 
 
 void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part) {
   setPartOf(material, part);
+}
+
+shader::LichenTextonNoise textonPart(const shader::LichenNoise& noise) {
+  return partOf<shader::LichenTextonNoise>(noise);
+}
+
+void setPart(shader::LichenNoise& noise, const shader::LichenTextonNoise& part) {
+  setPartOf(noise, part);
 }
 
 } // namespace lichen

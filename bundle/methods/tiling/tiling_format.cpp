@@ -45,17 +45,6 @@ std::array<std::uint32_t, 2> TilingFormat::tileSize(const Bundle& bundle,
   return size;
 }
 
-std::vector<float> fetchLosses(const Table& gaussian) {
-  std::vector<float> losses;
-  Table texel{{}, gaussian.format, 1, 1, 0, 1, {}};
-  for (std::uint32_t mip = 0; mip < gaussian.mipLevels; ++mip) {
-    texel.borrowedTexels =
-        gaussian.bytes().subspan(levelRange(gaussian, mip).offset, texelBytes(gaussian.format));
-    losses.push_back(decodeLevel(texel, 0).back());
-  }
-  return losses;
-}
-
 TableKind tableKindOf(const TilingMap& map) {
   return map.inverseTable ? TableKind::joint : TableKind::none;
 }

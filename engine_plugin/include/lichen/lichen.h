@@ -152,6 +152,7 @@ LICHEN_API LichenResult lichenGetBundleProperties(LichenBundle bundle,
 typedef enum LichenNoiseMethod {
   LICHEN_NOISE_TILING = 0, /* tiling and blending, [HN18] */
   LICHEN_NOISE_TEXTON = 1, /* sparse convolution of a texton, [GLM17] */
+  LICHEN_NOISE_LOCAL_RANDOM_PHASE = 2, /* windowed cosines with random phases, [LRP14] */
   LICHEN_NOISE_METHOD_MAX_ENUM = 0x7FFFFFFF
 } LichenNoiseMethod;
 
@@ -166,7 +167,7 @@ typedef struct LichenNoiseProperties {
   uint32_t mixSteps; /* [2, 64] of a mix of textons, 1 of other noises; LICHEN_MIXED_TEXTONS of the
                         shader library may be 0 where no noise is a mix */
   uint32_t textonOrder; /* 0, 1 or 3: degree of a texton's B-spline, with which its cost goes; 0 of
-                           tiling */
+                           other noises */
 } LichenNoiseProperties;
 
 /* noise < noiseCount. */
@@ -199,7 +200,7 @@ typedef enum LichenChannel {
 } LichenChannel;
 
 /* How the shader turns a map's Gaussian values into its values. Maps of texton noise are always
- * LICHEN_TABLE_NONE. If no tiling map has a kind, its switch (LICHEN_TABLES or
+ * LICHEN_TABLE_NONE. If no map of other noises has a kind, its switch (LICHEN_TABLES or
  * LICHEN_GAUSSIAN_ONLY) may be 0. */
 typedef enum LichenTableKind {
   LICHEN_TABLE_JOINT = 0,
@@ -214,7 +215,7 @@ typedef struct LichenMapProperties {
   LichenMapTarget target;
   uint32_t channelCount;     /* 1 to 3 */
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
-  uint32_t image;            /* image indices, < imageCount: Gaussian image or texton */
+  uint32_t image;            /* image indices, < imageCount: Gaussian image, texton or cosines */
   uint32_t tableImage;       /* of a mix that of its steps; of other maps without an inverse table a
                               * placeholder, which is not read */
   LichenTableKind tableKind;

@@ -62,7 +62,7 @@ vec3 tilingDebug(LichenTilingTaps taps) {
 vec3 textonPointDebug(LichenImpacts impacts) {
   if (kDebugView != DEBUG_MIP_LEVEL)
     return kNothingToShow;
-  return ramp(impacts.level / max(float(lichenNoise.texton.mipCount) - 1.0, 1.0));
+  return ramp(impacts.level / max(float(lichenTextonNoise(lichenNoise).mipCount) - 1.0, 1.0));
 }
 
 vec3 textonDebug(LichenImpacts impacts) {
@@ -74,6 +74,16 @@ vec3 textonDebug(LichenImpacts impacts) {
   return shownGaussian(lichenGaussianAt(LICHEN_IMAGE(LICHEN_BASE_COLOR),
                                          LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenMaterial,
                                          lichenNoise, shownMap(), lost));
+}
+#endif
+
+#ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
+vec3 localRandomPhaseDebug(LichenCosinesPoint point) {
+  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
+    return kNothingToShow;
+  return shownGaussian(lichenCosinesGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), point,
+                                             lichenMaterial, lichenNoise, shownMap())
+                           .rgb);
 }
 #endif
 
@@ -112,7 +122,10 @@ vec3 planesDebug(LichenShadingPoint shading) {
         impacts += float(lichenImpactCount(plane.point.texton, lichenMaterial, lichenNoise));
     } else
 #endif
-      shown += share * tilingPointDebug(plane.point.tiling);
+      if (lichenHasMethod(LICHEN_METHOD_TILING, lichenNoise))
+        shown += share * tilingPointDebug(plane.point.tiling);
+      else
+        shown += share * kNothingToShow;
     ++rank;
   }
   bool counts = kDebugView == DEBUG_IMPACTS && lichenNoise.method == uint(LICHEN_METHOD_TEXTON);
@@ -144,6 +157,10 @@ vec3 noiseDebug(Footprint footprint) {
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise))
     return textonDebug(shading.point.texton);
+#endif
+#ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
+  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, lichenNoise))
+    return localRandomPhaseDebug(shading.point.localRandomPhase);
 #endif
   return tilingDebug(shading.point.tiling);
 }

@@ -5,9 +5,9 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-// Whether any map of a tiling noise has no table; bits of the methods that noises have.
+// Whether any map of a noise but textons has no table; bits of the methods that noises have.
 layout(constant_id = 3) const bool kGaussianOnly = true;
-layout(constant_id = 4) const int kMethods = 3;
+layout(constant_id = 4) const int kMethods = 7;
 layout(constant_id = 5) const bool kMixedTextons = true; // whether any is a mix
 layout(constant_id = 6) const bool kTriplanar = true; // whether any uses triplanar mapping
 layout(constant_id = 7) const bool kOtherMappings = true; // whether any uses another mapping

@@ -21,6 +21,7 @@ layout(set = 0, binding = 3) uniform texture3D tables[];
 #define LICHEN_SAMPLE_2D(image, uv, level) textureLod(IMAGE(image), uv, level)
 #define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY) textureGrad(IMAGE(image), uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(TABLE(image), uvw, level)
+#define LICHEN_FETCH_2D(image, texel) texelFetch(IMAGE(image), texel, 0)
 #define LICHEN_GATHER_2D(image, uv) textureGather(IMAGE(image), uv, 0)
 #include "lichen.glsl"
 

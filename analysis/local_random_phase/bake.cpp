@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Exemplar maps (width * height * channels values each) -> a local random-phase noise and its
+// tables.
+#include "cosine_table.h"
+#include "cosine_vectors.h"
+#include "gaussian/gaussian_distribution.h"
+#include "gaussianization/gaussianized_maps.h"
+#include "octave_lattice.h"
+
+#include <lichen/local_random_phase.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace lichen {
+namespace {
+
+using namespace local_random_phase;
+
+/// The spectrum of a Gaussian image of at least one dimension.
+MapSpectrum spectrumOf(const gaussianization::Gaussianized& image) {
+  MapSpectrum result;
+  const auto pixels = image.image.size();
+  constexpr auto kMean = float(gaussian::kGaussianMean);
+  constexpr auto kPerDeviation = float(1.0 / gaussian::kGaussianDeviation);
+  const auto isConstant = [&] {
+    const Point& first = image.image.front();
+    return std::all_of(image.image.begin(), image.image.end(), [&](const Point& point) {
+      return point.x == first.x && point.y == first.y && point.z == first.z;
+    });
+  };
+  if (isConstant())
+    return result;
+  const float scale = kPerDeviation / float(pixels);
+  for (int channel = 0; channel < image.dimensions; ++channel) {
+    std::vector<float> plane;
+    plane.reserve(pixels);
+    double squares = 0.0;
+    for (const Point& point : image.image) {
+      plane.push_back(scale * ((channel == 0   ? point.x
+                                : channel == 1 ? point.y
+                                               : point.z) -
+                               kMean));
+      squares += double(plane.back()) * double(plane.back());
+    }
+    result.variances.push_back(squares * double(pixels));
+    result.channels.push_back(forwardFft(plane, image.width, image.height));
+  }
+  return result;
+}
+
+Result<void> checkOptions(const LocalRandomPhaseOptions& options) {
+  if (options.cosines < int(kCosinesRange.least) || options.cosines > int(kCosinesRange.most))
+    return Error{ErrorKind::usage, std::to_string(options.cosines) + " cosines; expected 1 to " +
+                                       std::to_string(kMostCosines)};
+  return {};
+}
+
+std::size_t appended(Table table, std::vector<Table>& tables) {
+  tables.push_back(std::move(table));
+  return tables.size() - 1;
+}
+
+/// As bakeLocalRandomPhase(), but throws std::bad_alloc.
+Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
+                                      const LocalRandomPhaseOptions& options) {
+  if (Result<void> checked = checkOptions(options); !checked)
+    return checked.error();
+  LocalRandomPhaseBake bake;
+  bake.noise.name = name;
+  LocalRandomPhaseNoise shared;
+  std::vector<MapSpectrum> spectra;
+  std::vector<LocalRandomPhaseMap> data;
+  const auto append = [&](gaussianization::GaussianizedMap map) {
+    shared.texelsPerTileX = std::max(shared.texelsPerTileX, map.image.width);
+    shared.texelsPerTileY = std::max(shared.texelsPerTileY, map.image.height);
+    spectra.push_back(spectrumOf(map.image));
+    LocalRandomPhaseMap own;
+    own.dimensions = map.image.dimensions;
+    if (map.inverse)
+      own.inverseTable = appended(*std::move(map.inverse), bake.tables);
+    data.push_back(own);
+    bake.noise.maps.push_back(std::move(map.map));
+  };
+  const Result<bool> periodic = gaussianization::gaussianizeMaps(name, maps, options, append);
+  if (!periodic)
+    return periodic.error();
+  bake.exemplarWasPeriodic = periodic.value();
+
+  const std::array<int, 2> cells = cellsOfOctave0(shared.texelsPerTileX, shared.texelsPerTileY);
+  shared.columns = cells[0];
+  shared.rows = cells[1];
+  std::vector<Cosine> cosines =
+      fitCosines(smoothed(powerPlane(spectra)), std::size_t(options.cosines),
+                 edgesOfOctave0(shared.columns, shared.rows));
+  if (cosines.empty()) // nothing varies
+    cosines.push_back({{0, 1, 1, 2}, 0, 0.0});
+  const CosineVectors vectors = cosineVectors(spectra, cosines);
+  shared.cosines = cosinesByOctave(cosines);
+  shared.variants = vectors.variants;
+  std::size_t channel = 0;
+  for (std::size_t m = 0; m < spectra.size(); ++m) {
+    const std::size_t channels = spectra[m].channels.size();
+    Table table = cosineTable(cosines, vectors, {m, channel, channels}, options.bits);
+    table.name = name + "." + std::string(nameOf(bake.noise.maps[m].target)) + ".cosines";
+    data[m].cosines = appended(std::move(table), bake.tables);
+    bake.noise.maps[m].data = data[m];
+    channel += channels;
+  }
+  bake.noise.data = shared;
+  return bake;
+}
+
+} // namespace
+
+Result<LocalRandomPhaseBake> bakeLocalRandomPhase(std::string name,
+                                                  std::span<const MapExemplar> maps,
+                                                  const LocalRandomPhaseOptions& options) {
+  return withinMemory([&] { return gaussianization::noMemoryToBake(name, maps); },
+                      [&] { return bakeMaps(name, maps, options); });
+}
+
+} // namespace lichen

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// A power spectrum -> the cosines whose noise has it: their frequencies, octaves and energies.
+#pragma once
+
+#include "power_tree.h"
+
+#include <array>
+#include <vector>
+
+namespace lichen::local_random_phase {
+
+/// A cosine: at each vertex of its octave's lattice, one frequency of its box.
+struct Cosine {
+  FrequencyBox box;
+  int octave = 0;
+  double energy = 0.0; ///< the variance that it adds
+};
+
+/// Fits at most `count` cosines to a power plane whose values, each counted for its frequency and
+/// for the mirror, sum to the variance: O(columns rows). `edges`: those of octave 0 along x and y
+/// [tiles]. The result is ordered by octave, then by frequency. Throws std::bad_alloc.
+[[nodiscard]] std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
+                                             const std::array<double, 2>& edges);
+
+} // namespace lichen::local_random_phase

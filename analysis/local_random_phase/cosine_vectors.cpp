@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Cross-spectra, summed over the box of each cosine -> vectors.
+//
+// [LRP14] leaves colour to its supplement. Here one phase serves all channels, so that their
+// cross-spectra are kept: of the matrix of a box, with the eigenvectors e_k and eigenvalues l_k, a
+// vector is sum_k (+-1) sqrt(l_k) e_k. The signs of variant v are row v of a Hadamard matrix, so
+// the mean of (vector vector^H) over the variants is the matrix itself, and all variants have the
+// same length: docs/decisions/027-cosines.md.
+#include "cosine_vectors.h"
+
+#include "gaussian/gaussian_distribution.h"
+#include "transport/covariance_map.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace lichen::local_random_phase {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+
+/// First channel of each map, and the number of channels.
+std::vector<Index> firstChannels(const std::vector<MapSpectrum>& maps) {
+  std::vector<Index> first{0};
+  for (const MapSpectrum& map : maps)
+    first.push_back(first.back() + Index(map.channels.size()));
+  return first;
+}
+
+/// Sums f f^H over the frequencies of a box, column 0 half; f holds all channels.
+MatrixXcd crossSpectra(const std::vector<MapSpectrum>& maps, const FrequencyBox& box,
+                       Index channels) {
+  MatrixXcd sum = MatrixXcd::Zero(channels, channels);
+  VectorXcd values(channels);
+  for (int v = box.top; v < box.bottom; ++v)
+    for (int u = box.left; u < box.right; ++u) {
+      if (u == 0 && v == 0)
+        continue;
+      Index row = 0;
+      for (const MapSpectrum& map : maps)
+        for (std::size_t c = 0; c < map.channels.size(); ++c)
+          values[row++] = map.at(c, u, v);
+      sum += (u == 0 ? 0.5 : 1.0) * values * values.adjoint();
+    }
+  return sum;
+}
+
+/// The factor on a vector that makes the sum of its squares real and positive: it is then as real
+/// as a factor can make it.
+Complex towardsReal(const Complex& sumOfSquares) {
+  const double length = std::abs(sumOfSquares);
+  return length > 0.0 ? std::sqrt(std::conj(sumOfSquares) / length) : Complex(1.0, 0.0);
+}
+
+/// sqrt(l_k) e_k as columns.
+MatrixXcd rootColumns(const MatrixXcd& hermitian) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXcd> axes(hermitian);
+  MatrixXcd columns = axes.eigenvectors();
+  for (Index k = 0; k < columns.cols(); ++k) {
+    columns.col(k) *= std::sqrt(std::max(0.0, axes.eigenvalues()[k]));
+    columns.col(k) *= towardsReal(columns.col(k).array().square().sum());
+  }
+  return columns;
+}
+
+double hadamardSign(Index row, Index column) {
+  return std::popcount(std::uint64_t(row) & std::uint64_t(column)) % 2 == 0 ? 1.0 : -1.0;
+}
+
+/// The covariance of the noise in the channels of one map: half the mean over the variants.
+MatrixXd covarianceOf(const CosineVectors& vectors, Index first, Index channels) {
+  MatrixXd sum = MatrixXd::Zero(channels, channels);
+  for (const MatrixXd& own : vectors.vectors) {
+    const auto rows = own.middleRows(first, channels);
+    sum += rows * rows.transpose();
+  }
+  return sum / (2.0 * vectors.variants);
+}
+
+} // namespace
+
+Complex MapSpectrum::at(std::size_t channel, int u, int v) const {
+  const HalfSpectrum& spectrum = channels[channel];
+  if (2 * u >= spectrum.width || 2 * std::abs(v) >= spectrum.height)
+    return {};
+  return Complex(spectrum.at(u, v < 0 ? v + spectrum.height : v));
+}
+
+PowerPlane powerPlane(const std::vector<MapSpectrum>& maps) {
+  int width = 1, height = 1;
+  for (const MapSpectrum& map : maps)
+    for (const HalfSpectrum& channel : map.channels) {
+      width = std::max(width, channel.width);
+      height = std::max(height, channel.height);
+    }
+  PowerPlane power;
+  power.columns = (width + 1) / 2;
+  power.rows = 2 * ((height - 1) / 2) + 1;
+  power.values.assign(std::size_t(power.columns) * std::size_t(power.rows), 0.0);
+  tbb::parallel_for(0, power.rows, [&](int row) {
+    for (int u = 0; u < power.columns; ++u)
+      for (const MapSpectrum& map : maps)
+        for (std::size_t c = 0; c < map.channels.size(); ++c)
+          power.values[std::size_t(row) * std::size_t(power.columns) + std::size_t(u)] +=
+              std::norm(map.at(c, u, row - power.rows / 2));
+  });
+  return power;
+}
+
+PowerPlane smoothed(const PowerPlane& power) {
+  PowerPlane result = power;
+  const int half = power.rows / 2;
+  tbb::parallel_for(-half, half + 1, [&](int v) {
+    for (int u = 0; u < power.columns; ++u) {
+      double sum = 0.0, weights = 0.0;
+      for (int dv = -1; dv <= 1; ++dv)
+        for (int du = -1; du <= 1; ++du) {
+          int x = u + du, y = v + dv;
+          if (x < 0) { // the mirror
+            x = -x;
+            y = -y;
+          }
+          if (x >= power.columns || std::abs(y) > half || (x == 0 && y == 0))
+            continue;
+          const double weight = double((2 - std::abs(du)) * (2 - std::abs(dv)));
+          sum += weight * power.at(x, y);
+          weights += weight;
+        }
+      result.values[std::size_t(v + half) * std::size_t(power.columns) + std::size_t(u)] =
+          weights > 0.0 ? sum / weights : 0.0;
+    }
+  });
+  return result;
+}
+
+CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
+                            const std::vector<Cosine>& cosines) {
+  const std::vector<Index> first = firstChannels(maps);
+  const Index channels = first.back();
+  CosineVectors result;
+  result.variants = int(std::bit_ceil(std::uint64_t(std::max<Index>(1, channels))));
+  result.vectors.assign(cosines.size(), MatrixXd::Zero(channels, result.variants));
+  result.phases.assign(cosines.size(), MatrixXd::Zero(Index(maps.size()), result.variants));
+  if (channels == 0)
+    return result;
+
+  // The matrix of each box has the energy of its cosine, and together they have the covariance.
+  std::vector<MatrixXcd> matrices(cosines.size());
+  MatrixXd whole = MatrixXd::Zero(channels, channels); // of the exemplar
+  MatrixXd fitted = whole;
+  tbb::parallel_for(std::size_t(0), cosines.size(), [&](std::size_t j) {
+    matrices[j] = crossSpectra(maps, cosines[j].box, channels);
+  });
+  for (std::size_t j = 0; j < cosines.size(); ++j) {
+    whole += 2.0 * matrices[j].real();
+    if (const double energy = matrices[j].trace().real(); energy > 0.0)
+      matrices[j] *= cosines[j].energy / energy;
+    fitted += matrices[j].real();
+  }
+  // The highest frequencies of even sizes have no mirror and are in no box; they belong to the
+  // variance all the same.
+  Index channel = 0;
+  for (const MapSpectrum& map : maps)
+    for (const double variance : map.variances) {
+      if (const double own = whole(channel, channel); own > 0.0) {
+        whole.row(channel) *= std::sqrt(variance / own);
+        whole.col(channel) *= std::sqrt(variance / own);
+      }
+      ++channel;
+    }
+  const MatrixXd correction = transport::covarianceMap(fitted, whole);
+  const double deviation = gaussian::kGaussianDeviation;
+  tbb::parallel_for(std::size_t(0), cosines.size(), [&](std::size_t j) {
+    const MatrixXcd roots = rootColumns(correction * matrices[j] * correction);
+    for (Index v = 0; v < result.variants; ++v) {
+      VectorXcd vector = VectorXcd::Zero(channels);
+      for (Index k = 0; k < channels; ++k)
+        vector += hadamardSign(v, k) * roots.col(k);
+      // A cosine of amplitude a has the variance a^2 / 2.
+      vector *= std::numbers::sqrt2 * deviation;
+      for (std::size_t m = 0; m < maps.size(); ++m) {
+        const auto own = vector.segment(first[m], first[m + 1] - first[m]);
+        const Complex factor = towardsReal(own.array().square().sum());
+        result.vectors[j].block(first[m], v, own.size(), 1) = (own * factor).real();
+        result.phases[j](Index(m), v) = -std::arg(factor) / (2.0 * std::numbers::pi);
+      }
+    }
+  });
+  // What of a map does not follow one phase is lost: its covariance is restored.
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const Index count = first[m + 1] - first[m];
+    if (count == 0)
+      continue;
+    const MatrixXd wanted = deviation * deviation * whole.block(first[m], first[m], count, count);
+    const MatrixXd map = transport::covarianceMap(covarianceOf(result, first[m], count), wanted);
+    for (MatrixXd& vectors : result.vectors)
+      vectors.middleRows(first[m], count) = (map * vectors.middleRows(first[m], count)).eval();
+  }
+  return result;
+}
+
+} // namespace lichen::local_random_phase

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The cross-spectra of an exemplar's Gaussian channels -> how strongly each channel follows each
+// cosine, in which variants.
+#pragma once
+
+#include "cosine_fit.h"
+
+#include <lichen/fft.h>
+
+#include <Eigen/Dense>
+
+#include <cstddef>
+#include <vector>
+
+namespace lichen::local_random_phase {
+
+/// The channels of one map as transforms over the tile, divided by the number of its pixels, and by
+/// the standard deviation of a Gaussian value. Empty for a map that does not vary.
+struct MapSpectrum {
+  std::vector<HalfSpectrum> channels;
+  std::vector<double> variances; ///< of each channel, in squared standard deviations
+
+  /// The coefficient of frequency (u, v) in cycles per tile, u >= 0; 0 beyond the map's own.
+  [[nodiscard]] std::complex<double> at(std::size_t channel, int u, int v) const;
+};
+
+/// The sum of the power of all channels of all maps. Columns and rows are those of the largest
+/// maps, without the highest frequencies of even sizes, which have no mirror.
+[[nodiscard]] PowerPlane powerPlane(const std::vector<MapSpectrum>& maps);
+
+/// Each frequency averaged with its neighbours, by 1 2 1 along both axes, (0, 0) left out: the
+/// power of one image fluctuates about that of its texture by as much as its size.
+[[nodiscard]] PowerPlane smoothed(const PowerPlane& power);
+
+/// Vectors over all channels, map after map. vectors[j](c, v): what variant v of cosine j adds to
+/// the amplitude of channel c, in Gaussian values, and phases[j](m, v) what it adds to the phase of
+/// map m [turns].
+struct CosineVectors {
+  int variants = 1; ///< a power of two
+  std::vector<Eigen::MatrixXd> vectors;
+  std::vector<Eigen::MatrixXd> phases;
+};
+
+/// The covariance of the noise is that of the channels, up to rounding. Throws std::bad_alloc.
+[[nodiscard]] CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
+                                          const std::vector<Cosine>& cosines);
+
+} // namespace lichen::local_random_phase

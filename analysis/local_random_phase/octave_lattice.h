@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The lattices of a local random-phase noise, one for each octave, and the window at a vertex.
+#pragma once
+
+#include <lichen/local_random_phase_map.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace lichen::local_random_phase {
+
+/// The window before its normalisation, at the squared distance `square` from its vertex in units
+/// of the squared edge of a lattice's triangles: (1 - square / (3 / 4))^3, 0 from sqrt(3) / 2 on.
+/// A smaller radius than [LRP14]'s 1.5: within sqrt(3) / 2, the height of a triangle, a point has
+/// windows of the three vertices around it and no others.
+template <class Real>
+[[nodiscard]] Real windowAt(Real square) {
+  constexpr Real kPerSquaredRadius = Real(4) / Real(3);
+  const Real left = Real(1) - kPerSquaredRadius * square;
+  return left > Real(0) ? left * left * left : Real(0);
+}
+
+/// The vector from a vertex, in lattice coordinates -> its squared length in edges.
+template <class Real>
+[[nodiscard]] Real squaredEdges(Real column, Real row) {
+  return column * column + column * row + row * row;
+}
+
+/// The windows of the three vertices around a point, scaled so that their squares sum to 1: then
+/// the variance of a sum with random phases is the same everywhere.
+template <class Real>
+struct Windows {
+  std::array<std::array<int, 2>, 3> corner{}; ///< of the cell that holds the point
+  std::array<std::array<Real, 2>, 3>
+      offset{}; ///< from the vertex to the point, lattice coordinates
+  std::array<Real, 3> weight{};
+};
+
+/// `column` and `row`: the place inside a cell of the skewed lattice, in [0, 1).
+template <class Real>
+[[nodiscard]] Windows<Real> windowsAt(Real column, Real row) {
+  const int corner = column + row < Real(1) ? 0 : 1;
+  Windows<Real> windows;
+  windows.corner = {{{corner, corner}, {1, 0}, {0, 1}}};
+  Real squares = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    windows.offset[k] = {column - Real(windows.corner[k][0]), row - Real(windows.corner[k][1])};
+    windows.weight[k] = windowAt(squaredEdges(windows.offset[k][0], windows.offset[k][1]));
+    squares += windows.weight[k] * windows.weight[k];
+  }
+  const Real scale = Real(1) / std::sqrt(squares);
+  for (Real& weight : windows.weight)
+    weight *= scale;
+  return windows;
+}
+
+/// The columns and rows in kOctaveTiles tiles that are nearest to equilateral triangles whose edges
+/// are about as long as the shorter side of the tile.
+[[nodiscard]] std::array<int, 2> cellsOfOctave0(int texelsX, int texelsY);
+
+/// Edges of octave 0 along x and 2 / sqrt(3) of its rows' distance along y, in tiles. Both are the
+/// length of an edge where triangles are equilateral.
+[[nodiscard]] std::array<double, 2> edgesOfOctave0(int columns, int rows);
+
+} // namespace lichen::local_random_phase

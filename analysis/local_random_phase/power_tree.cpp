@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Power (rows, columns) -> boxes, by a regression tree of axis-aligned cuts.
+//
+// In place of the strata and sub-strata of [LRP14] section 4.2: docs/decisions/027-cosines.md.
+#include "power_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lichen::local_random_phase {
+namespace {
+
+/// Weighted sums of 1, p and p^2 over boxes, with weights p^-exponent.
+class WeightedSums {
+public:
+  WeightedSums(const PowerPlane& power, double exponent, double least)
+      : stride_(std::size_t(power.columns) + 1),
+        sums_(stride_ * (std::size_t(power.rows) + 1), Sums{}) {
+    for (std::size_t y = 0; y < std::size_t(power.rows); ++y)
+      for (std::size_t x = 0; x < std::size_t(power.columns); ++x) {
+        const bool isZero = x == 0 && y == std::size_t(power.rows / 2);
+        const double p = power.values[y * std::size_t(power.columns) + x];
+        const double weight = (isZero ? 0.0 : x == 0 ? 0.5 : 1.0) * std::pow(p + least, -exponent);
+        const std::array<double, 3> own{weight, weight * p, weight * p * p};
+        for (std::size_t k = 0; k < 3; ++k)
+          sums_[(y + 1) * stride_ + x + 1][k] = own[k] + sums_[y * stride_ + x + 1][k] +
+                                                sums_[(y + 1) * stride_ + x][k] -
+                                                sums_[y * stride_ + x][k];
+      }
+  }
+
+  /// The weighted squared error of the weighted mean over columns [left, right), rows [top, bottom)
+  /// from the plane's first.
+  [[nodiscard]] double error(int left, int right, int top, int bottom) const {
+    const auto at = [&](int row, int column) -> const Sums& {
+      return sums_[std::size_t(row) * stride_ + std::size_t(column)];
+    };
+    const Sums &a = at(top, left), &b = at(top, right), &c = at(bottom, left),
+               &d = at(bottom, right);
+    Sums sum;
+    for (std::size_t k = 0; k < 3; ++k)
+      sum[k] = d[k] - b[k] - c[k] + a[k];
+    return sum[0] > 0.0 ? std::max(0.0, sum[2] - sum[1] * sum[1] / sum[0]) : 0.0;
+  }
+
+private:
+  using Sums = std::array<double, 3>;
+  std::size_t stride_;
+  std::vector<Sums> sums_;
+};
+
+/// Exponents of the weights of the absolute and of the relative error, and the share of the former.
+/// With 50 cosines, on eleven exemplars: docs/decisions/027-cosines.md.
+constexpr double kAbsolute = 0.6, kRelative = 1.6, kAbsoluteShare = 0.8;
+
+/// Powers below this share of the largest one count as if they were it.
+constexpr double kLeastPower = 1e-6;
+
+class Tree {
+public:
+  explicit Tree(const PowerPlane& power)
+      : half_(power.rows / 2),
+        least_(kLeastPower * *std::max_element(power.values.begin(), power.values.end()) + 1e-300),
+        absolute_(power, kAbsolute, least_), relative_(power, kRelative, least_) {
+    const FrequencyBox whole{0, power.columns, -half_, half_ + 1};
+    const auto share = [&](const WeightedSums& sums, double part) {
+      const double error = sums.error(0, power.columns, 0, power.rows);
+      return error > 0.0 ? part / error : 0.0;
+    };
+    absoluteScale_ = share(absolute_, kAbsoluteShare);
+    relativeScale_ = share(relative_, 1.0 - kAbsoluteShare);
+    leaves_.push_back(withBestCut(whole));
+  }
+
+  /// Splits the leaf that gains most. Returns false if none gains.
+  bool split() {
+    const auto best =
+        std::max_element(leaves_.begin(), leaves_.end(),
+                         [](const Leaf& a, const Leaf& b) { return a.gain < b.gain; });
+    if (!(best->gain > 0.0))
+      return false;
+    FrequencyBox first = best->box, second = best->box;
+    if (best->cutsColumns)
+      first.right = second.left = best->cut;
+    else
+      first.bottom = second.top = best->cut;
+    *best = withBestCut(first);
+    leaves_.push_back(withBestCut(second));
+    return true;
+  }
+
+  [[nodiscard]] std::vector<FrequencyBox> boxes() const {
+    std::vector<FrequencyBox> result;
+    for (const Leaf& leaf : leaves_)
+      result.push_back(leaf.box);
+    return result;
+  }
+
+private:
+  struct Leaf {
+    FrequencyBox box;
+    double gain = 0.0;
+    bool cutsColumns = false;
+    int cut = 0;
+  };
+
+  [[nodiscard]] double error(int left, int right, int top, int bottom) const {
+    return absoluteScale_ * absolute_.error(left, right, top + half_, bottom + half_) +
+           relativeScale_ * relative_.error(left, right, top + half_, bottom + half_);
+  }
+
+  [[nodiscard]] Leaf withBestCut(const FrequencyBox& box) const {
+    Leaf leaf{box};
+    const double whole = error(box.left, box.right, box.top, box.bottom);
+    const auto offer = [&](bool cutsColumns, int cut, double rest) {
+      if (whole - rest > leaf.gain)
+        leaf = {box, whole - rest, cutsColumns, cut};
+    };
+    for (int cut = box.left + 1; cut < box.right; ++cut)
+      offer(true, cut,
+            error(box.left, cut, box.top, box.bottom) + error(cut, box.right, box.top, box.bottom));
+    for (int cut = box.top + 1; cut < box.bottom; ++cut)
+      offer(false, cut,
+            error(box.left, box.right, box.top, cut) + error(box.left, box.right, cut, box.bottom));
+    return leaf;
+  }
+
+  int half_;
+  double least_;
+  WeightedSums absolute_, relative_;
+  double absoluteScale_ = 0.0, relativeScale_ = 0.0;
+  std::vector<Leaf> leaves_;
+};
+
+} // namespace
+
+std::vector<FrequencyBox> boxesOfEqualPower(const PowerPlane& power, std::size_t count) {
+  Tree tree(power);
+  std::size_t boxes = 1;
+  while (boxes < count && tree.split())
+    ++boxes;
+  return tree.boxes();
+}
+
+} // namespace lichen::local_random_phase

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Window -> the power spectrum of its lattice average, as a summed-area table.
+//
+// The mean over the lattice of sum_v w_v(x) w_v(x + t) is the autocorrelation of one window over
+// the area of a cell, so the density is |w^|^2 over that area. [LRP14] section 3.5.
+#include "window_spectrum.h"
+
+#include "octave_lattice.h"
+
+#include <lichen/fft.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lichen::local_random_phase {
+namespace {
+
+constexpr int kSamplesPerEdge = 32;
+constexpr int kSide = 512; ///< samples of the plane: frequencies 1/16 of a cycle per edge apart
+constexpr int kHalf = kSide / 2;
+constexpr double kStep = double(kSamplesPerEdge) / kSide;
+
+/// The window of vertex 0 after its normalisation, on a plane around it in unskewed coordinates.
+std::vector<float> windowPlane() {
+  std::vector<float> plane(std::size_t(kSide) * kSide, 0.0f);
+  for (int y = -kSamplesPerEdge; y < kSamplesPerEdge; ++y)
+    for (int x = -kSamplesPerEdge; x < kSamplesPerEdge; ++x) {
+      const double row = (y + 0.5) / kSamplesPerEdge * 2.0 / std::numbers::sqrt3;
+      const double column = (x + 0.5) / kSamplesPerEdge - 0.5 * row;
+      const int left = int(std::floor(column)), top = int(std::floor(row));
+      const Windows<double> windows = windowsAt(column - left, row - top);
+      for (std::size_t k = 0; k < 3; ++k)
+        if (left + windows.corner[k][0] == 0 && top + windows.corner[k][1] == 0)
+          plane[std::size_t((y + kSide) % kSide) * kSide + std::size_t((x + kSide) % kSide)] =
+              float(windows.weight[k]);
+    }
+  return plane;
+}
+
+} // namespace
+
+WindowSpectrum::WindowSpectrum() : sums_(std::size_t(kSide + 1) * (kSide + 1), 0.0) {
+  const HalfSpectrum spectrum = forwardFft(windowPlane(), kSide, kSide);
+  const auto power = [&](int u, int v) { // frequencies in steps, in [-kHalf, kHalf)
+    if (u < 0)
+      return double(std::norm(spectrum.at(-u, (kSide - v) % kSide)));
+    return double(std::norm(spectrum.at(u, (v + kSide) % kSide)));
+  };
+  const auto at = [&](int row, int column) -> double& {
+    return sums_[std::size_t(row) * (kSide + 1) + std::size_t(column)];
+  };
+  for (int row = 0; row < kSide; ++row)
+    for (int column = 0; column < kSide; ++column)
+      at(row + 1, column + 1) = power(column - kHalf, row - kHalf) + at(row, column + 1) +
+                                at(row + 1, column) - at(row, column);
+  const double whole = sums_.back();
+  for (double& sum : sums_)
+    sum /= whole;
+}
+
+double WindowSpectrum::below(double x, double y) const {
+  // A sample stands for the interval of one step around its frequency.
+  const auto place = [](double frequency) {
+    return std::clamp(frequency / kStep + kHalf + 0.5, 0.0, double(kSide));
+  };
+  const double column = place(x), row = place(y);
+  const int left = std::min(int(column), kSide - 1), top = std::min(int(row), kSide - 1);
+  const double a = column - left, b = row - top;
+  const double* upper = &sums_[std::size_t(top) * (kSide + 1) + std::size_t(left)];
+  const double* lower = upper + kSide + 1;
+  return (1.0 - b) * ((1.0 - a) * upper[0] + a * upper[1]) +
+         b * ((1.0 - a) * lower[0] + a * lower[1]);
+}
+
+} // namespace lichen::local_random_phase

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// A local random-phase noise and its exemplar -> measures, and pictures of its spectrum and of its
+// table.
+#include "local_random_phase_report.h"
+
+#include "../inverse_table_pictures.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The power spectral density of a map's cosines without their windows, the zero frequency in the
+/// middle: white is the largest, black less by kShownDecibels or more.
+LinearImage spectrumPicture(const Table& table, const LocalRandomPhaseNoise& shared, int side) {
+  constexpr double kShownDecibels = 50.0;
+  const int width = std::min(side, shared.texelsPerTileX);
+  const int height = std::min(side, shared.texelsPerTileY);
+  const std::vector<float> texels = decodeLevel(table, 0);
+  const std::size_t stride = 4 * std::size_t(table.width);
+  std::vector<double> density(std::size_t(width) * std::size_t(height), 0.0);
+  const auto fill = [&](double low, double high, double top, double bottom, double value) {
+    const auto pixel = [](double frequency, int texels1, int pixels) {
+      const double place = (frequency / texels1 + 0.5) * pixels;
+      return std::clamp(int(std::lround(place)), 0, pixels);
+    };
+    for (int y = pixel(top, shared.texelsPerTileY, height);
+         y < pixel(bottom, shared.texelsPerTileY, height); ++y)
+      for (int x = pixel(low, shared.texelsPerTileX, width);
+           x < pixel(high, shared.texelsPerTileX, width); ++x)
+        density[std::size_t(y) * std::size_t(width) + std::size_t(x)] = value;
+  };
+  for (std::uint32_t row = 0; row < table.height; ++row) {
+    const float* cosine = &texels[row * stride];
+    const double sizeX = kFrequencySteps * cosine[2], sizeY = kFrequencySteps * cosine[3];
+    const double low = cosine[0], top = cosine[1];
+    double squares = 0.0; // of the amplitudes, over all variants
+    for (std::size_t k = 4 * kCosineColumns; k < stride; ++k)
+      squares += k % 4 == 3 ? 0.0 : double(cosine[k]) * double(cosine[k]);
+    const double value = squares / std::max(sizeX * sizeY, 1e-12);
+    fill(low, low + sizeX, top, top + sizeY, value);
+    fill(-low - sizeX, -low, -top - sizeY, -top, value);
+  }
+  // 0 for a map that does not vary.
+  const double largest = std::max(*std::max_element(density.begin(), density.end()), 1e-30);
+  LinearImage image(width, height, 1);
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    const double decibels = 10.0 * std::log10(std::max(density[i] / largest, 1e-30));
+    image.values[i] = float(std::clamp(1.0 + decibels / kShownDecibels, 0.0, 1.0));
+  }
+  return image;
+}
+
+} // namespace
+
+double LocalRandomPhaseReport::judgedPixels(int, int) const { return 0.0; }
+
+Result<void> LocalRandomPhaseReport::judge(const ComparedResult&,
+                                           NoiseComparison& comparison) const {
+  Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
+  if (!measures)
+    return measures.error();
+  comparison.measures = std::move(measures).value();
+  return {};
+}
+
+/// As for tiling, with the spectrum in place of the Gaussian image.
+double LocalRandomPhaseReport::picturePixels() const { return 7.0; }
+
+Result<Json> LocalRandomPhaseReport::image(const Bundle& bundle, const Noise& noise,
+                                           const NoiseMap& map, double, int side) const {
+  Result<Json> shown =
+      pictureJson(spectrumPicture(bundle.tables[map.as<LocalRandomPhaseMap>().cosines],
+                                  noise.as<LocalRandomPhaseNoise>(), side));
+  if (!shown)
+    return shown;
+  shown.value()["title"] = "Spectrum of the cosines";
+  shown.value()["text"] = "The power of each frequency of the noise, the zero frequency in the "
+                          "middle. A rectangle is a "
+                          "cosine, which takes one frequency of it at each vertex of its lattice.";
+  return shown;
+}
+
+Result<Json> LocalRandomPhaseReport::table(const Bundle& bundle, const NoiseMap& map,
+                                           const MapLook& look) const {
+  return inverseTablePictures(bundle, map, look);
+}
+
+} // namespace lichen

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Reads the members of a local random-phase noise: what its cosines share, and each map's image.
+#include "local_random_phase_format.h"
+#include "methods/inverse_table_reader.h"
+
+#include <lichen/counted.h>
+
+#include <bit>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kMember = "localRandomPhase";
+
+/// Whether the members that the maps share were faulty.
+bool isUnknown(const LocalRandomPhaseNoise& shared) { return shared.texelsPerTileX == 0; }
+
+std::optional<std::array<int, 2>> readTexels(ObjectReader& reader) {
+  const auto values = reader.pair("texelsPerTile", {1.0, double(kMaxTableSide)});
+  if (!values)
+    return std::nullopt;
+  for (const double value : *values)
+    if (value != std::floor(value)) {
+      reader.error("type", "texelsPerTile", json(value).dump() + "; expected an integer");
+      return std::nullopt;
+    }
+  return std::array{int((*values)[0]), int((*values)[1])};
+}
+
+/// The number of cosines of each octave.
+std::optional<std::vector<int>> readOctaves(ObjectReader& reader) {
+  const json* list = reader.array("octaves", kMostOctaves);
+  if (list == nullptr)
+    return std::nullopt;
+  const auto error = [&](const char* code, const std::string& message) {
+    reader.error(code, "octaves", message);
+    return std::nullopt;
+  };
+  std::vector<int> octaves;
+  int sum = 0;
+  for (const json& count : *list) {
+    if (!count.is_number())
+      return error("type", "has an element that is not a number");
+    const double value = count.get<double>();
+    if (value != std::floor(value))
+      return error("type", count.dump() + "; expected integers");
+    if (!(value >= 0.0 && value <= kMostCosines))
+      return error("range", count.dump() + "; expected 0 to " + std::to_string(kMostCosines));
+    octaves.push_back(int(value));
+    sum += octaves.back();
+  }
+  if (sum > kMostCosines)
+    return error("octaves-sum", counted(std::uint64_t(sum), "cosine") + "; expected at most " +
+                                    std::to_string(kMostCosines));
+  if (octaves.back() == 0)
+    return error("octaves-last", "the last octave has no cosine; expected at least one");
+  return octaves;
+}
+
+/// Checks the magnitudes, beyond which values of the noise could be infinite.
+void checkTexels(ObjectReader& reader, const Table& image) {
+  const std::vector<float> texels = decodeLevel(image, 0);
+  const std::size_t row = 4 * std::size_t(image.width);
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const bool isFrequency = i % row < 4 * kCosineColumns;
+    const float most = isFrequency ? kMostFrequency : i % 4 == 3 ? kMostTurns : kMostAmplitude;
+    if (!(std::abs(texels[i]) <= most))
+      return reader.error("cosines-texels", "cosines",
+                          "a texel of " + json(double(texels[i])).dump() + "; expected -" +
+                              json(most).dump() + " to " + json(most).dump());
+  }
+}
+
+void checkImage(ObjectReader& reader, const LocalRandomPhaseNoise& shared, const Table& image) {
+  const auto error = [&](const std::string& message) {
+    reader.error("map-cosines", "cosines", message);
+  };
+  const std::uint32_t width = kCosineColumns + std::uint32_t(shared.variants);
+  const auto height = std::uint32_t(shared.cosineCount());
+  if (image.depth != 0 || image.width != width || image.height != height)
+    return error(shapeOf(image) + " texels; expected " + std::to_string(width) + " x " +
+                 std::to_string(height) + " for its noise's cosines");
+  if (image.mipLevels != 1)
+    return error(counted(image.mipLevels, "mip level") + "; expected 1");
+  if (image.format != TexelFormat::rgba16Sfloat && image.format != TexelFormat::rgba32Sfloat)
+    return error("texels of another format; expected RGBA16F or RGBA32F");
+  checkTexels(reader, image);
+}
+
+} // namespace
+
+MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList& findings) const {
+  const json* value = reader.required(kMember);
+  if (value == nullptr)
+    return LocalRandomPhaseNoise();
+  ObjectReader member(*value, reader.pointerTo(kMember), findings);
+  LocalRandomPhaseNoise shared;
+  const auto texels = readTexels(member);
+  const auto columns = member.integer("columns", kMostOctaveCells, "range", 1);
+  const auto rows = member.integer("rows", kMostOctaveCells, "range", 2);
+  const auto octaves = readOctaves(member);
+  const auto variants = member.integer("variants", kMostVariants, "range", 1);
+  member.warnOfUnknown();
+  if (rows && *rows % 2 != 0) {
+    member.error("rows-odd", "rows", std::to_string(*rows) + "; expected an even number");
+    return LocalRandomPhaseNoise();
+  }
+  if (variants && !std::has_single_bit(*variants)) {
+    member.error("variants", "variants", std::to_string(*variants) + "; expected a power of two");
+    return LocalRandomPhaseNoise();
+  }
+  if (!texels || !columns || !rows || !octaves || !variants)
+    return LocalRandomPhaseNoise();
+  shared.texelsPerTileX = (*texels)[0];
+  shared.texelsPerTileY = (*texels)[1];
+  shared.columns = int(*columns);
+  shared.rows = int(*rows);
+  shared.cosines = *octaves;
+  shared.variants = int(*variants);
+  return shared;
+}
+
+MethodMap LocalRandomPhaseFormat::readMap(ObjectReader& reader, const Noise& noise,
+                                          const NoiseMap& map, const Tables& tables,
+                                          FindingList&) const {
+  LocalRandomPhaseMap own;
+  const InverseTableMembers inverse = readInverseTable(reader, map, tables);
+  own.dimensions = inverse.dimensions;
+  own.inverseTable = inverse.table;
+  const Table* image = readTableIndex(reader, "cosines", "map-cosines-index", tables, own.cosines);
+  const auto& shared = noise.as<LocalRandomPhaseNoise>();
+  if (image != nullptr && !isUnknown(shared))
+    checkImage(reader, shared, *image);
+  return own;
+}
+
+} // namespace lichen

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Local random-phase noise [LRP14], from top to bottom: a point on the plane of tiles and its
+// footprint -> for each octave the three vertices around it and their windows -> the sum of the
+// cosines of each, with the share of the variance that the footprint loses. decode.glsl makes the
+// material's value of it. The CPU twin is analysis/local_random_phase/evaluate.
+// [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/027-cosines.md.
+#ifndef LICHEN_LOCAL_RANDOM_PHASE_GLSL
+#define LICHEN_LOCAL_RANDOM_PHASE_GLSL
+
+#include "../interface/fetch.glsl"
+#include "../interface/lichen_interface.h"
+#include "decode.glsl"
+#include "hash.glsl"
+#include "method_parts.glsl"
+#include "periodic_lattice.glsl"
+
+/// What all maps of a noise share at one point.
+struct LichenCosinesPoint {
+  ivec2 cell;  // of octave 0 that holds the point, from the cell of the tile origin on
+  vec2 inside; // the place in it, [0, 1)
+  vec2 gradientX, gradientY; // [tiles / pixel]
+};
+
+/// The three vertices around a point in the lattice of one octave.
+struct LichenCosinesVertices {
+  uvec3 states;           // of their random numbers
+  vec3 offsetX, offsetY;  // [tiles] from each vertex to the point
+  vec3 windows;           // the squares sum to 1
+};
+
+/// The windows of three vertices, for the vectors from them in lattice coordinates. [LRP14] eq. 1
+/// with a smaller window: it ends at the height of a triangle, within reach of no fourth vertex.
+vec3 lichenCosineWindows(vec3 columns, vec3 rows) {
+  const float kPerSquaredRadius = 4.0 / 3.0;
+  vec3 squares = columns * columns + columns * rows + rows * rows; // of the distance, in edges
+  vec3 left = max(1.0 - kPerSquaredRadius * squares, 0.0);
+  vec3 windows = left * left * left;
+  return windows * inversesqrt(dot(windows, windows));
+}
+
+/// The state of a vertex's random numbers; (i, j) from the cell of the tile origin on.
+uint lichenCosineState(ivec2 vertex, int finer, uint seed, LichenMaterial material) {
+  uvec2 near = uvec2(vertex);
+  if (bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0) {
+    int columns = material.periodColumns << finer;
+    int rows = material.periodRows << finer;
+    // The cell lies in the first period.
+    if (vertex.y >= rows)
+      vertex += ivec2(rows / 2, -rows);
+    vertex.x %= columns;
+    near = uvec2(vertex);
+  } else {
+    near += uvec2(ivec2(material.cellI, material.cellJ)) << uint(finer);
+  }
+  return lichenVertexHash(near.x, near.y, seed);
+}
+
+LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave,
+                                            LichenMaterial material) {
+  int finer = max(octave - lichenCosinesMaterial(material).firstOctave, 0);
+  float scale = float(1 << finer);
+  vec2 place = point.inside * scale;
+  vec2 corner = floor(place);
+  place -= corner;
+  ivec2 cell = (point.cell << finer) + ivec2(corner);
+  int far = place.x + place.y < 1.0 ? 0 : 1;
+  vec3 columns = place.x - vec3(float(far), 1.0, 0.0);
+  vec3 rows = place.y - vec3(float(far), 0.0, 1.0);
+  vec2 perCell = 1.0 / (scale * vec2(material.columnsPerTile, material.rowsPerTile));
+  uint seed = lichenPcg(material.seedWord + uint(octave));
+  LichenCosinesVertices vertices;
+  vertices.states = uvec3(lichenCosineState(cell + far, finer, seed, material),
+                          lichenCosineState(cell + ivec2(1, 0), finer, seed, material),
+                          lichenCosineState(cell + ivec2(0, 1), finer, seed, material));
+  vertices.offsetX = (columns + 0.5 * rows) * perCell.x;
+  vertices.offsetY = rows * perCell.y;
+  vertices.windows = lichenCosineWindows(columns, rows);
+  return vertices;
+}
+
+/// cos(2 pi turns), within 1.1e-4.
+vec3 lichenCosineOfTurns(vec3 turns) {
+  vec3 z = 0.25 - abs(turns - floor(turns + 0.5));
+  vec3 square = z * z;
+  return z * (6.2812805 + square * (-41.0952 + square * 73.5855));
+}
+
+/// The amplitude that a footprint leaves of a cosine, for the square of the cycles that it spans.
+/// The mean of a cosine over x cycles is sinc x, 1 - pi^2 x^2 / 6 near 0, as this is.
+vec3 lichenCosineRetained(vec3 squaredCycles) {
+  const float kSlope = 0.548311356; // pi^2 / 18
+  vec3 left = max(1.0 - kSlope * max(squaredCycles, 0.0), 0.0);
+  return left * left * left;
+}
+
+/// The squared cycles of three frequencies that the footprint spans: q - t^4 / q^3 where a texel does
+/// t; 0 up to a texel, over which the exemplar has averaged already, and soon all of q.
+vec3 lichenFootprintCycles(vec3 x, vec3 y, vec3 footprint, vec2 texel) {
+  const float kLeast = 1.0e-20; // of a frequency of 0
+  vec3 cycles = footprint.x * x * x + footprint.y * y * y + footprint.z * x * y;
+  cycles = max(cycles, kLeast);
+  vec3 ratio = (texel.x * texel.x * x * x + texel.y * texel.y * y * y) / cycles;
+  vec3 square = ratio * ratio;
+  return cycles - cycles * square * square;
+}
+
+/// The number of cosines of an octave.
+int lichenOctaveCosines(int octave, LichenCosinesNoise cosines) {
+  uint word = octave < 4 ? cosines.octaves0 : (octave < 8 ? cosines.octaves1 : cosines.octaves2);
+  return int((word >> (8u * uint(octave & 3))) & 255u);
+}
+
+/// The Gaussian value, and in w the share of its variance that the footprint loses, averaged over
+/// the channels.
+vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
+                           LichenMaterial material, LichenNoise noise, LichenMap map) {
+  LichenCosinesNoise shape = lichenCosinesNoise(noise);
+  vec2 texel = 1.0 / vec2(noise.tileTexelsX, noise.tileTexelsY);
+  vec3 footprint = vec3(point.gradientX * point.gradientX + point.gradientY * point.gradientY,
+                        2.0 * (point.gradientX.x * point.gradientX.y +
+                               point.gradientY.x * point.gradientY.y));
+  vec3 sum = vec3(0.0);
+  float lost = 0.0;
+  int row = 0;
+  for (int octave = 0; octave < LICHEN_MAX_OCTAVES; ++octave) {
+    int end = row + lichenOctaveCosines(octave, shape);
+    if (row == end)
+      continue;
+    LichenCosinesVertices vertices = lichenCosinesVertices(point, octave, material);
+    uvec3 states = vertices.states;
+    for (; row < end; ++row) {
+      // The generator of pcg without its output function; the phase has the high bits.
+      states = states * 747796405u + 2891336453u;
+      ivec3 variants = 1 + ivec3((states >> 21u) & (shape.variants - 1u));
+      vec4 box = LICHEN_FETCH_2D(image, ivec2(0, row));
+      vec4 amplitude0 = LICHEN_FETCH_2D(image, ivec2(variants.x, row));
+      vec4 amplitude1 = LICHEN_FETCH_2D(image, ivec2(variants.y, row));
+      vec4 amplitude2 = LICHEN_FETCH_2D(image, ivec2(variants.z, row));
+      vec3 frequencyX = box.x + box.z * vec3(ivec3((states >> 1u) & 1023u));
+      vec3 frequencyY = box.y + box.w * vec3(ivec3((states >> 11u) & 1023u));
+      vec3 turns = frequencyX * vertices.offsetX + frequencyY * vertices.offsetY +
+                   vec3(ivec3(states)) * (1.0 / 4294967296.0) +
+                   vec3(amplitude0.a, amplitude1.a, amplitude2.a);
+      vec3 cycles = lichenFootprintCycles(frequencyX, frequencyY, footprint, texel);
+      vec3 windows = vertices.windows * lichenCosineRetained(cycles);
+      vec3 values = windows * lichenCosineOfTurns(turns);
+      sum += values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb;
+      lost += dot(vertices.windows * vertices.windows - windows * windows,
+                  vec3(dot(amplitude0.rgb, amplitude0.rgb), dot(amplitude1.rgb, amplitude1.rgb),
+                       dot(amplitude2.rgb, amplitude2.rgb)));
+    }
+  }
+  // Half the square of an amplitude, over the variance 1 / 36 of a Gaussian value.
+  return vec4(0.5 + material.contrast * sum, 18.0 * lost / float(int(map.dimensions)));
+}
+
+// The seam's functions; see method.glsl.
+
+void lichenSetPoint(out LichenCosinesPoint point, vec2 position, vec2 gradientX, vec2 gradientY,
+                    LichenMaterial material, LichenNoise noise) {
+  float row = position.y * material.rowsPerTile;
+  vec2 skewed = vec2(position.x * material.columnsPerTile - 0.5 * row, row);
+  vec2 cell = floor(skewed);
+  point.cell = ivec2(cell);
+  if (bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0) {
+    int rows = lichenFloorDivide(point.cell.y, material.periodRows);
+    point.cell += rows * ivec2(material.periodRows / 2, -material.periodRows);
+    int columns = lichenFloorDivide(point.cell.x, material.periodColumns);
+    point.cell.x -= columns * material.periodColumns;
+  }
+  point.inside = skewed - cell;
+  point.gradientX = gradientX;
+  point.gradientY = gradientY;
+}
+
+vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenCosinesPoint point,
+                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+  vec4 gaussian = lichenCosinesGaussian(image, point, material, noise, map);
+  lost = vec3(gaussian.w);
+  return gaussian.rgb;
+}
+
+vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenCosinesPoint point,
+                     LichenMaterial material, LichenNoise noise, LichenMap map) {
+  return lichenDecode(table, gaussian, lost.x, material.contrast, map);
+}
+
+vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenCosinesPoint point,
+                   LichenMaterial material, LichenNoise noise, LichenMap map) {
+  vec4 gaussian = lichenCosinesGaussian(image, point, material, noise, map);
+  return lichenDecode(table, gaussian.rgb, gaussian.w, material.contrast, map);
+}
+
+#endif

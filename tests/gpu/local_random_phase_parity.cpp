@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+// Local random-phase noise in the shader, through the plugin, against the CPU twin; and the twin
+// against an oracle in double precision that sums the cosines of all vertices around a point.
+#include "plugin_host.h"
+#include "shared_device.h"
+
+#include <lichen/bundle_writer.h>
+#include <lichen/lattice.h>
+#include <lichen/local_random_phase.h>
+#include <lichen/local_random_phase_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include "../property/example_exemplar.h"
+#include <numbers>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+constexpr const char* kPass = "local_random_phase_evaluate.comp";
+/// The numbering of local_random_phase_evaluate.comp.
+enum Quantity { kValue, kGaussian };
+
+constexpr int kWidth = 64, kHeight = 48;
+
+MapExemplar ofChannels(std::size_t channels) {
+  MapExemplar map = threeMaterials(kWidth, kHeight, 5);
+  if (channels == 3)
+    return map;
+  for (std::size_t i = 0; i < map.values.size() / 3; ++i)
+    map.values[i] = map.values[3 * i];
+  map.values.resize(map.values.size() / 3);
+  map.target = MapTarget::height;
+  map.channels = {MapChannel::height};
+  map.encoding = ValueEncoding::linear;
+  return map;
+}
+
+/// Of 16 bits, as rounding of tables has a test of its own for all methods.
+BundleFile bakedFile(std::size_t channels, GaussianOnly gaussian) {
+  const MapExemplar map = ofChannels(channels);
+  LocalRandomPhaseOptions options;
+  options.bits = 16;
+  options.cosines = 24;
+  options.gaussian = gaussian;
+  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("noise", {&map, 1}, options);
+  REQUIRE(bake);
+  BundleFile file;
+  file.bundle.tables = std::move(bake.value().tables);
+  file.bundle.noises = {std::move(bake.value().noise)};
+  file.bundle.materials = {MaterialNoise()};
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  return file;
+}
+
+std::vector<std::byte> glbOf(const BundleFile& file) {
+  Result<std::vector<std::byte>> glb = encodeGlb(file);
+  REQUIRE(glb);
+  return std::move(glb).value();
+}
+
+/// Points some tiles around the origin. Footprints range from a quarter of a texel to a tile.
+std::vector<Point> samplePoints(std::size_t count) {
+  std::mt19937 generator(11u);
+  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), stretch(0.0f, 3.0f),
+      angle(0.0f, 2.0f * std::numbers::pi_v<float>);
+  std::vector<Point> points(count);
+  for (Point& point : points) {
+    point.uv = {tiles(generator), tiles(generator)};
+    const float length = std::exp2(level(generator)) / float(kWidth);
+    const float other = length * std::exp2(-stretch(generator)), turn = angle(generator);
+    point.gradientX = {length * std::cos(turn), length * std::sin(turn)};
+    point.gradientY = {-other * std::sin(turn), other * std::cos(turn)};
+  }
+  return points;
+}
+
+/// Uses that together change every parameter.
+std::vector<MaterialUse> manyUses(const MaterialUse& own) {
+  std::vector<MaterialUse> all(5, own);
+  all[1] = moved(own);
+  all[2].placement.tileOrigin[0] = -(std::int64_t(1) << 40) + 3;
+  all[2].placement.tileOrigin[1] = (std::int64_t(1) << 40) - 5;
+  all[2].parameters.contrast = 1.4;
+  all[3].placement.periodTiles[0] = 2.0;
+  all[3].placement.periodTiles[1] = 3.0;
+  all[3].placement.tileOrigin[0] = -7;
+  all[4].placement.periodTiles[0] = all[4].placement.periodTiles[1] = 1.37;
+  return all;
+}
+
+TileFootprint footprintOf(const Point& point, const shader::LichenMaterial& m) {
+  const auto toTile = [&](const std::array<float, 2>& v) {
+    return std::array{m.uvToTileXX * v[0] + m.uvToTileXY * v[1],
+                      m.uvToTileYX * v[0] + m.uvToTileYY * v[1]};
+  };
+  return {toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
+}
+
+/// A slow evaluation. It takes the windows of all vertices of 7 x 7 cells, and shares only the
+/// integer hashes with the code under test.
+class Reference {
+public:
+  explicit Reference(const Bundle& bundle)
+      : noise_(bundle.noises[0]), shared_(noise_.as<LocalRandomPhaseNoise>()),
+        texels_(decodeLevel(bundle.tables[noise_.maps[0].as<LocalRandomPhaseMap>().cosines], 0)) {}
+
+  /// The Gaussian value at a position in tiles from tile 0, of a point without a footprint.
+  [[nodiscard]] std::array<double, 3> at(double x, double y, std::uint32_t seed) const {
+    std::array<double, 3> sum{0.5, 0.5, 0.5};
+    std::size_t row = 0;
+    for (std::size_t octave = 0; octave < shared_.cosines.size(); ++octave) {
+      const auto count = std::size_t(shared_.cosines[octave]);
+      addOctave(sum, x, y, octave, row, count, seed);
+      row += count;
+    }
+    return sum;
+  }
+
+private:
+  void addOctave(std::array<double, 3>& sum, double x, double y, std::size_t octave,
+                 std::size_t firstRow, std::size_t count, std::uint32_t seed) const {
+    const double columns = std::ldexp(shared_.columns / 8.0, int(octave));
+    const double rows = std::ldexp(shared_.rows / 8.0, int(octave));
+    const auto nearJ = std::int64_t(std::floor(y * rows));
+    const auto nearI = std::int64_t(std::floor(x * columns - 0.5 * y * rows));
+    const std::uint32_t octaveSeed = pcg(latticeSeed(seed, 0) + std::uint32_t(octave));
+    std::array<double, 3> own{};
+    double squares = 0.0;
+    for (std::int64_t j = nearJ - 3; j <= nearJ + 3; ++j)
+      for (std::int64_t i = nearI - 3; i <= nearI + 3; ++i) {
+        // The triangles are equilateral on a plane of unit edges.
+        const double dx = x - (double(i) + 0.5 * double(j)) / columns, dy = y - double(j) / rows;
+        const double edgesX = dx * columns, edgesY = dy * rows * std::sqrt(0.75);
+        const double left = 1.0 - (edgesX * edgesX + edgesY * edgesY) / 0.75;
+        if (left <= 0.0)
+          continue;
+        const double window = left * left * left;
+        squares += window * window;
+        std::uint32_t state = vertexHash(std::uint32_t(i), std::uint32_t(j), octaveSeed);
+        for (std::size_t k = 0; k < count; ++k) {
+          state = state * 747796405u + 2891336453u;
+          const std::size_t width = 1 + std::size_t(shared_.variants);
+          const float* texel = &texels_[(firstRow + k) * width * 4];
+          const double fx = double(texel[0]) + double(texel[2]) * double(state >> 1 & 1023);
+          const double fy = double(texel[1]) + double(texel[3]) * double(state >> 11 & 1023);
+          const float* vector =
+              texel + 4 * (1 + (state >> 21 & std::uint32_t(shared_.variants - 1)));
+          const double turns =
+              fx * dx + fy * dy + double(std::int32_t(state)) / std::exp2(32.0) + double(vector[3]);
+          for (std::size_t c = 0; c < 3; ++c)
+            own[c] += window * double(vector[c]) * std::cos(2.0 * std::numbers::pi * turns);
+        }
+      }
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += own[c] / std::sqrt(squares);
+  }
+
+  const Noise& noise_;
+  const LocalRandomPhaseNoise& shared_;
+  std::vector<float> texels_;
+};
+
+} // namespace
+
+TEST_CASE("the local random-phase shader matches its CPU twin: 99.9 % within 1/1024, all within "
+          "1/255") {
+  struct Kind {
+    std::size_t channels;
+    GaussianOnly gaussian;
+  };
+  for (const Kind& kind :
+       {Kind{3, GaussianOnly::no}, Kind{3, GaussianOnly::yes}, Kind{1, GaussianOnly::no}}) {
+    const BundleFile file = bakedFile(kind.channels, kind.gaussian);
+    VulkanDevice* const device = sharedDevice();
+    const std::vector<std::byte> glb = glbOf(file);
+    const Bundle bundle = parseBundle(glb, "noise").value();
+    PluginHost host(sharedContext(), glb);
+    const LocalRandomPhaseEvaluator twin = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+    const std::vector<std::uint32_t> pass = committedShader(kPass);
+    const std::vector<Point> points = samplePoints(1000);
+    int number = 0;
+    for (const MaterialUse& use : manyUses(host.use())) {
+      const auto values = host.evaluate(pass, kValue, use, points);
+      const auto gaussians = host.evaluate(pass, kGaussian, use, points);
+      double largest = 0.0;
+      std::size_t beyond = 0, count = 0;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const TileFootprint at = footprintOf(points[k], host.material());
+        const auto expected = twin.evaluate(0, host.material(), at);
+        const auto expectedGaussian = twin.gaussian(0, host.material(), at);
+        for (std::size_t c = 0; c < 4; ++c)
+          for (const double error : {double(values[k][c]) - double(expected[c]),
+                                     double(gaussians[k][c]) - double(expectedGaussian[c])}) {
+            largest = std::max(largest, std::abs(error));
+            beyond += std::size_t(std::abs(error) > 1.0 / 1024.0);
+            ++count;
+          }
+      }
+      INFO("channels " << kind.channels << ", use " << number++);
+      CHECK(largest <= 1.0 / 255.0);
+      CHECK(double(beyond) <= 0.001 * double(count));
+    }
+    CHECK(device->messages().texts() == std::vector<std::string>{});
+  }
+}
+
+TEST_CASE(
+    "local random-phase noise is the sum of the cosines of all vertices under their windows") {
+  const BundleFile file = bakedFile(3, GaussianOnly::no);
+  const Bundle bundle = parseBundle(glbOf(file), "noise").value();
+  const LocalRandomPhaseEvaluator twin = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const Reference reference(bundle);
+  std::mt19937 generator(3u);
+  std::uniform_real_distribution<float> tiles(-9.0f, 9.0f);
+  for (const std::int64_t origin : {0, 21, -8}) {
+    MaterialNoise material;
+    material.seed = 7;
+    Placement placement;
+    placement.tileOriginX = origin;
+    placement.tileOriginY = 2 * origin;
+    const shader::LichenMaterial constants = shaderMaterial(bundle, material, placement).material;
+    double largest = 0.0;
+    for (int k = 0; k < 300; ++k) {
+      const TileFootprint at{{tiles(generator), tiles(generator)}, {}, {}};
+      const auto value = twin.gaussian(0, constants, at);
+      const auto expected = reference.at(double(at.position[0]) + double(origin),
+                                         double(at.position[1]) + 2.0 * double(origin), 7);
+      for (std::size_t c = 0; c < 3; ++c)
+        largest = std::max(largest, std::abs(double(value[c]) - expected[c]));
+    }
+    INFO("origin " << origin);
+    // The polynomial of the cosine is within 1.1e-4 of it, and 24 cosines of three vertices have
+    // amplitudes of 0.05 on average; the rest are roundings of the position.
+    CHECK(largest < 3e-4);
+  }
+}
+
+TEST_CASE("local random-phase noise repeats after its period and nowhere jumps") {
+  const BundleFile file = bakedFile(3, GaussianOnly::no);
+  const Bundle bundle = parseBundle(glbOf(file), "noise").value();
+  const LocalRandomPhaseEvaluator twin = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  std::mt19937 generator(5u);
+  for (const std::array<double, 2>& period :
+       {std::array{1.0, 1.0}, std::array{2.0, 3.0}, std::array{1.375, 0.75}}) {
+    Placement placement;
+    placement.periodic = true;
+    placement.periodTilesX = period[0];
+    placement.periodTilesY = period[1];
+    const shader::LichenMaterial constants =
+        shaderMaterial(bundle, MaterialNoise(), placement).material;
+    std::uniform_real_distribution<float> inX(0.0f, float(period[0])), inY(0.0f, float(period[1]));
+    const auto at = [&](float x, float y) { return twin.gaussian(0, constants, {{x, y}, {}, {}}); };
+    for (int k = 0; k < 200; ++k) {
+      const float x = inX(generator), y = inY(generator);
+      const auto value = at(x, y);
+      for (const auto& other : {at(x + float(period[0]), y), at(x, y + float(period[1])),
+                                at(x - float(period[0]), y - 2.0f * float(period[1]))})
+        for (std::size_t c = 0; c < 3; ++c)
+          CHECK(std::abs(value[c] - other[c]) < 2e-3f); // the position's rounding
+      // From both sides of a border of the period.
+      const auto before = at(1e-5f, y), after = at(-1e-5f, y);
+      for (std::size_t c = 0; c < 3; ++c)
+        CHECK(std::abs(before[c] - after[c]) < 4e-3f); // the steepest slope seen, times the step
+    }
+  }
+}

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: MIT
+// Local random-phase noise: its windows, its spectrum and its statistics against closed forms and
+// against the Gaussian version of the exemplar.
+#include "example_exemplar.h"
+
+#include <lichen/local_random_phase.h>
+#include <lichen/local_random_phase_evaluate.h>
+#include <lichen/spectrum.h>
+#include <lichen/tiling.h>
+
+#include <Eigen/Dense>
+#include <catch2/catch.hpp>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <local_random_phase/cosine.h>
+#include <local_random_phase/octave_lattice.h>
+#include <local_random_phase/power_tree.h>
+#include <local_random_phase/window_spectrum.h>
+#include <numbers>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::local_random_phase;
+
+namespace {
+
+constexpr int kTexels = 128;
+
+Bundle bundleOf(Result<LocalRandomPhaseBake> bake) {
+  REQUIRE(bake);
+  Bundle bundle;
+  bundle.tables = std::move(bake.value().tables);
+  bundle.noises = {std::move(bake.value().noise)};
+  return bundle;
+}
+
+const Bundle& example() {
+  static const Bundle bundle = [] {
+    const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+    return bundleOf(bakeLocalRandomPhase("example", {&map, 1}, {}));
+  }();
+  return bundle;
+}
+
+/// The Gaussian channels of a square of `side` texels.
+std::vector<std::vector<float>> gaussianPlanes(const Bundle& bundle, std::uint32_t seed, int side) {
+  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  MaterialNoise material;
+  material.seed = seed;
+  const shader::LichenMaterial constants = shaderMaterial(bundle, material, {}).material;
+  std::vector<std::vector<float>> planes(3);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const auto value = evaluator.gaussian(
+          0, constants,
+          {{(float(x) + 0.5f) / float(kTexels), (float(y) + 0.5f) / float(kTexels)}, {}, {}});
+      for (std::size_t c = 0; c < 3; ++c)
+        planes[c].push_back(6.0f * (value[c] - 0.5f));
+    }
+  return planes;
+}
+
+} // namespace
+
+TEST_CASE(
+    "the squares of the windows sum to 1, and windows end smoothly where their vertex leaves") {
+  std::mt19937 generator(1u);
+  std::uniform_real_distribution<double> place(0.0, 1.0);
+  double largest = 0.0;
+  for (int k = 0; k < 100000; ++k) {
+    const auto windows = windowsAt(place(generator), place(generator));
+    double squares = 0.0;
+    for (const double weight : windows.weight)
+      squares += weight * weight;
+    largest = std::max(largest, std::abs(squares - 1.0));
+  }
+  CHECK(largest < 1e-6);
+  // Across each edge of a triangle one vertex is replaced by another: both have no window there,
+  // nor a slope.
+  constexpr double kStep = 1e-4;
+  for (double along = 0.05; along < 1.0; along += 0.05) {
+    const double below = 0.5 * (1.0 - kStep);
+    CHECK(windowAt(squaredEdges(1.0 - along, along)) >= 0.0);
+    const auto near = windowsAt(along * (1.0 - kStep), (1.0 - along) * (1.0 - kStep));
+    CHECK(near.weight[0] < 1e-9); // the vertex across the diagonal
+    CHECK(below < 0.5);
+  }
+}
+
+TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near as they state") {
+  double cosine = 0.0;
+  for (int k = -30000; k <= 30000; ++k) {
+    const float turns = float(k) * 1e-4f;
+    cosine = std::max(cosine, std::abs(double(cosineOfTurns(turns)) -
+                                       std::cos(2.0 * std::numbers::pi * double(turns))));
+  }
+  CHECK(cosine <= 1.1e-4);
+  // Of sinc, up to its first zero.
+  double loss = 0.0;
+  for (double cycles = 1e-3; cycles <= 1.0; cycles += 1e-3) {
+    const double phase = std::numbers::pi * cycles;
+    loss = std::max(loss,
+                    std::abs(double(retainedAt(float(cycles * cycles))) - std::sin(phase) / phase));
+  }
+  CHECK(loss < 0.1);
+  CHECK(retainedAt(-1.0f) == 1.0f);
+  CHECK(retainedAt(2.0f) == 0.0f);
+}
+
+TEST_CASE("the spectrum of the windows is that of random samples") {
+  // The variance of a windowed cosine that lies below a frequency, from the autocorrelation of one
+  // window by direct sums.
+  const WindowSpectrum spectrum;
+  CHECK(spectrum.below(100.0, 100.0) == Approx(1.0));
+  CHECK(spectrum.below(0.0, 100.0) == Approx(0.5).margin(1e-3));
+  CHECK(spectrum.below(100.0, 0.0) == Approx(0.5).margin(1e-3));
+  const auto windowAtPoint = [](double x, double y) {
+    const double row = y * 2.0 / std::numbers::sqrt3, column = x - 0.5 * row;
+    const double i = std::floor(column), j = std::floor(row);
+    const auto windows = windowsAt(column - i, row - j);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (int(i) + windows.corner[k][0] == 0 && int(j) + windows.corner[k][1] == 0)
+        return windows.weight[k];
+    return 0.0;
+  };
+  // |w^(f)|^2 by quadrature, integrated over a band of frequencies.
+  const auto density = [&](double f) { // integrated over the other axis: of the projection
+    constexpr int kSteps = 200;
+    double power = 0.0;
+    for (int q = 0; q < kSteps; ++q) {
+      const double y = (q + 0.5) / kSteps * 2.0 - 1.0;
+      double real = 0.0, imaginary = 0.0;
+      for (int p = 0; p < kSteps; ++p) {
+        const double x = (p + 0.5) / kSteps * 2.0 - 1.0;
+        const double w = windowAtPoint(x, y) * 2.0 / kSteps;
+        real += w * std::cos(2.0 * std::numbers::pi * f * x);
+        imaginary += w * std::sin(2.0 * std::numbers::pi * f * x);
+      }
+      power += (real * real + imaginary * imaginary) * 2.0 / kSteps;
+    }
+    return power / (std::numbers::sqrt3 / 2.0); // the area of a cell
+  };
+  for (const double edge : {0.25, 0.5, 1.0}) {
+    constexpr int kSteps = 40;
+    double sum = 0.0;
+    for (int k = 0; k < kSteps; ++k)
+      sum += density((2.0 * (k + 0.5) / kSteps - 1.0) * edge) * 2.0 * edge / kSteps;
+    INFO("up to " << edge << " cycles per edge");
+    CHECK(spectrum.below(edge, 100.0) - spectrum.below(-edge, 100.0) == Approx(sum).margin(4e-3));
+  }
+}
+
+TEST_CASE("boxes of equal power find the rectangles of a plane that has them") {
+  PowerPlane power{64, 127, std::vector<double>(64 * 127, 1.0)};
+  const std::array<FrequencyBox, 3> wanted{{{0, 10, -8, 9}, {20, 31, 20, 40}, {40, 50, -50, -30}}};
+  const std::array<double, 3> levels{50.0, 9.0, 4.0};
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    for (int v = wanted[k].top; v < wanted[k].bottom; ++v)
+      for (int u = wanted[k].left; u < wanted[k].right; ++u)
+        power.values[std::size_t((v + 63) * 64 + u)] = levels[k];
+  const std::vector<FrequencyBox> boxes = boxesOfEqualPower(power, 100);
+  CHECK(boxes.size() < 30); // no further split gains anything
+  double area = 0.0;
+  for (const FrequencyBox& box : boxes) {
+    area += double(box.right - box.left) * double(box.bottom - box.top);
+    for (int v = box.top; v < box.bottom; ++v)
+      for (int u = box.left; u < box.right; ++u)
+        CHECK(power.at(u, v) == power.at(box.left == 0 && box.top == 0 ? box.right - 1 : box.left,
+                                         box.left == 0 && box.top == 0 ? box.bottom - 1 : box.top));
+  }
+  CHECK(area == 64.0 * 127.0);
+}
+
+TEST_CASE("local random-phase noise has the covariance of Gaussian values, and one variance "
+          "everywhere") {
+  constexpr int kSide = 256, kSeeds = 16;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  // The squared values by the place in the cells of an octave, all seeds together.
+  const auto& shared = example().noises[0].as<LocalRandomPhaseNoise>();
+  constexpr int kClasses = 6;
+  std::array<double, kClasses> sums{}, counts{};
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    const auto planes = gaussianPlanes(example(), seed, kSide);
+    for (std::size_t i = 0; i < planes[0].size(); ++i) {
+      const Eigen::Vector3d value(planes[0][i], planes[1][i], planes[2][i]);
+      covariance += value * value.transpose() / (kSeeds * double(planes[0].size()));
+      const double y = (double(i / kSide) + 0.5) / kTexels, x = (double(i % kSide) + 0.5) / kTexels;
+      const double row = y * shared.rows / 8.0, column = x * shared.columns / 8.0 - 0.5 * row;
+      const auto windows = windowsAt(column - std::floor(column), row - std::floor(row));
+      const double greatest =
+          *std::max_element(windows.weight.begin(), windows.weight.end()); // 1 at a vertex
+      const int place = std::clamp(int((greatest - 0.57) / 0.43 * kClasses), 0, kClasses - 1);
+      sums[std::size_t(place)] += value.squaredNorm() / 3.0;
+      counts[std::size_t(place)] += 1.0;
+    }
+  }
+  // The standard error of a variance over 16 x 2 x 2 tiles, whose slowest cosines have about one
+  // independent value a tile, is sqrt(2 / 64) / 3 of it at most; measured 1 %.
+  CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.05);
+  for (int k = 0; k < kClasses; ++k) {
+    INFO("class " << k << " of " << counts[std::size_t(k)]);
+    CHECK(sums[std::size_t(k)] / counts[std::size_t(k)] == Approx(1.0).margin(0.08));
+  }
+}
+
+TEST_CASE("local random-phase noise has the spectrum of the exemplar's Gaussian values") {
+  const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+  TilingOptions options;
+  options.bits = 16;
+  const Result<TilingBake> tiling = bakeTiling("example", {&map, 1}, options);
+  REQUIRE(tiling);
+  const auto& own = tiling.value().noise.maps[0].as<TilingMap>();
+  const Table& image = tiling.value().tables[own.gaussian];
+  const std::vector<float> texels = decodeLevel(image, 0);
+  const auto stride = std::size_t(channelCount(image.format));
+  constexpr int kCrop = 32, kSide = 512;
+  const auto planes = gaussianPlanes(example(), 1, kSide);
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<float> plane;
+    for (std::size_t i = c; i < texels.size(); i += stride)
+      plane.push_back(6.0f * (texels[i] - kStoredGaussianMean));
+    // Its power as a periodic image: crops of a shift by half the image count too.
+    const std::vector<double> wanted = radialPowerSpectrum(plane, kTexels, kTexels, kCrop);
+    const std::vector<double> found = radialPowerSpectrum(planes[c], kSide, kSide, kCrop);
+    double squares = 0.0;
+    for (std::size_t radius = 2; radius < wanted.size(); ++radius)
+      squares += std::pow(10.0 * std::log10(found[radius] / wanted[radius]), 2.0);
+    INFO("channel " << c);
+    CHECK(std::sqrt(squares / double(wanted.size() - 2)) < 0.6);
+  }
+}
+
+TEST_CASE("a bake of local random-phase noise is the same on one thread and on many") {
+  const MapExemplar map = test::threeMaterials(48, 40, 9);
+  const auto baked = [&] {
+    Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("x", {&map, 1}, {});
+    REQUIRE(bake);
+    return std::move(bake).value();
+  };
+  const LocalRandomPhaseBake many = baked();
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const LocalRandomPhaseBake single = baked();
+  CHECK(many.noise == single.noise);
+  REQUIRE(many.tables.size() == single.tables.size());
+  for (std::size_t k = 0; k < many.tables.size(); ++k)
+    CHECK(many.tables[k].texels == single.tables[k].texels);
+}
+
+TEST_CASE("constant, grey and tiny exemplars have local random-phase noises too") {
+  MapExemplar constant = test::threeMaterials(32, 32, 1);
+  std::fill(constant.values.begin(), constant.values.end(), 0.25f);
+  const Bundle flat = bundleOf(bakeLocalRandomPhase("flat", {&constant, 1}, {}));
+  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(flat, 0).value();
+  const shader::LichenMaterial material = shaderMaterial(flat, MaterialNoise(), {}).material;
+  const auto value = evaluator.evaluate(0, material, {{0.3f, 0.7f}, {}, {}});
+  for (std::size_t c = 0; c < 3; ++c) // 0.25 of sRGB
+    CHECK(value[c] == Approx(0.0508761).margin(2e-3));
+
+  for (const std::array<int, 2>& size :
+       {std::array{1, 1}, std::array{1, 5}, std::array{2, 2}, std::array{7, 3}}) {
+    const MapExemplar tiny = test::threeMaterials(size[0], size[1], 1);
+    const Bundle bundle = bundleOf(bakeLocalRandomPhase("tiny", {&tiny, 1}, {}));
+    const LocalRandomPhaseEvaluator noise = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+    const shader::LichenMaterial constants = shaderMaterial(bundle, MaterialNoise(), {}).material;
+    for (const float component : noise.evaluate(0, constants, {{0.3f, 0.7f}, {}, {}}))
+      CHECK(std::isfinite(component));
+  }
+  LocalRandomPhaseOptions options;
+  options.cosines = 0;
+  CHECK_FALSE(bakeLocalRandomPhase("none", {&constant, 1}, options));
+  options.cosines = kMostCosines + 1;
+  CHECK_FALSE(bakeLocalRandomPhase("many", {&constant, 1}, options));
+}

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Local random-phase noises in a file: every fault that the checker must report by its code and the
+// reader must reject, and what the shader's constants hold of them.
+#include "bundle_example.h"
+#include "bundle_faults.h"
+
+#include <lichen/lattice.h>
+#include <lichen/shader_parameters.h>
+
+#include <catch2/catch.hpp>
+
+using namespace lichen;
+using example::GlbParts;
+using nlohmann::json;
+
+namespace {
+
+const std::vector<std::byte>& soundFile() {
+  static const std::vector<std::byte> file = encodeGlb(example::smallestCosines()).value();
+  return file;
+}
+
+json& sharedOf(GlbParts& parts) { return parts.extension()["noises"][0]["localRandomPhase"]; }
+
+} // namespace
+
+TEST_CASE("the example file of cosines has no faults, and is read as it was written") {
+  CHECK(checkBundle(GlbParts(soundFile()).join()).empty());
+  const Bundle bundle = parseBundle(soundFile(), "cosines").value();
+  REQUIRE(bundle.noises.size() == 1);
+  CHECK(bundle.noises[0] == example::smallestCosines().bundle.noises[0]);
+}
+
+TEST_CASE("every fault of what the cosines share is found") {
+  example::checkFaults(
+      soundFile(),
+      {
+          {"nothing shared", "required",
+           [](GlbParts& p) { p.extension()["noises"][0].erase("localRandomPhase"); }},
+          {"a number", "type", [](GlbParts& p) { sharedOf(p) = 7; }},
+          {"no size of the exemplar", "required",
+           [](GlbParts& p) { sharedOf(p).erase("texelsPerTile"); }},
+          {"an empty exemplar", "range", [](GlbParts& p) { sharedOf(p)["texelsPerTile"][0] = 0; }},
+          {"a huge exemplar", "range",
+           [](GlbParts& p) { sharedOf(p)["texelsPerTile"][1] = 16385; }},
+          {"half a texel", "type", [](GlbParts& p) { sharedOf(p)["texelsPerTile"][0] = 16.5; }},
+          {"no columns", "required", [](GlbParts& p) { sharedOf(p).erase("columns"); }},
+          {"0 columns", "range", [](GlbParts& p) { sharedOf(p)["columns"] = 0; }},
+          {"65 columns", "range", [](GlbParts& p) { sharedOf(p)["columns"] = 65; }},
+          {"no rows", "required", [](GlbParts& p) { sharedOf(p).erase("rows"); }},
+          {"odd rows", "rows-odd", [](GlbParts& p) { sharedOf(p)["rows"] = 7; }},
+          {"66 rows", "range", [](GlbParts& p) { sharedOf(p)["rows"] = 66; }},
+          {"no octaves", "required", [](GlbParts& p) { sharedOf(p).erase("octaves"); }},
+          {"13 octaves", "count",
+           [](GlbParts& p) { sharedOf(p)["octaves"] = std::vector<int>(13, 1); }},
+          {"a negative number of cosines", "range",
+           [](GlbParts& p) { sharedOf(p)["octaves"][0] = -1; }},
+          {"half a cosine", "type", [](GlbParts& p) { sharedOf(p)["octaves"][0] = 1.5; }},
+          {"too many cosines", "octaves-sum",
+           [](GlbParts& p) {
+             sharedOf(p)["octaves"] = {200, 100};
+           }},
+          {"an empty last octave", "octaves-last",
+           [](GlbParts& p) {
+             sharedOf(p)["octaves"] = {3, 0};
+           }},
+          {"no variants", "required", [](GlbParts& p) { sharedOf(p).erase("variants"); }},
+          {"3 variants", "variants", [](GlbParts& p) { sharedOf(p)["variants"] = 3; }},
+          {"64 variants", "range", [](GlbParts& p) { sharedOf(p)["variants"] = 64; }},
+      });
+}
+
+TEST_CASE("every contradiction between a map and its cosines is found") {
+  example::checkFaults(
+      soundFile(), {
+                       {"no image", "required", [](GlbParts& p) { p.map(0, 0).erase("cosines"); }},
+                       {"an image out of range", "map-cosines-index",
+                        [](GlbParts& p) { p.map(0, 0)["cosines"] = 99; }},
+                       {"more cosines than rows", "map-cosines",
+                        [](GlbParts& p) {
+                          sharedOf(p)["octaves"] = {2, 0, 2};
+                        }},
+                       {"more variants than columns", "map-cosines",
+                        [](GlbParts& p) { sharedOf(p)["variants"] = 4; }},
+                       {"more dimensions than channels", "map-dimensions",
+                        [](GlbParts& p) { p.map(0, 0)["dimensions"] = 2; }},
+                       {"an amplitude whose sum could be infinite", "cosines-texels",
+                        [](GlbParts& p) {
+                          // The first table: half floats begin 16 bytes before its end.
+                          p.binary[p.binary.size() - 8] = std::byte{0x00};
+                          p.binary[p.binary.size() - 7] = std::byte{0x7B}; // 57344
+                        }},
+                       {"cosines as an inverse table", "map-inverse-table",
+                        [](GlbParts& p) { p.map(0, 0)["inverseTable"] = 0; }},
+                   });
+}
+
+TEST_CASE("the constants of a noise count the cosines of each octave") {
+  Bundle bundle = example::smallestCosines().bundle;
+  auto& shared = bundle.noises[0].as<LocalRandomPhaseNoise>();
+  shared.cosines = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  const shader::LichenCosinesNoise part = cosinesPart(shaderNoise(bundle, 0));
+  CHECK(part.octaves0 == 0x04030201u);
+  CHECK(part.octaves1 == 0x08070605u);
+  CHECK(part.octaves2 == 0x0C0B0A09u);
+  CHECK(part.variants == 2);
+  CHECK(part.columns == 7);
+  CHECK(part.rows == 6);
+}
+
+TEST_CASE("a tile origin moves the cosines' lattice by whole cells, modulo 2^32") {
+  const Bundle bundle = example::smallestCosines().bundle;
+  const auto at = [&](std::int64_t x, std::int64_t y) {
+    Placement placement;
+    placement.tileOriginX = x;
+    placement.tileOriginY = y;
+    return shaderMaterial(bundle, MaterialNoise(), placement).material;
+  };
+  // 7 columns and 6 rows, each half a column to the right, in 8 tiles.
+  CHECK(at(16, 0).cellI == 14);
+  CHECK(at(0, 8).cellI == -3);
+  CHECK(at(0, 8).cellJ == 6);
+  CHECK(at(13, -3).cellI == 7 + 3);
+  CHECK(at(13, -3).cellJ == -6);
+  CHECK(at(13, -3).offsetX == 5.0f);
+  CHECK(at(13, -3).offsetY == 5.0f);
+  const std::int64_t far = std::int64_t(1) << 40;
+  CHECK(std::uint32_t(at(far, 0).cellI) == std::uint32_t(7u * std::uint64_t(far / 8)));
+}
+
+TEST_CASE("a period holds at least three columns and four rows of cosines, in a later octave") {
+  const Bundle bundle = example::smallestCosines().bundle;
+  for (const double tiles : {0.5, 1.0, 2.5, 40.0}) {
+    Placement placement;
+    placement.periodic = true;
+    placement.periodTilesX = placement.periodTilesY = tiles;
+    const shader::LichenMaterial material =
+        shaderMaterial(bundle, MaterialNoise(), placement).material;
+    INFO(tiles << " tiles");
+    CHECK(material.periodColumns >= 3);
+    CHECK(material.periodRows >= 4);
+    CHECK(material.periodRows % 2 == 0);
+    const int octave = cosinesPart(material).firstOctave;
+    CHECK((octave == 0) == (tiles == 40.0));
+    CHECK(double(material.columnsPerTile) * tiles == Approx(material.periodColumns));
+    // Within a fifth of the lattice without a period, where there is room for one.
+    if (material.periodColumns > 3)
+      CHECK(double(material.columnsPerTile) == Approx(7.0 / 8.0 * std::exp2(octave)).epsilon(0.2));
+  }
+}
