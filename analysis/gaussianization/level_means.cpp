@@ -7,8 +7,8 @@
 #include "random_blend.h"
 #include "table_lookup.h"
 
-#include <lichen/lattice.h>
 #include <lichen/gaussian_image.h>
+#include <lichen/lattice.h>
 
 #include <tbb/parallel_for.h>
 

@@ -31,9 +31,9 @@ inline float cosineOfTurns(float turns) {
   return z * (6.2812805f + square * (-41.0952f + square * 73.5855f));
 }
 
-/// lichenCosineRetained: the amplitude that a footprint leaves of a cosine, for the square of the cycles
-/// that it spans. The mean of a cosine over x cycles is sinc x, 1 - pi^2 x^2 / 6 near 0, as this
-/// is.
+/// lichenCosineRetained: the amplitude that a footprint leaves of a cosine, for the square of the
+/// cycles that it spans. The mean of a cosine over x cycles is sinc x, 1 - pi^2 x^2 / 6 near 0, as
+/// this is.
 inline float retainedAt(float squaredCycles) {
   constexpr float kSlope = 0.548311356f; // pi^2 / 18
   const float left = std::fmax(1.0f - kSlope * std::fmax(squaredCycles, 0.0f), 0.0f);

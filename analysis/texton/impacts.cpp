@@ -32,7 +32,8 @@ Impacts impactsWithin(float margin, const TileFootprint& at, const shader::Liche
   const Vec2 texelsPerTile{noise.tileTexelsX, noise.tileTexelsY};
   const Vec2 cellsPerTile{material.columnsPerTile, material.rowsPerTile};
   const Vec2 offset{material.offsetX, material.offsetY};
-  const Vec2 coefficients{float(textonPart(noise).coefficientsX), float(textonPart(noise).coefficientsY)};
+  const Vec2 coefficients{float(textonPart(noise).coefficientsX),
+                          float(textonPart(noise).coefficientsY)};
   const std::array<std::int32_t, 2> origin{material.cellI, material.cellJ};
   const std::array<std::int32_t, 2> period{material.periodColumns, material.periodRows};
   Impacts impacts;

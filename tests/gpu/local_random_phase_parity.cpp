@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Local random-phase noise in the shader, through the plugin, against the CPU twin; and the twin
 // against an oracle in double precision that sums the cosines of all vertices around a point.
+#include "../property/example_exemplar.h"
 #include "plugin_host.h"
 #include "shared_device.h"
 
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include "../property/example_exemplar.h"
 #include <numbers>
 #include <random>
 

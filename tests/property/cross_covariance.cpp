@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <gaussianization/cross_covariance.h>
 #include <gaussianization/map_fit.h>
+#include <numeric>
 #include <transport/random.h>
 #include <transport/tie_order.h>
 

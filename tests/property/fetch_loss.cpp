@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
-#include <string>
 #include <gaussianization/fetch_loss.h>
 #include <gaussianization/mip_chain.h>
+#include <random>
+#include <string>
 #include <transport/random.h>
 
 using namespace lichen;

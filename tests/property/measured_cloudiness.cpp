@@ -35,8 +35,8 @@ double variance(const std::vector<double>& values) {
 }
 
 double measuredCloudiness(const MapExemplar& map, int samples) {
-  const gaussianization::MapFit fit = gaussianization::fitMap(map, exemplar::colorSpaceOf(map),
-                                            {.transport = TransportEffort::fast, .share = 0.1f});
+  const gaussianization::MapFit fit = gaussianization::fitMap(
+      map, exemplar::colorSpaceOf(map), {.transport = TransportEffort::fast, .share = 0.1f});
   assert(fit.table.dimensions == 3);
   gaussianization::InverseTable codes = fit.table;
   for (float& value : codes.values)

@@ -10,10 +10,10 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <gaussianization/map_fit.h>
 #include <gaussianization/mip_chain.h>
 #include <gaussianization/spectrum_error.h>
+#include <numbers>
 #include <transport/random.h>
 
 using namespace lichen;

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <gaussianization/prefilter.h>
+#include <limits>
 
 using namespace lichen;
 using namespace lichen::gaussianization;

@@ -11,12 +11,12 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <random>
-#include <sampling/repeating_image.h>
 #include <gaussianization/level_means.h>
 #include <gaussianization/mip_chain.h>
 #include <gaussianization/prefilter.h>
 #include <gaussianization/table_lookup.h>
+#include <random>
+#include <sampling/repeating_image.h>
 #include <transport/random.h>
 
 using namespace lichen;

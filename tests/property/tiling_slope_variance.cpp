@@ -7,13 +7,13 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <optional>
-#include <random>
 #include <gaussianization/level_means.h>
 #include <gaussianization/mip_chain.h>
 #include <gaussianization/prefilter.h>
 #include <gaussianization/slope_variance.h>
 #include <gaussianization/table_lookup.h>
+#include <optional>
+#include <random>
 #include <transport/random.h>
 
 using namespace lichen;

@@ -150,8 +150,8 @@ LICHEN_API LichenResult lichenGetBundleProperties(LichenBundle bundle,
 
 /* How a noise is evaluated; bit numbers of the shader library's LICHEN_METHODS. */
 typedef enum LichenNoiseMethod {
-  LICHEN_NOISE_TILING = 0, /* tiling and blending, [HN18] */
-  LICHEN_NOISE_TEXTON = 1, /* sparse convolution of a texton, [GLM17] */
+  LICHEN_NOISE_TILING = 0,             /* tiling and blending, [HN18] */
+  LICHEN_NOISE_TEXTON = 1,             /* sparse convolution of a texton, [GLM17] */
   LICHEN_NOISE_LOCAL_RANDOM_PHASE = 2, /* windowed cosines with random phases, [LRP14] */
   LICHEN_NOISE_METHOD_MAX_ENUM = 0x7FFFFFFF
 } LichenNoiseMethod;
