@@ -243,7 +243,7 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
   NoiseSummary summary{};
   summary.constants = plan.noises[source.noise].constants.noise;
   for (const NoiseMap& map : plan.bundle.noises[source.noise].maps) {
-    const bool hasTable = decodingTableOf(map).has_value();
+    const bool hasTable = inverseTableOf(map).has_value();
     summary.mapKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
     if (map.encoding == ValueEncoding::log2)
       summary.mapKinds |= kValuesAboveOne;

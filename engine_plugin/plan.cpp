@@ -78,9 +78,9 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
   result.tables.fill(noTable);
   for (const NoiseMap& map : noise.maps) {
     const std::uint32_t role = roleOf(map.target);
-    result.images[role] = std::uint32_t(imageTableOf(map));
-    assert(plan.bundle.tables[imageTableOf(map)].mipLevels <= LICHEN_MAX_MIPS);
-    if (const std::optional<std::size_t> table = decodingTableOf(map))
+    result.images[role] = std::uint32_t(imageOf(map));
+    assert(plan.bundle.tables[imageOf(map)].mipLevels <= LICHEN_MAX_MIPS);
+    if (const std::optional<std::size_t> table = inverseTableOf(map))
       result.tables[role] = std::uint32_t(*table);
     if (const auto* tiling = std::get_if<TilingMap>(&map.data)) {
       // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
@@ -148,6 +148,22 @@ LichenMapping mappingNumber(Mapping mapping) {
     return LICHEN_MAPPING_SOLID;
   }
   return LICHEN_MAPPING_UV;
+}
+
+std::size_t imageOf(const NoiseMap& map) {
+  if (const auto* tiling = std::get_if<TilingMap>(&map.data))
+    return tiling->gaussian;
+  if (const auto* cosines = std::get_if<LocalRandomPhaseMap>(&map.data))
+    return cosines->cosines;
+  return map.as<TextonMap>().image;
+}
+
+std::optional<std::size_t> inverseTableOf(const NoiseMap& map) {
+  if (const auto* tiling = std::get_if<TilingMap>(&map.data))
+    return tiling->inverseTable;
+  if (const auto* cosines = std::get_if<LocalRandomPhaseMap>(&map.data))
+    return cosines->inverseTable;
+  return std::nullopt;
 }
 
 LichenMixSource mixSourceNumber(MixSource source) {
@@ -241,9 +257,9 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   values.target = targetOf(source.target);
   values.channelCount = std::uint32_t(source.channels.size());
   std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
-  values.image = std::uint32_t(imageTableOf(source));
+  values.image = std::uint32_t(imageOf(source));
   values.tableImage = bundle->noises[noise].tables[roleOf(source.target)];
-  values.tableKind = decodingTableOf(source) ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE;
+  values.tableKind = inverseTableOf(source) ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE;
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <lichen_interface.h>
+#include <optional>
 #include <vector>
 
 struct LichenBundle_T {
@@ -36,5 +37,10 @@ namespace lichen::plugin {
 
 LichenMapping mappingNumber(Mapping mapping);
 LichenMixSource mixSourceNumber(MixSource source);
+
+/// As imageTableOf() and decodingTableOf(), without std::visit, which would export a symbol of the
+/// standard library.
+std::size_t imageOf(const NoiseMap& map);
+std::optional<std::size_t> inverseTableOf(const NoiseMap& map);
 
 } // namespace lichen::plugin
