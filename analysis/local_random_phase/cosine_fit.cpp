@@ -52,8 +52,8 @@ BoxPower powerOf(const PowerPlane& power, const FrequencyBox& box) {
   return result;
 }
 
-/// The density at (u, v) of the spectrum of a cosine of variance 1, of which half lies at the
-/// mirrored frequencies.
+/// The power spectral density of a cosine of variance 1: half of the variance lies at the
+/// frequencies of its box, half at their mirrors.
 class CosineSpectrum {
 public:
   /// `texels`: of the tile, along x and y.
@@ -122,11 +122,11 @@ void fitEnergies(const PowerPlane& power, const std::array<double, 2>& edges,
   const auto rows = Eigen::Index(compared.size()), columns = Eigen::Index(cosines.size());
   Eigen::MatrixXd spectra = Eigen::MatrixXd::Zero(rows, columns);
   Eigen::VectorXd wanted = Eigen::VectorXd::Zero(rows);
-  std::vector<double> means;
+  std::vector<BoxPower> powers;
   double largest = 0.0;
   for (const FrequencyBox& box : compared) {
-    means.push_back(powerOf(power, box).mean());
-    largest = std::max(largest, means.back());
+    powers.push_back(powerOf(power, box));
+    largest = std::max(largest, powers.back().mean());
   }
   tbb::parallel_for(Eigen::Index(0), columns, [&](Eigen::Index j) {
     const CosineSpectrum spectrum(window, cosines[std::size_t(j)], edges,
@@ -141,10 +141,9 @@ void fitEnergies(const PowerPlane& power, const std::array<double, 2>& edges,
   // From 1 to 2 the errors of six exemplars change by a tenth.
   constexpr double kWeightExponent = 1.6;
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const BoxPower own = powerOf(power, compared[std::size_t(i)]);
-    const double weight =
-        std::sqrt(own.frequencies / std::pow(means[std::size_t(i)] + kLeastPower * largest + 1e-300,
-                                             kWeightExponent));
+    const BoxPower& own = powers[std::size_t(i)];
+    const double weight = std::sqrt(
+        own.frequencies / std::pow(own.mean() + kLeastPower * largest + 1e-300, kWeightExponent));
     spectra.row(i) *= weight;
     wanted[i] = weight * own.mean();
   }

@@ -62,6 +62,19 @@ void appendPhotograph(std::vector<Exemplar>& exemplars, const std::filesystem::p
     exemplars.push_back({name, crop(*image)});
 }
 
+/// Ends the program if the bake failed.
+template <class Bake>
+Bundle bundleOf(Result<Bake> bake) {
+  if (!bake) {
+    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
+    std::exit(int(bake.error().kind));
+  }
+  Bundle bundle;
+  bundle.noises.push_back(std::move(bake.value().noise));
+  bundle.tables = std::move(bake.value().tables);
+  return bundle;
+}
+
 } // namespace
 
 std::vector<Exemplar> exemplars256() {
@@ -127,39 +140,16 @@ Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options) {
 
 Bundle textonBundle(const SrgbImage& image) {
   const MapExemplar map = baseColorMap(image);
-  Result<TextonBake> bake = bakeTexton("benchmark", {&map, 1}, {});
-  if (!bake) {
-    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
-    std::exit(int(bake.error().kind));
-  }
-  Bundle bundle;
-  bundle.noises.push_back(std::move(bake.value().noise));
-  bundle.tables = std::move(bake.value().tables);
-  return bundle;
+  return bundleOf(bakeTexton("benchmark", {&map, 1}, {}));
 }
 
 Bundle localRandomPhaseBundle(const SrgbImage& image) {
   const MapExemplar map = baseColorMap(image);
-  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("benchmark", {&map, 1}, {});
-  if (!bake) {
-    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
-    std::exit(int(bake.error().kind));
-  }
-  Bundle bundle;
-  bundle.noises.push_back(std::move(bake.value().noise));
-  bundle.tables = std::move(bake.value().tables);
-  return bundle;
+  return bundleOf(bakeLocalRandomPhase("benchmark", {&map, 1}, {}));
 }
 
 Bundle bakedBundle(std::span<const MapExemplar> maps, const TilingOptions& options) {
-  Result<TilingBake> bake = bakeTiling("benchmark", maps, options);
-  if (!bake) {
-    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
-    std::exit(int(bake.error().kind));
-  }
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
+  Bundle bundle = bundleOf(bakeTiling("benchmark", maps, options));
   bundle.materials = {MaterialNoise{}};
   bundle.materialNames = {"benchmark"};
   return bundle;

@@ -78,16 +78,34 @@ TEST_CASE(
     largest = std::max(largest, std::abs(squares - 1.0));
   }
   CHECK(largest < 1e-6);
-  // Across each edge of a triangle one vertex is replaced by another: both have no window there,
-  // nor a slope.
+  // Along a line across many triangles, the windows of the vertices at (0, 0) and (1, 0) and their
+  // slopes have no jump. Inside triangles slopes are below 8 and curvatures below 60 an edge; a
+  // jump of a slope by 0.01 would exceed them here.
   constexpr double kStep = 1e-4;
-  for (double along = 0.05; along < 1.0; along += 0.05) {
-    const double below = 0.5 * (1.0 - kStep);
-    CHECK(windowAt(squaredEdges(1.0 - along, along)) >= 0.0);
-    const auto near = windowsAt(along * (1.0 - kStep), (1.0 - along) * (1.0 - kStep));
-    CHECK(near.weight[0] < 1e-9); // the vertex across the diagonal
-    CHECK(below < 0.5);
-  }
+  const auto windowOf = [](int i, double x, double y) {
+    const double left = std::floor(x), top = std::floor(y);
+    const auto windows = windowsAt(x - left, y - top);
+    for (std::size_t k = 0; k < 3; ++k)
+      if (int(left) + windows.corner[k][0] == i && int(top) + windows.corner[k][1] == 0)
+        return windows.weight[k];
+    return 0.0;
+  };
+  constexpr double kSteepest = 8.0, kMostCurved = 60.0;
+  for (const int vertex : {0, 1})
+    for (const std::array<double, 2>& way : {std::array{1.0, 0.3}, std::array{0.2, -1.0}}) {
+      double before = 0.0, slopeBefore = 0.0;
+      for (int k = 0; k < 30000; ++k) {
+        const double t = (k - 15000) * kStep;
+        const double here = windowOf(vertex, 0.1 + t * way[0], 0.05 + t * way[1]);
+        const double slope = (here - before) / kStep;
+        if (k > 1) {
+          CHECK(std::abs(slope) < kSteepest);
+          CHECK(std::abs(slope - slopeBefore) < kMostCurved * kStep);
+        }
+        before = here;
+        slopeBefore = k > 0 ? slope : 0.0;
+      }
+    }
 }
 
 TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near as they state") {
@@ -105,7 +123,7 @@ TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near 
     loss = std::max(loss,
                     std::abs(double(retainedAt(float(cycles * cycles))) - std::sin(phase) / phase));
   }
-  CHECK(loss < 0.1);
+  CHECK(loss < 0.093); // (1 - pi^2 / 18)^3, where sinc is 0
   CHECK(retainedAt(-1.0f) == 1.0f);
   CHECK(retainedAt(2.0f) == 0.0f);
 }
@@ -197,12 +215,24 @@ TEST_CASE("local random-phase noise has the covariance of Gaussian values, and o
       counts[std::size_t(place)] += 1.0;
     }
   }
-  // The standard error of a variance over 16 x 2 x 2 tiles, whose slowest cosines have about one
-  // independent value a tile, is sqrt(2 / 64) / 3 of it at most; measured 1 %.
-  CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.05);
+  // Exactly, of the vectors: half the mean of their products over the variants.
+  const Table& table =
+      example().tables[example().noises[0].maps[0].as<LocalRandomPhaseMap>().cosines];
+  const std::vector<float> texels = decodeLevel(table, 0);
+  Eigen::Matrix3d exact = Eigen::Matrix3d::Zero();
+  for (std::size_t i = 0; i < texels.size() / 4; ++i)
+    if (i % table.width >= kCosineColumns) {
+      const Eigen::Vector3d vector(texels[4 * i], texels[4 * i + 1], texels[4 * i + 2]);
+      exact += 36.0 * vector * vector.transpose() / (2.0 * shared.variants);
+    }
+  // Rounding to half floats, 2^-11 of each factor, and of the Gaussian values to 8 bits.
+  CHECK((exact - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 2e-3);
+  // The targets: 3 % over 16 seeds, and one variance everywhere to 1.5 %. Measured 0.6 % and 0.7 %.
+  CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.03);
+  const double mean = covariance.trace() / 3.0;
   for (int k = 0; k < kClasses; ++k) {
     INFO("class " << k << " of " << counts[std::size_t(k)]);
-    CHECK(sums[std::size_t(k)] / counts[std::size_t(k)] == Approx(1.0).margin(0.08));
+    CHECK(sums[std::size_t(k)] / counts[std::size_t(k)] == Approx(mean).epsilon(0.015));
   }
 }
 

@@ -77,11 +77,9 @@ public:
 
 std::unique_ptr<const BakeOptions> LocalRandomPhaseCommand::addBakeOptions(CLI::App& verb) const {
   auto options = std::make_unique<Bake>();
-  addValue(
-      verb, "--cosines", options->cosines,
-      wholeNumber(int(kCosinesRange.least), int(kCosinesRange.most)), "50",
-      "Cosines at a vertex, of which a pixel sums those of three: more follow the spectrum more "
-      "closely and cost more")
+  addValue(verb, "--cosines", options->cosines,
+           wholeNumber(int(kCosinesRange.least), int(kCosinesRange.most)), "50",
+           "Number of cosines; more follow the spectrum more closely and cost more per pixel")
       .group(kHeading);
   return options;
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Adapts the twin of a method that lies in planes, with the mappings uv and triplanar, to the
+// interface that all methods share.
+#pragma once
+
+#include <lichen/noise_evaluator.h>
+
+#include <cassert>
+#include <memory>
+#include <utility>
+
+namespace lichen {
+
+/// `Twin` has the two functions evaluate(map, material, footprint) of TilingEvaluator.
+template <class Twin>
+class PlaneEvaluator final : public NoiseEvaluator {
+public:
+  PlaneEvaluator(Twin twin, const Noise& noise, const shader::LichenTriplanarMaterial& constants)
+      : NoiseEvaluator(noise, constants), twin_(std::move(twin)) {}
+
+  [[nodiscard]] Value evaluate(std::size_t map, const TileFootprint& at,
+                               const MixPlace&) const override {
+    return twin_.evaluate(map, constants(), at);
+  }
+  [[nodiscard]] Value evaluate(std::size_t map, const TriplanarFootprint& at,
+                               const MixPlace&) const override {
+    return twin_.evaluate(map, planes(), at);
+  }
+  [[nodiscard]] Value evaluate(std::size_t, const SurfaceFootprint&,
+                               const MixPlace&) const override {
+    assert(!"the method does not fit the mapping surface, and create() refuses it");
+    return {};
+  }
+
+private:
+  Twin twin_;
+};
+
+/// The evaluator of `created`, or its error.
+template <class Twin>
+[[nodiscard]] Result<std::unique_ptr<const NoiseEvaluator>>
+planeEvaluator(Result<Twin> created, const Bundle& bundle, const MaterialNoise& material,
+               const Placement& placement) {
+  if (!created)
+    return created.error();
+  return std::unique_ptr<const NoiseEvaluator>(std::make_unique<PlaneEvaluator<Twin>>(
+      std::move(created).value(), bundle.noises[material.noise],
+      shaderMaterial(bundle, material, placement)));
+}
+
+} // namespace lichen
