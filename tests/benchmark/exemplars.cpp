@@ -72,6 +72,8 @@ Bundle bundleOf(Result<Bake> bake) {
   Bundle bundle;
   bundle.noises.push_back(std::move(bake.value().noise));
   bundle.tables = std::move(bake.value().tables);
+  bundle.materials = {MaterialNoise{}};
+  bundle.materialNames = {"benchmark"};
   return bundle;
 }
 
@@ -149,10 +151,7 @@ Bundle localRandomPhaseBundle(const SrgbImage& image) {
 }
 
 Bundle bakedBundle(std::span<const MapExemplar> maps, const TilingOptions& options) {
-  Bundle bundle = bundleOf(bakeTiling("benchmark", maps, options));
-  bundle.materials = {MaterialNoise{}};
-  bundle.materialNames = {"benchmark"};
-  return bundle;
+  return bundleOf(bakeTiling("benchmark", maps, options));
 }
 
 } // namespace lichen::bench

@@ -36,7 +36,7 @@ struct Exemplar {
 [[nodiscard]] Bundle bakedBundle(std::span<const MapExemplar> maps,
                                  const TilingOptions& options = {});
 [[nodiscard]] Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options = {});
-/// Likewise for a texton of support 64, without a material.
+/// Likewise for a texton of support 64.
 [[nodiscard]] Bundle textonBundle(const SrgbImage& image);
 /// Likewise for local random-phase noise of 50 cosines.
 [[nodiscard]] Bundle localRandomPhaseBundle(const SrgbImage& image);
