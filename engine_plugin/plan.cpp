@@ -86,10 +86,13 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
       // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
       if (tiling->dimensions == 1)
         plan.showsGreenAsAlpha[tiling->gaussian] = true;
+    } else if (std::holds_alternative<LocalRandomPhaseMap>(map.data)) {
+      plan.fetchedOnly[imageOf(map)] = true;
     } else if (const auto* texton = std::get_if<TextonMap>(&map.data);
                texton != nullptr && !texton->laterSteps.empty()) {
       plan.bundle.tables.push_back(mixTable(map));
       plan.showsGreenAsAlpha.push_back(false);
+      plan.fetchedOnly.push_back(false);
       result.tables[role] = std::uint32_t(plan.bundle.tables.size() - 1);
     }
   }
@@ -105,6 +108,7 @@ void planBundle(LichenBundle_T& plan) {
     const std::uint32_t noImage = append(placeholder(false));
     const std::uint32_t noTable = append(placeholder(true));
     plan.showsGreenAsAlpha.resize(plan.bundle.tables.size());
+    plan.fetchedOnly.resize(plan.bundle.tables.size());
     for (std::size_t noise = 0; noise < plan.bundle.noises.size(); ++noise)
       plan.noises.push_back(planNoise(plan, noise, noImage, noTable));
   }
@@ -307,6 +311,7 @@ LichenResult lichenGetImageProperties(LichenBundle bundle, std::uint32_t image,
   }
   values.bytes = table.bytes().data();
   values.byteCount = table.bytes().size();
+  values.fetchedOnly = bundle->fetchedOnly[image] ? 1 : 0;
   return writeStruct(values, LICHEN_STRUCTURE_IMAGE_PROPERTIES, properties);
 }
 

@@ -21,6 +21,8 @@ struct LichenBundle_T {
   std::vector<Extent> extents;
   /// Per table: whether its image view shows green as alpha.
   std::vector<bool> showsGreenAsAlpha;
+  /// Per table: whether the shader fetches single texels of it only.
+  std::vector<bool> fetchedOnly;
   /// Per noise: its block, and the index of the image and the table of each role, of placeholders
   /// where the noise lacks them.
   struct NoisePlan {

@@ -52,15 +52,16 @@ LichenResult checkFormat(const LichenVulkanContext_T& context,
   VkFormatProperties format{};
   context.functions.getPhysicalDeviceFormatProperties(context.physicalDevice, info.format, &format);
   // Without TRANSFER_DST, which Vulkan 1.0 does not report; the usage below includes it.
-  constexpr VkFormatFeatureFlags kNeeded =
-      VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+  VkFormatFeatureFlags needed = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
+  if (properties.fetchedOnly == 0)
+    needed |= VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
   VkImageFormatProperties most{};
   const VkResult result = context.functions.getPhysicalDeviceImageFormatProperties(
       context.physicalDevice, info.format, info.imageType, info.tiling, info.usage, info.flags,
       &most);
   if (result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
     return vulkanFailure("querying a format's properties", result, diagnostic);
-  if (result == VK_SUCCESS && (format.optimalTilingFeatures & kNeeded) == kNeeded &&
+  if (result == VK_SUCCESS && (format.optimalTilingFeatures & needed) == needed &&
       info.extent.width <= most.maxExtent.width && info.extent.height <= most.maxExtent.height &&
       info.extent.depth <= most.maxExtent.depth && info.mipLevels <= most.maxMipLevels)
     return LICHEN_SUCCESS;

@@ -239,7 +239,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "tiling keeps the exemplar's histogram; texton makes a Gaussian texture, the smallest on "
       "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification");
   addValue(verb, "--precision", arguments->bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
-           "Bits per channel of the tables; for textons and cosines 16- or 32-bit floats");
+           "Bits per channel of the tables; for textons 16- or 32-bit floats");
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addBakeOptions(verb));
   arguments->verb = &verb;

@@ -94,14 +94,14 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
       fitCosines(smoothed(powerPlane(spectra)), std::size_t(options.cosines),
                  edgesOfOctave0(shared.columns, shared.rows));
   if (cosines.empty()) // nothing varies
-    cosines.push_back({{0, 1, 1, 2}, 0, 0.0});
+    cosines.assign(2, {{0, 1, 1, 2}, 0, 0.0});
   const CosineVectors vectors = cosineVectors(spectra, cosines);
   shared.cosines = cosinesByOctave(cosines);
   shared.variants = vectors.variants;
   std::size_t channel = 0;
   for (std::size_t m = 0; m < spectra.size(); ++m) {
     const std::size_t channels = spectra[m].channels.size();
-    Table table = cosineTable(cosines, vectors, {m, channel, channels}, options.bits);
+    Table table = cosineTable(cosines, vectors, {m, channel, channels});
     table.name = name + "." + std::string(nameOf(bake.noise.maps[m].target)) + ".cosines";
     data[m].cosines = appended(std::move(table), bake.tables);
     bake.noise.maps[m].data = data[m];

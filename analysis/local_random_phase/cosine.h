@@ -3,30 +3,35 @@
 // those in shaders_glsl/noise/local_random_phase.glsl.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
 namespace lichen::local_random_phase {
 
+/// The variant that a vertex takes of all its cosines. `variants` is a power of two, at most 32.
+inline std::uint32_t variantOf(std::uint32_t state, std::uint32_t variants) {
+  return (state >> 27u) & (variants - 1u);
+}
+
 /// The random numbers of one cosine at one vertex.
 struct Draw {
-  std::uint32_t column = 0, row = 0; ///< of the rectangle of frequencies, [0, 1024)
-  std::uint32_t variant = 0;
-  float phase = 0.0f; ///< turns, [-1/2, 1/2]
+  float column = 0.0f, row = 0.0f; ///< from the middle of the rectangle, [-1/2, 1/2] of its sides
+  float phase = 0.0f;              ///< turns, [-1/2, 1/2]
 };
 
-/// As lichenCosinesGaussian draws. `variants` is a power of two, at most 32.
-inline Draw nextDraw(std::uint32_t& state, std::uint32_t variants) {
+/// As lichenCosinesGaussian draws.
+inline Draw nextDraw(std::uint32_t& state) {
   // The generator of pcg without its output function. The phase has the high bits, which are the
   // most random.
   state = state * 747796405u + 2891336453u;
-  return {(state >> 1u) & 1023u, (state >> 11u) & 1023u, (state >> 21u) & (variants - 1u),
-          float(std::int32_t(state)) * 0x1p-32f};
+  const auto share = [](std::uint32_t bits) { return float(std::int32_t(bits)) * 0x1p-32f; };
+  return {share(state << 21u), share(state << 11u), share(state)};
 }
 
 /// lichenCosineOfTurns: cos(2 pi turns), within 1.1e-4.
 inline float cosineOfTurns(float turns) {
-  const float z = 0.25f - std::abs(turns - std::floor(turns + 0.5f));
+  const float z = 0.25f - std::abs(turns - std::nearbyint(turns));
   const float square = z * z;
   return z * (6.2812805f + square * (-41.0952f + square * 73.5855f));
 }
@@ -36,7 +41,8 @@ inline float cosineOfTurns(float turns) {
 /// this is.
 inline float retainedAt(float squaredCycles) {
   constexpr float kSlope = 0.548311356f; // pi^2 / 18
-  const float left = std::fmax(1.0f - kSlope * std::fmax(squaredCycles, 0.0f), 0.0f);
+  // Slanted pixels can be so long that the form is below 0 by rounding.
+  const float left = std::clamp(1.0f - kSlope * squaredCycles, 0.0f, 1.0f);
   return left * left * left;
 }
 

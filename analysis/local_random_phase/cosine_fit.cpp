@@ -26,8 +26,15 @@ constexpr double kEdgesPerBox = 1.3;
 /// Boxes of frequencies at which the spectra are compared: small beside the widths of the windows.
 constexpr std::size_t kComparedBoxes = 3000;
 
-int octaveOf(const FrequencyBox& box, const std::array<double, 2>& edges) {
-  const double edge = kEdgesPerBox / std::sqrt(box.width() * box.height()); // [tiles]
+/// Cosines of similar areas that share an octave, as each octave costs a pixel three hashes and
+/// windows. Even, as the image's rows hold two.
+constexpr std::size_t kSharing = 4;
+
+double areaOf(const FrequencyBox& box) { return box.width() * box.height(); }
+
+/// The octave of boxes between two areas.
+int octaveOf(double least, double most, const std::array<double, 2>& edges) {
+  const double edge = kEdgesPerBox / std::pow(least * most, 0.25); // [tiles]
   const double octave = std::log2(std::sqrt(edges[0] * edges[1]) / edge);
   return std::clamp(int(std::lround(octave)), 0, int(kMostOctaves) - 1);
 }
@@ -164,12 +171,22 @@ std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
   std::vector<Cosine> cosines;
   for (const FrequencyBox& box : boxesOfEqualPower(power, count))
     if (powerOf(power, box).sum > 0.0)
-      cosines.push_back({box, octaveOf(box, edges)});
-  std::sort(cosines.begin(), cosines.end(), [](const Cosine& a, const Cosine& b) {
-    return std::tie(a.octave, a.box.top, a.box.left) < std::tie(b.octave, b.box.top, b.box.left);
-  });
-  if (!cosines.empty())
-    fitEnergies(power, edges, cosines);
+      cosines.push_back({box});
+  if (cosines.empty())
+    return cosines;
+  const auto order = [](const Cosine& a, const Cosine& b) {
+    return std::tuple(areaOf(a.box), a.box.top, a.box.left) <
+           std::tuple(areaOf(b.box), b.box.top, b.box.left);
+  };
+  std::sort(cosines.begin(), cosines.end(), order);
+  for (std::size_t j = 0; j < cosines.size(); ++j) {
+    const std::size_t first = j - j % kSharing;
+    const std::size_t last = std::min(first + kSharing, cosines.size()) - 1;
+    cosines[j].octave = octaveOf(areaOf(cosines[first].box), areaOf(cosines[last].box), edges);
+  }
+  fitEnergies(power, edges, cosines);
+  if (cosines.size() % 2 != 0) // one of no frequency
+    cosines.push_back({{1, 1, 0, 0}, cosines.back().octave, 0.0});
   return cosines;
 }
 

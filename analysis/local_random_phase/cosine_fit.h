@@ -18,7 +18,8 @@ struct Cosine {
 
 /// Fits at most `count` cosines to a power plane whose values, each counted for its frequency and
 /// for the mirror, sum to the variance: O(columns rows). `edges`: those of octave 0 along x and y
-/// [tiles]. The result is ordered by octave, then by frequency. Throws std::bad_alloc.
+/// [tiles]. The result is ordered by octave, and each octave has an even number of cosines: one
+/// without frequencies and energy follows an odd number. Throws std::bad_alloc.
 [[nodiscard]] std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
                                              const std::array<double, 2>& edges);
 

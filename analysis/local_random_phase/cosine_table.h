@@ -22,9 +22,8 @@ struct MapRows {
   std::size_t channels = 0;
 };
 
-/// The image of a map, as LocalRandomPhaseMap specifies it: half floats for 8 `bits`, floats
-/// for 16.
+/// The image of a map, as LocalRandomPhaseMap specifies it. The number of cosines is even.
 [[nodiscard]] Table cosineTable(const std::vector<Cosine>& cosines, const CosineVectors& vectors,
-                                const MapRows& rows, int bits);
+                                const MapRows& rows);
 
 } // namespace lichen::local_random_phase

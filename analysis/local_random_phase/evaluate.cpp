@@ -23,32 +23,44 @@ using Vec2 = std::array<float, 2>;
 
 bool isSlope(const shader::LichenMap& map) { return map.encoding == LICHEN_ENCODING_SLOPE; }
 
-/// The square of the cycles that the footprint spans of a frequency, q - t^2 / q where a texel
-/// spans t: 0 up to a texel, over which the exemplar has averaged already, and soon all of q.
-class Footprint {
-public:
-  Footprint(const TileFootprint& at, const shader::LichenNoise& noise)
-      : at_(at), texel_{1.0f / noise.tileTexelsX, 1.0f / noise.tileTexelsY} {}
+/// The squared cycles that a footprint spans of a frequency, as a quadratic form.
+struct Footprint {
+  float xx = 0.0f, yy = 0.0f, xy = 0.0f;
 
   [[nodiscard]] float squaredCycles(float fx, float fy) const {
-    const float x = fx * at_.dx[0] + fy * at_.dx[1];
-    const float y = fx * at_.dy[0] + fy * at_.dy[1];
-    const float ownX = fx * texel_[0], ownY = fy * texel_[1];
-    constexpr float kLeast = 1e-20f; // of a frequency of 0
-    const float cycles = std::max(x * x + y * y, kLeast);
-    const float ratio = (ownX * ownX + ownY * ownY) / cycles, square = ratio * ratio;
-    return cycles - cycles * square * square;
+    return fx * (xx * fx + xy * fy) + yy * fy * fy;
   }
-
-private:
-  TileFootprint at_;
-  Vec2 texel_;
 };
 
-/// One vertex of a lattice: the state of its random numbers, the vector from it to the point
-/// [tiles], and its window there.
+/// A squared length [texels^2] -> what is averaged beyond a texel, over which the exemplar has
+/// averaged already: 0 up to 1, and soon all of it.
+float beyondTexel(float squared) {
+  const float own = std::max(squared, 1.0f);
+  return own - 1.0f / (own * own * own);
+}
+
+/// lichenCosinesFootprint: beyondTexel() of the footprint's ellipse along both of its axes.
+Footprint footprintOf(const TileFootprint& at, const shader::LichenNoise& noise) {
+  const Vec2 columns{at.dx[0] * noise.tileTexelsX, at.dy[0] * noise.tileTexelsX};
+  const Vec2 rows{at.dx[1] * noise.tileTexelsY, at.dy[1] * noise.tileTexelsY};
+  const float xx = columns[0] * columns[0] + columns[1] * columns[1];
+  const float yy = rows[0] * rows[0] + rows[1] * rows[1];
+  const float xy = columns[0] * rows[0] + columns[1] * rows[1];
+  const float mean = 0.5f * (xx + yy), half = 0.5f * (xx - yy);
+  const float apart = std::sqrt(half * half + xy * xy);
+  const float longer = beyondTexel(mean + apart), shorter = beyondTexel(mean - apart);
+  constexpr float kLeast = 1e-20f; // of a circle, whose axes are the same
+  const float own = 0.5f * (longer + shorter);
+  const float slope = 0.5f * (longer - shorter) / std::max(apart, kLeast);
+  return {(own + slope * half) / (noise.tileTexelsX * noise.tileTexelsX),
+          (own - slope * half) / (noise.tileTexelsY * noise.tileTexelsY),
+          2.0f * slope * xy / (noise.tileTexelsX * noise.tileTexelsY)};
+}
+
+/// One vertex of a lattice: the state of its random numbers, its variant of all cosines, the vector
+/// from it to the point [tiles], and its window there.
 struct Vertex {
-  std::uint32_t state = 0;
+  std::uint32_t state = 0, variant = 0;
   Vec2 offset{};
   float weight = 0.0f;
 };
@@ -82,7 +94,7 @@ Cell cellAt(const shader::LichenMaterial& material, const Vec2& position) {
 }
 
 /// The three vertices around a point in the lattice of an octave.
-std::array<Vertex, 3> verticesAt(const Cell& cell, int octave,
+std::array<Vertex, 3> verticesAt(const Cell& cell, int octave, std::uint32_t variants,
                                  const shader::LichenMaterial& material) {
   const int finer = std::max(octave - cosinesPart(material).firstOctave, 0);
   const auto scale = float(std::ldexp(1.0, finer));
@@ -107,8 +119,10 @@ std::array<Vertex, 3> verticesAt(const Cell& cell, int octave,
       j += std::uint32_t(material.cellJ) << finer;
     }
     const float a = windows.offset[k][0], b = windows.offset[k][1];
+    const std::uint32_t state = vertexHash(i, j, seed);
     vertices[k] = {
-        vertexHash(i, j, seed),
+        state,
+        local_random_phase::variantOf(state, variants),
         {(a + 0.5f * b) / (material.columnsPerTile * scale), b / (material.rowsPerTile * scale)},
         windows.weight[k]};
   }
@@ -119,7 +133,7 @@ std::array<Vertex, 3> verticesAt(const Cell& cell, int octave,
 
 struct LocalRandomPhaseEvaluator::Map {
   gaussianization::ValueDecoder decoder;
-  std::vector<Value> texels; ///< of the image of cosines, row by row
+  std::vector<std::array<CosineTexel, kRowCosines>> texels; ///< of the image of cosines
 };
 
 Result<LocalRandomPhaseEvaluator> LocalRandomPhaseEvaluator::create(const Bundle& bundle,
@@ -140,13 +154,9 @@ Result<LocalRandomPhaseEvaluator> LocalRandomPhaseEvaluator::create(const Bundle
     auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
       const auto& stored = noise.maps[m].as<LocalRandomPhaseMap>();
-      const std::vector<float> values = decodeLevel(bundle.tables[stored.cosines], 0);
-      Map map{
-          gaussianization::ValueDecoder(bundle, shaderMap(bundle, noise, m), stored.inverseTable),
-          std::vector<Value>(values.size() / 4)};
-      for (std::size_t i = 0; i < map.texels.size(); ++i)
-        std::copy_n(&values[4 * i], 4, map.texels[i].begin());
-      maps->push_back(std::move(map));
+      maps->push_back(
+          {gaussianization::ValueDecoder(bundle, shaderMap(bundle, noise, m), stored.inverseTable),
+           cosineTexels(decodeLevel(bundle.tables[stored.cosines], 0))});
     }
     return LocalRandomPhaseEvaluator(shaderNoise(bundle, noiseIndex), shared.cosines,
                                      std::uint32_t(shared.variants), std::move(maps));
@@ -159,33 +169,35 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
                                           const shader::LichenMaterial& material,
                                           const TileFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
-  const Footprint footprint(at, noise_);
+  const Footprint footprint = footprintOf(at, noise_);
   const Cell cell =
       cellAt(material, {at.position[0] + material.offsetX, at.position[1] + material.offsetY});
   std::array<float, 3> sum{};
   float lost = 0.0f;
-  const Value* row = map.texels.data();
+  const auto* row = map.texels.data();
   for (std::size_t octave = 0; octave < cosines_.size(); ++octave) {
     if (cosines_[octave] == 0)
       continue;
-    std::array<Vertex, 3> vertices = verticesAt(cell, int(octave), material);
-    for (int j = 0; j < cosines_[octave]; ++j, row += kCosineColumns + variants_) {
+    std::array<Vertex, 3> vertices = verticesAt(cell, int(octave), variants_, material);
+    for (int k = 0; k < cosines_[octave]; ++k) {
+      const std::size_t own = std::size_t(k) % kRowCosines;
+      const CosineTexel& box = row[0][own];
       for (Vertex& vertex : vertices) {
-        const local_random_phase::Draw draw = local_random_phase::nextDraw(vertex.state, variants_);
-        const float fx = row[0][0] + row[0][2] * float(draw.column);
-        const float fy = row[0][1] + row[0][3] * float(draw.row);
-        const Value& amplitude = row[kCosineColumns + draw.variant];
+        const CosineTexel& amplitude = row[kCosineColumns + vertex.variant][own];
+        const local_random_phase::Draw draw = local_random_phase::nextDraw(vertex.state);
+        const float fx = box[0] + box[2] * draw.column, fy = box[1] + box[3] * draw.row;
         const float turns =
             fx * vertex.offset[0] + fy * vertex.offset[1] + draw.phase + amplitude[3];
         const float window =
             vertex.weight * local_random_phase::retainedAt(footprint.squaredCycles(fx, fy));
-        lost += (vertex.weight * vertex.weight - window * window) *
-                (amplitude[0] * amplitude[0] + amplitude[1] * amplitude[1] +
-                 amplitude[2] * amplitude[2]);
         const float value = window * local_random_phase::cosineOfTurns(turns);
-        for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t c = 0; c < 3; ++c) {
           sum[c] += value * amplitude[c];
+          lost += (vertex.weight * vertex.weight - window * window) * amplitude[c] * amplitude[c];
+        }
       }
+      if (own + 1 == kRowCosines)
+        row += kCosineColumns + variants_;
     }
   }
   const auto dimensions = float(map.decoder.constants().dimensions);

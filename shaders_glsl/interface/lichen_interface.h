@@ -148,7 +148,8 @@ struct LichenCosinesNoise {
   uint octaves0, octaves1, octaves2; // the number of octave k's cosines: byte k of twelve
   uint variants;                     // vectors of a cosine, a power of two
   uint columns, rows;                // of octave 0 in eight tiles
-  uint reserved0, reserved1;         // 0: to a multiple of 16 bytes
+  uint cosines;                      // of all octaves; even, as is the number of each
+  uint reserved0;                    // 0: to a multiple of 16 bytes
 };
 
 /// What all maps of a noise share. Fixed by the bundle.

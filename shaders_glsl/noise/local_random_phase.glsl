@@ -24,6 +24,7 @@ struct LichenCosinesPoint {
 /// The three vertices around a point in the lattice of one octave.
 struct LichenCosinesVertices {
   uvec3 states;           // of their random numbers
+  ivec3 variants;         // columns of the image
   vec3 offsetX, offsetY;  // [tiles] from each vertex to the point
   vec3 windows;           // the squares sum to 1
 };
@@ -55,7 +56,7 @@ uint lichenCosineState(ivec2 vertex, int finer, uint seed, LichenMaterial materi
   return lichenVertexHash(near.x, near.y, seed);
 }
 
-LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave,
+LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave, uint variants,
                                             LichenMaterial material) {
   int finer = max(octave - lichenCosinesMaterial(material).firstOctave, 0);
   float scale = float(1 << finer);
@@ -72,6 +73,7 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
   vertices.states = uvec3(lichenCosineState(cell + far, finer, seed, material),
                           lichenCosineState(cell + ivec2(1, 0), finer, seed, material),
                           lichenCosineState(cell + ivec2(0, 1), finer, seed, material));
+  vertices.variants = 1 + ivec3((vertices.states >> 27u) & (variants - 1u));
   vertices.offsetX = (columns + 0.5 * rows) * perCell.x;
   vertices.offsetY = rows * perCell.y;
   vertices.windows = lichenCosineWindows(columns, rows);
@@ -80,28 +82,40 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
 
 /// cos(2 pi turns), within 1.1e-4.
 vec3 lichenCosineOfTurns(vec3 turns) {
-  vec3 z = 0.25 - abs(turns - floor(turns + 0.5));
+  vec3 z = 0.25 - abs(turns - roundEven(turns));
   vec3 square = z * z;
   return z * (6.2812805 + square * (-41.0952 + square * 73.5855));
 }
 
-/// The amplitude that a footprint leaves of a cosine, for the square of the cycles that it spans.
+/// A squared length [texels^2] -> what is averaged beyond a texel, over which the exemplar has
+/// averaged already: 0 up to 1, and soon all of it.
+float lichenBeyondTexel(float squared) {
+  float own = max(squared, 1.0);
+  return own - 1.0 / (own * own * own);
+}
+
+/// The squared cycles that a pixel averages of a frequency f: x f.x^2 + y f.y^2 + z f.x f.y. Of the
+/// footprint's ellipse, what lies beyond a texel along each of its axes.
+vec3 lichenCosinesFootprint(LichenCosinesPoint point, vec2 tileTexels) {
+  vec2 columns = vec2(point.gradientX.x, point.gradientY.x) * tileTexels.x; // [texels / pixel]
+  vec2 rows = vec2(point.gradientX.y, point.gradientY.y) * tileTexels.y;
+  float xx = dot(columns, columns), yy = dot(rows, rows), xy = dot(columns, rows);
+  float mean = 0.5 * (xx + yy), halfDifference = 0.5 * (xx - yy);
+  float apart = sqrt(halfDifference * halfDifference + xy * xy); // the axes, from the mean
+  float longer = lichenBeyondTexel(mean + apart), shorter = lichenBeyondTexel(mean - apart);
+  const float kLeast = 1.0e-20; // of a circle, whose axes are the same
+  float slope = 0.5 * (longer - shorter) / max(apart, kLeast);
+  return vec3(0.5 * (longer + shorter) + slope * vec2(halfDifference, -halfDifference),
+              2.0 * slope * xy) / vec3(tileTexels * tileTexels, tileTexels.x * tileTexels.y);
+}
+
+/// The amplitudes that a footprint leaves of cosines, for the squares of the cycles that it spans.
 /// The mean of a cosine over x cycles is sinc x, 1 - pi^2 x^2 / 6 near 0, as this is.
 vec3 lichenCosineRetained(vec3 squaredCycles) {
   const float kSlope = 0.548311356; // pi^2 / 18
-  vec3 left = max(1.0 - kSlope * max(squaredCycles, 0.0), 0.0);
+  // Slanted pixels can be so long that the form is below 0 by rounding.
+  vec3 left = clamp(1.0 - kSlope * squaredCycles, 0.0, 1.0);
   return left * left * left;
-}
-
-/// The squared cycles of three frequencies that the footprint spans: q - t^4 / q^3 where a texel does
-/// t; 0 up to a texel, over which the exemplar has averaged already, and soon all of q.
-vec3 lichenFootprintCycles(vec3 x, vec3 y, vec3 footprint, vec2 texel) {
-  const float kLeast = 1.0e-20; // of a frequency of 0
-  vec3 cycles = footprint.x * x * x + footprint.y * y * y + footprint.z * x * y;
-  cycles = max(cycles, kLeast);
-  vec3 ratio = (texel.x * texel.x * x * x + texel.y * texel.y * y * y) / cycles;
-  vec3 square = ratio * ratio;
-  return cycles - cycles * square * square;
 }
 
 /// The number of cosines of an octave.
@@ -110,48 +124,65 @@ int lichenOctaveCosines(int octave, LichenCosinesNoise cosines) {
   return int((word >> (8u * uint(octave & 3))) & 255u);
 }
 
+/// The two numbers that a float's halves hold, with 8 significant bits each.
+vec2 lichenBfloat16Pair(float pair) {
+  uint bits = floatBitsToUint(pair);
+  return vec2(uintBitsToFloat(bits & 0xFFFF0000u), uintBitsToFloat(bits << 16u));
+}
+
+/// Adds one cosine at three vertices: to the sum of Gaussian values, and in w to the variance that
+/// the footprint takes from all channels. `box`: the cosine's half of a texel of column 0, the
+/// others those of the vertices' variants. Advances the vertices' random numbers.
+void lichenAddCosine(inout vec4 sum, inout uvec3 states, LichenCosinesVertices vertices,
+                     vec3 footprint, vec2 box, vec2 variant0, vec2 variant1, vec2 variant2) {
+  vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
+  vec4 amplitude0 = vec4(lichenBfloat16Pair(variant0.x), lichenBfloat16Pair(variant0.y));
+  vec4 amplitude1 = vec4(lichenBfloat16Pair(variant1.x), lichenBfloat16Pair(variant1.y));
+  vec4 amplitude2 = vec4(lichenBfloat16Pair(variant2.x), lichenBfloat16Pair(variant2.y));
+  // The generator of pcg without its output function; the phase has the high bits.
+  states = states * 747796405u + 2891336453u;
+  const float kPerBit = 1.0 / 4294967296.0; // of signed integers: -1/2 to 1/2
+  vec3 frequencyX = middle.x + size.x * kPerBit * vec3(ivec3(states << 21u));
+  vec3 frequencyY = middle.y + size.y * kPerBit * vec3(ivec3(states << 11u));
+  vec3 turns = frequencyX * vertices.offsetX + frequencyY * vertices.offsetY +
+               kPerBit * vec3(ivec3(states)) + vec3(amplitude0.a, amplitude1.a, amplitude2.a);
+  vec3 cycles = frequencyX * (footprint.x * frequencyX + footprint.z * frequencyY) +
+                footprint.y * frequencyY * frequencyY;
+  vec3 windows = vertices.windows * lichenCosineRetained(cycles);
+  vec3 values = windows * lichenCosineOfTurns(turns);
+  sum.rgb += values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb;
+  sum.w += dot(vertices.windows * vertices.windows - windows * windows,
+               vec3(dot(amplitude0.rgb, amplitude0.rgb), dot(amplitude1.rgb, amplitude1.rgb),
+                    dot(amplitude2.rgb, amplitude2.rgb)));
+}
+
 /// The Gaussian value, and in w the share of its variance that the footprint loses, averaged over
 /// the channels.
 vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
                            LichenMaterial material, LichenNoise noise, LichenMap map) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
-  vec2 texel = 1.0 / vec2(noise.tileTexelsX, noise.tileTexelsY);
-  vec3 footprint = vec3(point.gradientX * point.gradientX + point.gradientY * point.gradientY,
-                        2.0 * (point.gradientX.x * point.gradientX.y +
-                               point.gradientY.x * point.gradientY.y));
-  vec3 sum = vec3(0.0);
-  float lost = 0.0;
+  vec3 footprint = lichenCosinesFootprint(point, vec2(noise.tileTexelsX, noise.tileTexelsY));
+  vec4 sum = vec4(0.0);
   int row = 0;
-  for (int octave = 0; octave < LICHEN_MAX_OCTAVES; ++octave) {
-    int end = row + lichenOctaveCosines(octave, shape);
-    if (row == end)
-      continue;
-    LichenCosinesVertices vertices = lichenCosinesVertices(point, octave, material);
+  int rows = int(shape.cosines) / 2;
+  for (int octave = 0; octave < LICHEN_MAX_OCTAVES && row < rows; ++octave) {
+    int end = row + lichenOctaveCosines(octave, shape) / 2;
+    LichenCosinesVertices vertices =
+        lichenCosinesVertices(point, octave, shape.variants, material);
     uvec3 states = vertices.states;
     for (; row < end; ++row) {
-      // The generator of pcg without its output function; the phase has the high bits.
-      states = states * 747796405u + 2891336453u;
-      ivec3 variants = 1 + ivec3((states >> 21u) & (shape.variants - 1u));
-      vec4 box = LICHEN_FETCH_2D(image, ivec2(0, row));
-      vec4 amplitude0 = LICHEN_FETCH_2D(image, ivec2(variants.x, row));
-      vec4 amplitude1 = LICHEN_FETCH_2D(image, ivec2(variants.y, row));
-      vec4 amplitude2 = LICHEN_FETCH_2D(image, ivec2(variants.z, row));
-      vec3 frequencyX = box.x + box.z * vec3(ivec3((states >> 1u) & 1023u));
-      vec3 frequencyY = box.y + box.w * vec3(ivec3((states >> 11u) & 1023u));
-      vec3 turns = frequencyX * vertices.offsetX + frequencyY * vertices.offsetY +
-                   vec3(ivec3(states)) * (1.0 / 4294967296.0) +
-                   vec3(amplitude0.a, amplitude1.a, amplitude2.a);
-      vec3 cycles = lichenFootprintCycles(frequencyX, frequencyY, footprint, texel);
-      vec3 windows = vertices.windows * lichenCosineRetained(cycles);
-      vec3 values = windows * lichenCosineOfTurns(turns);
-      sum += values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb;
-      lost += dot(vertices.windows * vertices.windows - windows * windows,
-                  vec3(dot(amplitude0.rgb, amplitude0.rgb), dot(amplitude1.rgb, amplitude1.rgb),
-                       dot(amplitude2.rgb, amplitude2.rgb)));
+      vec4 boxes = LICHEN_FETCH_2D(image, ivec2(0, row));
+      vec4 variant0 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.x, row));
+      vec4 variant1 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.y, row));
+      vec4 variant2 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.z, row));
+      lichenAddCosine(sum, states, vertices, footprint, boxes.xy, variant0.xy, variant1.xy,
+                      variant2.xy);
+      lichenAddCosine(sum, states, vertices, footprint, boxes.zw, variant0.zw, variant1.zw,
+                      variant2.zw);
     }
   }
   // Half the square of an amplitude, over the variance 1 / 36 of a Gaussian value.
-  return vec4(0.5 + material.contrast * sum, 18.0 * lost / float(int(map.dimensions)));
+  return vec4(0.5 + material.contrast * sum.rgb, 18.0 * sum.w / float(int(map.dimensions)));
 }
 
 // The seam's functions; see method.glsl.

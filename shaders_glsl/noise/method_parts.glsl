@@ -36,7 +36,7 @@ LichenCosinesMaterial lichenCosinesMaterial(LichenMaterial material) {
 
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {
   return LichenCosinesNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w,
-                            noise.own1.x, noise.own1.y, 0u, 0u);
+                            noise.own1.x, noise.own1.y, noise.own1.z, 0u);
 }
 
 #endif

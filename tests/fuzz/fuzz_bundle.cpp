@@ -104,7 +104,9 @@ void checkCosines(const LocalRandomPhaseNoise& shared) {
               isWithin(shared.rows, 2, kMostOctaveCells) && shared.rows % 2 == 0,
           "cells of the first octave");
   require(!shared.cosines.empty() && shared.cosines.size() <= kMostOctaves &&
-              shared.cosines.back() > 0 && isWithin(shared.cosineCount(), 1, kMostCosines),
+              shared.cosines.back() > 0 && isWithin(shared.cosineCount(), 2, kMostCosines) &&
+              std::all_of(shared.cosines.begin(), shared.cosines.end(),
+                          [](int count) { return count % 2 == 0; }),
           "number of cosines");
   require(isWithin(shared.variants, 1, kMostVariants), "number of variants");
 }
@@ -114,8 +116,8 @@ void checkCosines(const NoiseMap& map, const LocalRandomPhaseNoise& shared, cons
   require(own.cosines < bundle.tables.size(), "index of the image");
   const Table& image = bundle.tables[own.cosines];
   require(image.depth == 0 && image.width == 1 + std::uint32_t(shared.variants) &&
-              image.height == std::uint32_t(shared.cosineCount()) &&
-              channelCount(image.format) == 4,
+              image.height == std::uint32_t(shared.cosineCount()) / kRowCosines &&
+              image.format == TexelFormat::rgba32Sfloat,
           "shape of an image of cosines");
   require(isWithin(own.dimensions, 1, int(map.channels.size())), "number of dimensions");
   require(!own.inverseTable || *own.inverseTable < bundle.tables.size(), "index of the table");

@@ -68,7 +68,7 @@ std::vector<std::byte> glbOf(const BundleFile& file) {
 /// Points some tiles around the origin. Footprints range from a quarter of a texel to a tile.
 std::vector<Point> samplePoints(std::size_t count) {
   std::mt19937 generator(11u);
-  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), stretch(0.0f, 3.0f),
+  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), stretch(0.0f, 14.0f),
       angle(0.0f, 2.0f * std::numbers::pi_v<float>);
   std::vector<Point> points(count);
   for (Point& point : points) {
@@ -109,23 +109,24 @@ class Reference {
 public:
   explicit Reference(const Bundle& bundle)
       : noise_(bundle.noises[0]), shared_(noise_.as<LocalRandomPhaseNoise>()),
-        texels_(decodeLevel(bundle.tables[noise_.maps[0].as<LocalRandomPhaseMap>().cosines], 0)) {}
+        texels_(cosineTexels(
+            decodeLevel(bundle.tables[noise_.maps[0].as<LocalRandomPhaseMap>().cosines], 0))) {}
 
   /// The Gaussian value at a position in tiles from tile 0, of a point without a footprint.
   [[nodiscard]] std::array<double, 3> at(double x, double y, std::uint32_t seed) const {
     std::array<double, 3> sum{0.5, 0.5, 0.5};
-    std::size_t row = 0;
+    std::size_t first = 0;
     for (std::size_t octave = 0; octave < shared_.cosines.size(); ++octave) {
       const auto count = std::size_t(shared_.cosines[octave]);
-      addOctave(sum, x, y, octave, row, count, seed);
-      row += count;
+      addOctave(sum, x, y, octave, first, count, seed);
+      first += count;
     }
     return sum;
   }
 
 private:
   void addOctave(std::array<double, 3>& sum, double x, double y, std::size_t octave,
-                 std::size_t firstRow, std::size_t count, std::uint32_t seed) const {
+                 std::size_t first, std::size_t count, std::uint32_t seed) const {
     const double columns = std::ldexp(shared_.columns / 8.0, int(octave));
     const double rows = std::ldexp(shared_.rows / 8.0, int(octave));
     const auto nearJ = std::int64_t(std::floor(y * rows));
@@ -144,16 +145,17 @@ private:
         const double window = left * left * left;
         squares += window * window;
         std::uint32_t state = vertexHash(std::uint32_t(i), std::uint32_t(j), octaveSeed);
-        for (std::size_t k = 0; k < count; ++k) {
+        const auto share = [](std::uint32_t bits) {
+          return double(std::int32_t(bits)) / std::exp2(32.0);
+        };
+        const std::size_t column = 1 + (state >> 27 & std::uint32_t(shared_.variants - 1));
+        for (std::size_t k = first; k < first + count; ++k) {
           state = state * 747796405u + 2891336453u;
-          const std::size_t width = 1 + std::size_t(shared_.variants);
-          const float* texel = &texels_[(firstRow + k) * width * 4];
-          const double fx = double(texel[0]) + double(texel[2]) * double(state >> 1 & 1023);
-          const double fy = double(texel[1]) + double(texel[3]) * double(state >> 11 & 1023);
-          const float* vector =
-              texel + 4 * (1 + (state >> 21 & std::uint32_t(shared_.variants - 1)));
-          const double turns =
-              fx * dx + fy * dy + double(std::int32_t(state)) / std::exp2(32.0) + double(vector[3]);
+          const auto* row = &texels_[k / 2 * (1 + std::size_t(shared_.variants))];
+          const CosineTexel &box = row[0][k % 2], &vector = row[column][k % 2];
+          const double fx = double(box[0]) + double(box[2]) * share(state << 21);
+          const double fy = double(box[1]) + double(box[3]) * share(state << 11);
+          const double turns = fx * dx + fy * dy + share(state) + double(vector[3]);
           for (std::size_t c = 0; c < 3; ++c)
             own[c] += window * double(vector[c]) * std::cos(2.0 * std::numbers::pi * turns);
         }
@@ -164,7 +166,7 @@ private:
 
   const Noise& noise_;
   const LocalRandomPhaseNoise& shared_;
-  std::vector<float> texels_;
+  std::vector<std::array<CosineTexel, kRowCosines>> texels_;
 };
 
 } // namespace

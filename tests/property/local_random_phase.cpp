@@ -124,7 +124,7 @@ TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near 
                     std::abs(double(retainedAt(float(cycles * cycles))) - std::sin(phase) / phase));
   }
   CHECK(loss < 0.093); // (1 - pi^2 / 18)^3, where sinc is 0
-  CHECK(retainedAt(-1.0f) == 1.0f);
+  CHECK(retainedAt(-1.0f) == 1.0f); // a long footprint, by rounding
   CHECK(retainedAt(2.0f) == 0.0f);
 }
 
@@ -198,7 +198,7 @@ TEST_CASE("local random-phase noise has the covariance of Gaussian values, and o
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   // The squared values by the place in the cells of an octave, all seeds together.
   const auto& shared = example().noises[0].as<LocalRandomPhaseNoise>();
-  constexpr int kClasses = 6;
+  constexpr int kClasses = 4;
   std::array<double, kClasses> sums{}, counts{};
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     const auto planes = gaussianPlanes(example(), seed, kSide);
@@ -218,14 +218,15 @@ TEST_CASE("local random-phase noise has the covariance of Gaussian values, and o
   // Exactly, of the vectors: half the mean of their products over the variants.
   const Table& table =
       example().tables[example().noises[0].maps[0].as<LocalRandomPhaseMap>().cosines];
-  const std::vector<float> texels = decodeLevel(table, 0);
+  const auto texels = cosineTexels(decodeLevel(table, 0));
   Eigen::Matrix3d exact = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < texels.size() / 4; ++i)
-    if (i % table.width >= kCosineColumns) {
-      const Eigen::Vector3d vector(texels[4 * i], texels[4 * i + 1], texels[4 * i + 2]);
-      exact += 36.0 * vector * vector.transpose() / (2.0 * shared.variants);
-    }
-  // Rounding to half floats, 2^-11 of each factor, and of the Gaussian values to 8 bits.
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    if (i % table.width >= kCosineColumns)
+      for (const CosineTexel& own : texels[i]) {
+        const Eigen::Vector3d vector(own[0], own[1], own[2]);
+        exact += 36.0 * vector * vector.transpose() / (2.0 * shared.variants);
+      }
+  // Rounding to 8 significant bits, at most 2^-8 of each factor, which 200 vectors average out.
   CHECK((exact - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 2e-3);
   // The targets: 3 % over 16 seeds, and one variance everywhere to 1.5 %. Measured 0.6 % and 0.7 %.
   CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.03);

@@ -2,9 +2,13 @@
 // Small bundles for the tests and for the extension's examples; see bundle_example.h.
 #include "bundle_example.h"
 
+#include <lichen/bfloat16_pair.h>
+
+#include <array>
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace lichen::example {
 namespace {
@@ -278,32 +282,37 @@ BundleFile smallestCosines() {
   BundleFile file;
   Noise noise;
   noise.name = "swell";
-  noise.data = LocalRandomPhaseNoise{16, 12, 7, 6, {2, 0, 1}, 2};
+  noise.data = LocalRandomPhaseNoise{16, 12, 7, 6, {2, 0, 2}, 2};
   NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
   Table table;
   table.name = "swell.height.cosines";
-  table.format = TexelFormat::rgba16Sfloat;
+  table.format = TexelFormat::rgba32Sfloat;
   table.width = 3;
-  table.height = 3;
-  const auto append = [&](std::array<float, 4> box, float first, float second, float phase) {
-    const std::array texels{box[0],
-                            box[1],
-                            box[2] / 1024.0f,
-                            box[3] / 1024.0f, // its frequencies
-                            first,
-                            0.0f,
-                            0.0f,
-                            0.0f, // two variants
-                            second,
-                            0.0f,
-                            0.0f,
-                            phase};
-    appendTexels(table.texels, table.format, texels);
+  table.height = 2;
+  struct Example {
+    std::array<float, 4> box; // middle, size
+    float first, second;      // amplitudes of two variants
+    float phase;              // of the second
   };
   // The variance of an amplitude a is a^2 / 2; together they have 1 / 36.
-  append({0.0f, 1.0f, 1.0f, 1.0f}, 0.1667f, -0.1667f, 0.25f);
-  append({1.0f, -2.0f, 1.0f, 2.0f}, 0.0833f, 0.0833f, 0.0f);
-  append({2.0f, 0.0f, 4.0f, 3.0f}, 0.1443f, 0.1443f, 0.5f);
+  constexpr std::array<Example, 4> kCosines{{{{0.5f, 1.5f, 1.0f, 1.0f}, 0.1667f, -0.1667f, 0.25f},
+                                             {{1.5f, -1.0f, 1.0f, 2.0f}, 0.0833f, 0.0833f, 0.0f},
+                                             {{4.0f, 1.5f, 4.0f, 3.0f}, 0.1443f, 0.1443f, 0.5f},
+                                             {{4.0f, 1.5f, 4.0f, 3.0f}, 0.0f, 0.0f, 0.0f}}};
+  for (std::size_t row = 0; row < kCosines.size(); row += kRowCosines) {
+    const std::span pair(&kCosines[row], kRowCosines);
+    const auto append = [&](const auto& numbersOf) {
+      for (const Example& own : pair) {
+        const std::array<float, 4> numbers = numbersOf(own);
+        const std::array texel{bfloat16Pair(numbers[0], numbers[1]),
+                               bfloat16Pair(numbers[2], numbers[3])};
+        appendTexels(table.texels, table.format, texel);
+      }
+    };
+    append([](const Example& own) { return own.box; });
+    append([](const Example& own) { return std::array{own.first, 0.0f, 0.0f, 0.0f}; });
+    append([](const Example& own) { return std::array{own.second, 0.0f, 0.0f, own.phase}; });
+  }
   map.data = LocalRandomPhaseMap{addTable(file.bundle, std::move(table)), std::nullopt, 1};
   addNoise(file, std::move(noise), std::move(map));
   return file;

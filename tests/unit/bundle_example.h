@@ -38,7 +38,7 @@ void setLosses(Table& gaussian, const std::vector<float>& losses);
 /// for base colour, normal (whose texton has one channel too many) and height.
 [[nodiscard]] BundleFile textonMix();
 
-/// One height map as local random-phase noise: three cosines in octaves 0 and 2, with two variants
+/// One height map as local random-phase noise: four cosines in octaves 0 and 2, with two variants
 /// each. About 2 KB as a GLB.
 [[nodiscard]] BundleFile smallestCosines();
 

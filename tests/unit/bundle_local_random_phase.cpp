@@ -4,10 +4,14 @@
 #include "bundle_example.h"
 #include "bundle_faults.h"
 
+#include <lichen/bfloat16_pair.h>
 #include <lichen/lattice.h>
 #include <lichen/shader_parameters.h>
 
 #include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
 
 using namespace lichen;
 using example::GlbParts;
@@ -31,6 +35,24 @@ TEST_CASE("the example file of cosines has no faults, and is read as it was writ
   CHECK(bundle.noises[0] == example::smallestCosines().bundle.noises[0]);
 }
 
+TEST_CASE("a float holds two numbers of 8 significant bits, and is never subnormal") {
+  std::mt19937 generator(4u);
+  std::uniform_real_distribution<float> exponent(-30.0f, 14.0f);
+  std::bernoulli_distribution isNegative, isZero(0.1);
+  const auto number = [&] {
+    const float value = isZero(generator) ? 0.0f : std::exp2(exponent(generator));
+    return isNegative(generator) ? -value : value;
+  };
+  for (int k = 0; k < 10000; ++k) {
+    const std::array<float, 2> wanted{number(), number()};
+    const float pair = bfloat16Pair(wanted[0], wanted[1]);
+    CHECK((pair == 0.0f || std::isnormal(pair)));
+    const std::array<float, 2> found = fromBfloat16Pair(pair);
+    for (std::size_t i = 0; i < 2; ++i)
+      CHECK(std::abs(found[i] - wanted[i]) <= std::ldexp(std::abs(wanted[i]), -8) + 1.2e-38f);
+  }
+}
+
 TEST_CASE("every fault of what the cosines share is found") {
   example::checkFaults(
       soundFile(),
@@ -52,7 +74,7 @@ TEST_CASE("every fault of what the cosines share is found") {
           {"66 rows", "range", [](GlbParts& p) { sharedOf(p)["rows"] = 66; }},
           {"no octaves", "required", [](GlbParts& p) { sharedOf(p).erase("octaves"); }},
           {"13 octaves", "count",
-           [](GlbParts& p) { sharedOf(p)["octaves"] = std::vector<int>(13, 1); }},
+           [](GlbParts& p) { sharedOf(p)["octaves"] = std::vector<int>(13, 2); }},
           {"a negative number of cosines", "range",
            [](GlbParts& p) { sharedOf(p)["octaves"][0] = -1; }},
           {"half a cosine", "type", [](GlbParts& p) { sharedOf(p)["octaves"][0] = 1.5; }},
@@ -62,7 +84,11 @@ TEST_CASE("every fault of what the cosines share is found") {
            }},
           {"an empty last octave", "octaves-last",
            [](GlbParts& p) {
-             sharedOf(p)["octaves"] = {3, 0};
+             sharedOf(p)["octaves"] = {4, 0};
+           }},
+          {"an odd number of cosines", "octaves-odd",
+           [](GlbParts& p) {
+             sharedOf(p)["octaves"] = {1, 0, 3};
            }},
           {"no variants", "required", [](GlbParts& p) { sharedOf(p).erase("variants"); }},
           {"3 variants", "variants", [](GlbParts& p) { sharedOf(p)["variants"] = 3; }},
@@ -78,7 +104,7 @@ TEST_CASE("every contradiction between a map and its cosines is found") {
                         [](GlbParts& p) { p.map(0, 0)["cosines"] = 99; }},
                        {"more cosines than rows", "map-cosines",
                         [](GlbParts& p) {
-                          sharedOf(p)["octaves"] = {2, 0, 2};
+                          sharedOf(p)["octaves"] = {4, 0, 2};
                         }},
                        {"more variants than columns", "map-cosines",
                         [](GlbParts& p) { sharedOf(p)["variants"] = 4; }},
@@ -86,9 +112,16 @@ TEST_CASE("every contradiction between a map and its cosines is found") {
                         [](GlbParts& p) { p.map(0, 0)["dimensions"] = 2; }},
                        {"an amplitude whose sum could be infinite", "cosines-texels",
                         [](GlbParts& p) {
-                          // The first table: half floats begin 16 bytes before its end.
-                          p.binary[p.binary.size() - 8] = std::byte{0x00};
-                          p.binary[p.binary.size() - 7] = std::byte{0x7B}; // 57344
+                          // The last texel: the amplitude is the upper half of the first float
+                          // of its second cosine.
+                          p.binary[p.binary.size() - 6] = std::byte{0x00};
+                          p.binary[p.binary.size() - 5] = std::byte{0x41}; // 8
+                        }},
+                       {"a lower half that is not a number", "cosines-texels",
+                        [](GlbParts& p) {
+                          p.binary[p.binary.size() - 8] = std::byte{0xC0};
+                          p.binary[p.binary.size() - 7] = std::byte{0x7F};
+                          p.binary[p.binary.size() - 5] = std::byte{0x3D}; // the upper half
                         }},
                        {"cosines as an inverse table", "map-inverse-table",
                         [](GlbParts& p) { p.map(0, 0)["inverseTable"] = 0; }},
@@ -98,14 +131,15 @@ TEST_CASE("every contradiction between a map and its cosines is found") {
 TEST_CASE("the constants of a noise count the cosines of each octave") {
   Bundle bundle = example::smallestCosines().bundle;
   auto& shared = bundle.noises[0].as<LocalRandomPhaseNoise>();
-  shared.cosines = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  shared.cosines = {2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24};
   const shader::LichenCosinesNoise part = cosinesPart(shaderNoise(bundle, 0));
-  CHECK(part.octaves0 == 0x04030201u);
-  CHECK(part.octaves1 == 0x08070605u);
-  CHECK(part.octaves2 == 0x0C0B0A09u);
+  CHECK(part.octaves0 == 0x08060402u);
+  CHECK(part.octaves1 == 0x100E0C0Au);
+  CHECK(part.octaves2 == 0x18161412u);
   CHECK(part.variants == 2);
   CHECK(part.columns == 7);
   CHECK(part.rows == 6);
+  CHECK(part.cosines == 156);
 }
 
 TEST_CASE("a tile origin moves the cosines' lattice by whole cells, modulo 2^32") {

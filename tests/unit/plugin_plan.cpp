@@ -33,6 +33,22 @@ TEST_CASE("the inverse table of one dimension is a 3-D image one texel high and 
   CHECK(image.mipLevels == 3);
 }
 
+TEST_CASE("of all images, only those of cosines need no linear filter") {
+  const OwnedBundle bundle(example::smallestCosines());
+  LichenMapProperties map;
+  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
+  REQUIRE(lichenGetMapProperties(bundle.handle, 0, 0, &map) == LICHEN_SUCCESS);
+  LichenBundleProperties properties;
+  LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
+  REQUIRE(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_SUCCESS);
+  for (std::uint32_t i = 0; i < properties.imageCount; ++i) {
+    LichenImageProperties image;
+    LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
+    REQUIRE(lichenGetImageProperties(bundle.handle, i, &image) == LICHEN_SUCCESS);
+    CHECK(image.fetchedOnly == (i == map.image ? 1 : 0));
+  }
+}
+
 TEST_CASE("the copies of an image cover its bytes without gaps") {
   const OwnedBundle bundle(example::smallest());
   LichenBundleProperties properties;

@@ -124,7 +124,7 @@ std::vector<std::string> LocalRandomPhaseCommand::linesOf(const Bundle& bundle,
 
 int LocalRandomPhaseCommand::fetches(const Bundle&, const Noise& noise, const NoiseMap& map,
                                      const MaterialNoise&) const {
-  constexpr int kPerCosine = 4; // its frequencies, and a vector for each vertex
+  constexpr int kPerCosine = 2; // four texels, frequencies and three vectors, hold two cosines
   const int cosines = noise.as<LocalRandomPhaseNoise>().cosineCount();
   return kPerCosine * cosines + (map.as<LocalRandomPhaseMap>().inverseTable ? 1 : 0);
 }

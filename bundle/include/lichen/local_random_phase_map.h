@@ -4,6 +4,7 @@
 
 #include <lichen/table.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,7 +14,7 @@ namespace lichen {
 
 /// Octaves of the lattice: that of octave k has 2^k times the columns and rows of octave 0.
 inline constexpr std::size_t kMostOctaves = 12;
-inline constexpr int kMostCosines = 255;
+inline constexpr int kMostCosines = 254;
 /// The number of tiles that hold whole columns and rows of octave 0.
 inline constexpr int kOctaveTiles = 8;
 inline constexpr int kMostOctaveCells = 64; ///< columns or rows of octave 0 in kOctaveTiles tiles
@@ -22,8 +23,9 @@ inline constexpr int kMostVariants = 32;
 /// What all maps of a noise share: their cosines and the lattices of these.
 ///
 /// Each vertex of a lattice has the cosines of its octave, under a window that reaches as far as
-/// the neighbouring vertices. Cosine j takes one frequency of a rectangle at random, a phase, and
-/// one of `variants` vectors, which say how strongly each channel of each map follows it.
+/// the neighbouring vertices. A vertex takes one of `variants` vectors of each cosine, which say
+/// how strongly each channel of each map follows it, and for each cosine one frequency of its
+/// rectangle at random and a phase.
 struct LocalRandomPhaseNoise {
   int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
   int texelsPerTileY = 0; ///< likewise
@@ -31,8 +33,8 @@ struct LocalRandomPhaseNoise {
   /// [2, kMostOctaveCells].
   int columns = 7;
   int rows = 8;
-  /// The number of cosines of each octave, from octave 0; at most kMostOctaves octaves, the last of
-  /// which is not empty. In total 1 to kMostCosines.
+  /// The number of cosines of each octave, from octave 0, all even; at most kMostOctaves octaves,
+  /// the last of which is not empty. In total 2 to kMostCosines.
   std::vector<int> cosines;
   int variants = 1; ///< a power of two, [1, kMostVariants]
 
@@ -43,13 +45,13 @@ struct LocalRandomPhaseNoise {
 
 /// A map's cosines and inverse table.
 ///
-/// The image has one row for each cosine, ordered by octave, and 1 + variants columns of half
-/// floats or floats, RGBA:
-/// - column 0: the rectangle of its frequencies, in cycles per tile, as 1,024 x 1,024 equal parts:
-/// the
-///   middle of the first (red, green), and the width and height of each (blue, alpha);
-/// - column 1 + v: variant v: the amplitude of each channel (red, green, blue), in Gaussian values,
-///   and what is added to the phase, in turns (alpha).
+/// The image has one row for two cosines, ordered by octave, and 1 + variants columns. Its texels
+/// are RGBA32F, and each float is a pair of numbers (bfloat16_pair.h): red and green are those of
+/// the first cosine, blue and alpha those of the second.
+/// - Column 0: the rectangle of its frequencies [cycles / tile]: the middle along x and y, then the
+///   width and the height.
+/// - Column 1 + v, variant v: the amplitudes of the first and second channel [Gaussian values],
+///   then that of the third, and what is added to the phase [turns].
 /// The rectangles are the same for all maps.
 struct LocalRandomPhaseMap {
   std::size_t cosines = 0;                 ///< index into Bundle::tables
@@ -71,9 +73,15 @@ struct LocalRandomPhaseMap {
   [[nodiscard]] bool operator==(const LocalRandomPhaseMap&) const = default;
 };
 
-/// Columns of the image before the variants, and steps along each side of a rectangle.
-inline constexpr std::uint32_t kCosineColumns = 1;
-inline constexpr double kFrequencySteps = 1024.0;
+/// Columns of the image before the variants, and cosines in a row.
+inline constexpr std::uint32_t kCosineColumns = 1, kRowCosines = 2;
+
+/// A cosine's part of a texel: its rectangle or one of its vectors, in the order above.
+using CosineTexel = std::array<float, 4>;
+
+/// The parts of both cosines of each texel, row by row, from the floats of an image.
+[[nodiscard]] std::vector<std::array<CosineTexel, kRowCosines>>
+cosineTexels(const std::vector<float>& image);
 
 /// The largest magnitudes in the image: of frequencies, amplitudes and phases.
 inline constexpr float kMostFrequency = 16384.0f, kMostAmplitude = 4.0f, kMostTurns = 1.0f;

@@ -3,6 +3,8 @@
 // JSON.
 #include "local_random_phase_format.h"
 
+#include <lichen/bfloat16_pair.h>
+
 #include <numeric>
 
 namespace lichen {
@@ -45,6 +47,17 @@ std::array<std::uint32_t, 2> LocalRandomPhaseFormat::tileSize(const Bundle&,
                                                               const Noise& noise) const {
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   return {std::uint32_t(shared.texelsPerTileX), std::uint32_t(shared.texelsPerTileY)};
+}
+
+std::vector<std::array<CosineTexel, kRowCosines>> cosineTexels(const std::vector<float>& image) {
+  std::vector<std::array<CosineTexel, kRowCosines>> texels(image.size() / 4);
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (std::size_t j = 0; j < kRowCosines; ++j) {
+      const auto [first, second] = fromBfloat16Pair(image[4 * i + 2 * j]);
+      const auto [third, fourth] = fromBfloat16Pair(image[4 * i + 2 * j + 1]);
+      texels[i][j] = {first, second, third, fourth};
+    }
+  return texels;
 }
 
 int LocalRandomPhaseNoise::cosineCount() const {

@@ -80,9 +80,10 @@ void LocalRandomPhaseFormat::setNoise(const Noise& noise, shader::LichenNoise& c
   std::array<shader::uint, 3> counts{};
   for (std::size_t octave = 0; octave < shared.cosines.size(); ++octave)
     counts[octave / 4] |= shader::uint(shared.cosines[octave]) << (8 * (octave % 4));
-  setPart(constants, shader::LichenCosinesNoise{
-                         counts[0], counts[1], counts[2], shader::uint(shared.variants),
-                         shader::uint(shared.columns), shader::uint(shared.rows), 0, 0});
+  setPart(constants,
+          shader::LichenCosinesNoise{counts[0], counts[1], counts[2], shader::uint(shared.variants),
+                                     shader::uint(shared.columns), shader::uint(shared.rows),
+                                     shader::uint(shared.cosineCount()), 0});
 }
 
 void LocalRandomPhaseFormat::setMaterial(const shader::LichenNoise& noise, const MaterialNoise&,

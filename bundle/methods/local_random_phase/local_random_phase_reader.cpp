@@ -5,6 +5,7 @@
 
 #include <lichen/counted.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -52,6 +53,8 @@ std::optional<std::vector<int>> readOctaves(ObjectReader& reader) {
     octaves.push_back(int(value));
     sum += octaves.back();
   }
+  if (std::any_of(octaves.begin(), octaves.end(), [](int count) { return count % 2 != 0; }))
+    return error("octaves-odd", "an octave has an odd number of cosines; expected pairs");
   if (sum > kMostCosines)
     return error("octaves-sum", counted(std::uint64_t(sum), "cosine") + "; expected at most " +
                                     std::to_string(kMostCosines));
@@ -62,16 +65,17 @@ std::optional<std::vector<int>> readOctaves(ObjectReader& reader) {
 
 /// Checks the magnitudes, beyond which values of the noise could be infinite.
 void checkTexels(ObjectReader& reader, const Table& image) {
-  const std::vector<float> texels = decodeLevel(image, 0);
-  const std::size_t row = 4 * std::size_t(image.width);
-  for (std::size_t i = 0; i < texels.size(); ++i) {
-    const bool isFrequency = i % row < 4 * kCosineColumns;
-    const float most = isFrequency ? kMostFrequency : i % 4 == 3 ? kMostTurns : kMostAmplitude;
-    if (!(std::abs(texels[i]) <= most))
-      return reader.error("cosines-texels", "cosines",
-                          "a texel of " + json(double(texels[i])).dump() + "; expected -" +
-                              json(most).dump() + " to " + json(most).dump());
-  }
+  const auto texels = cosineTexels(decodeLevel(image, 0));
+  for (std::size_t i = 0; i < texels.size(); ++i)
+    for (const CosineTexel& cosine : texels[i])
+      for (std::size_t k = 0; k < cosine.size(); ++k) {
+        const bool isFrequency = i % image.width < kCosineColumns;
+        const float most = isFrequency ? kMostFrequency : k == 3 ? kMostTurns : kMostAmplitude;
+        if (!(std::abs(cosine[k]) <= most))
+          return reader.error("cosines-texels", "cosines",
+                              "a number of " + json(double(cosine[k])).dump() + "; expected -" +
+                                  json(most).dump() + " to " + json(most).dump());
+      }
 }
 
 void checkImage(ObjectReader& reader, const LocalRandomPhaseNoise& shared, const Table& image) {
@@ -79,14 +83,14 @@ void checkImage(ObjectReader& reader, const LocalRandomPhaseNoise& shared, const
     reader.error("map-cosines", "cosines", message);
   };
   const std::uint32_t width = kCosineColumns + std::uint32_t(shared.variants);
-  const auto height = std::uint32_t(shared.cosineCount());
+  const std::uint32_t height = std::uint32_t(shared.cosineCount()) / kRowCosines;
   if (image.depth != 0 || image.width != width || image.height != height)
     return error(shapeOf(image) + " texels; expected " + std::to_string(width) + " x " +
                  std::to_string(height) + " for its noise's cosines");
   if (image.mipLevels != 1)
     return error(counted(image.mipLevels, "mip level") + "; expected 1");
-  if (image.format != TexelFormat::rgba16Sfloat && image.format != TexelFormat::rgba32Sfloat)
-    return error("texels of another format; expected RGBA16F or RGBA32F");
+  if (image.format != TexelFormat::rgba32Sfloat)
+    return error("texels of another format; expected RGBA32F");
   checkTexels(reader, image);
 }
 

@@ -302,6 +302,9 @@ typedef struct LichenImageProperties {
   const void* bytes;     /* all levels, tightly packed, level 0 first, x fastest, rows top first, z
                           * slowest; as long as the bundle lives */
   size_t byteCount;
+  uint32_t fetchedOnly; /* 1: the shader reads single texels, so the format needs no linear filter;
+                         * nor may it be converted: bits of a float can be two numbers */
+  uint32_t reserved;    /* 0 */
 } LichenImageProperties;
 
 /* image < imageCount. All inverse tables are 3-D images: those of one and two dimensions have a
