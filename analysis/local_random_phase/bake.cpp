@@ -6,6 +6,7 @@
 #include "gaussian/gaussian_distribution.h"
 #include "gaussianization/gaussianized_maps.h"
 #include "octave_lattice.h"
+#include "transport/covariance_map.h"
 
 #include <lichen/local_random_phase.h>
 
@@ -49,6 +50,26 @@ MapSpectrum spectrumOf(const gaussianization::Gaussianized& image) {
   return result;
 }
 
+/// How luminance follows the Gaussian channels of a colour map about its mean, to the first order.
+/// Empty for others.
+std::vector<double> luminanceOf(const gaussianization::GaussianizedMap& map) {
+  constexpr std::array<double, 3> kLuminance{0.2126, 0.7152, 0.0722}; // ITU-R BT.709
+  const bool isColor =
+      map.map.target == MapTarget::baseColor || map.map.target == MapTarget::emissive;
+  if (!isColor || map.image.dimensions != int(kLuminance.size()))
+    return {};
+  Eigen::Vector3d ofStored(kLuminance.data());
+  if (map.map.encoding == ValueEncoding::root) // light is the square
+    ofStored = ofStored.cwiseProduct(Eigen::Vector3d(map.map.mean.data()));
+  const Eigen::MatrixXd covariance = Eigen::Matrix3d(map.map.covariance.data());
+  // The stored values follow the Gaussian ones by the root of their covariance: the symmetric one
+  // with a table, the triangular one without.
+  const Eigen::MatrixXd root = map.inverse ? transport::power<Eigen::MatrixXd>(covariance, 0.5)
+                                           : Eigen::MatrixXd(covariance.llt().matrixL());
+  const Eigen::Vector3d luminance = root.transpose() * ofStored;
+  return {luminance[0], luminance[1], luminance[2]};
+}
+
 Result<void> checkOptions(const LocalRandomPhaseOptions& options) {
   if (options.cosines < int(kCosinesRange.least) || options.cosines > int(kCosinesRange.most))
     return Error{ErrorKind::usage, std::to_string(options.cosines) + " cosines; expected 1 to " +
@@ -75,6 +96,8 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
     shared.texelsPerTileX = std::max(shared.texelsPerTileX, map.image.width);
     shared.texelsPerTileY = std::max(shared.texelsPerTileY, map.image.height);
     spectra.push_back(spectrumOf(map.image));
+    if (!spectra.back().channels.empty())
+      spectra.back().luminance = luminanceOf(map);
     LocalRandomPhaseMap own;
     own.dimensions = map.image.dimensions;
     if (map.inverse)

@@ -29,6 +29,10 @@ inline Draw nextDraw(std::uint32_t& state) {
   return {share(state << 21u), share(state << 11u), share(state)};
 }
 
+/// The mean square frequency of a window along one axis [cycles^2 / edge^2]: a cosine under it has
+/// that beside its own, so even one of frequency 0 is lost to wide pixels.
+inline constexpr float kWindowSpread = 0.1733f;
+
 /// lichenCosineOfTurns: cos(2 pi turns), within 1.1e-4.
 inline float cosineOfTurns(float turns) {
   const float z = 0.25f - std::abs(turns - std::nearbyint(turns));

@@ -3,9 +3,9 @@
 //
 // [LRP14] leaves colour to its supplement. Here one phase serves all channels, so that their
 // cross-spectra are kept: of the matrix of a box, with the eigenvectors e_k and eigenvalues l_k, a
-// vector is sum_k (+-1) sqrt(l_k) e_k. The signs of variant v are row v of a Hadamard matrix, so
-// the mean of (vector vector^H) over the variants is the matrix itself, and all variants have the
-// same length: docs/decisions/027-cosines.md.
+// vector is sum_k (+-1) sqrt(l_k) e_k, or of any unitary combination of these columns. The signs of
+// variant v are row v of a Hadamard matrix, so the mean of (vector vector^H) over the variants is
+// the matrix itself: docs/decisions/027-cosines.md.
 #include "cosine_vectors.h"
 
 #include "gaussian/gaussian_distribution.h"
@@ -27,6 +27,7 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
+using Eigen::VectorXd;
 
 /// First channel of each map, and the number of channels.
 std::vector<Index> firstChannels(const std::vector<MapSpectrum>& maps) {
@@ -69,6 +70,18 @@ MatrixXcd rootColumns(const MatrixXcd& hermitian) {
     columns.col(k) *= std::sqrt(std::max(0.0, axes.eigenvalues()[k]));
     columns.col(k) *= towardsReal(columns.col(k).array().square().sum());
   }
+  return columns;
+}
+
+/// The columns turned among each other so that luminance follows the first one only; the product
+/// with their adjoint is the same.
+MatrixXcd withLuminanceFirst(MatrixXcd columns, const VectorXd& luminance) {
+  const VectorXcd along = columns.adjoint() * luminance.cast<Complex>();
+  if (!(along.squaredNorm() > 0.0))
+    return columns;
+  columns *= MatrixXcd(Eigen::HouseholderQR<MatrixXcd>(along).householderQ());
+  for (Index k = 0; k < columns.cols(); ++k)
+    columns.col(k) *= towardsReal(columns.col(k).array().square().sum());
   return columns;
 }
 
@@ -166,6 +179,10 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
       matrices[j] *= cosines[j].energy / energy;
     fitted += matrices[j].real();
   }
+  VectorXd luminance = VectorXd::Zero(channels);
+  for (std::size_t m = 0; m < maps.size(); ++m)
+    for (std::size_t c = 0; c < maps[m].luminance.size(); ++c)
+      luminance[first[m] + Index(c)] = maps[m].luminance[c];
   // The highest frequencies of even sizes have no mirror and are in no box; they belong to the
   // variance all the same.
   Index channel = 0;
@@ -180,7 +197,8 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
   const MatrixXd correction = transport::covarianceMap(fitted, whole);
   const double deviation = gaussian::kGaussianDeviation;
   tbb::parallel_for(std::size_t(0), cosines.size(), [&](std::size_t j) {
-    const MatrixXcd roots = rootColumns(correction * matrices[j] * correction);
+    const MatrixXcd roots =
+        withLuminanceFirst(rootColumns(correction * matrices[j] * correction), luminance);
     for (Index v = 0; v < result.variants; ++v) {
       VectorXcd vector = VectorXcd::Zero(channels);
       for (Index k = 0; k < channels; ++k)

@@ -19,6 +19,8 @@ namespace lichen::local_random_phase {
 struct MapSpectrum {
   std::vector<HalfSpectrum> channels;
   std::vector<double> variances; ///< of each channel, in squared standard deviations
+  /// How luminance follows each channel, up to a factor; empty where the map has no luminance.
+  std::vector<double> luminance;
 
   /// The coefficient of frequency (u, v) in cycles per tile, u >= 0; 0 beyond the map's own.
   [[nodiscard]] std::complex<double> at(std::size_t channel, int u, int v) const;
@@ -41,7 +43,9 @@ struct CosineVectors {
   std::vector<Eigen::MatrixXd> phases;
 };
 
-/// The covariance of the noise is that of the channels, up to rounding. Throws std::bad_alloc.
+/// The covariance of the noise is that of the channels, up to rounding. Of each cosine, all
+/// variants change the luminance equally much: otherwise a few of the cosines would dominate at
+/// each vertex, and strokes along their waves would show. Throws std::bad_alloc.
 [[nodiscard]] CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
                                           const std::vector<Cosine>& cosines);
 

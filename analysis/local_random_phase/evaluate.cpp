@@ -23,12 +23,26 @@ using Vec2 = std::array<float, 2>;
 
 bool isSlope(const shader::LichenMap& map) { return map.encoding == LICHEN_ENCODING_SLOPE; }
 
+/// The octaves from the lattice of the material's first to that of `octave`.
+int finerOctaves(int octave, const shader::LichenMaterial& material) {
+  return std::max(octave - cosinesPart(material).firstOctave, 0);
+}
+
 /// The squared cycles that a footprint spans of a frequency, as a quadratic form.
 struct Footprint {
   float xx = 0.0f, yy = 0.0f, xy = 0.0f;
 
   [[nodiscard]] float squaredCycles(float fx, float fy) const {
     return fx * (xx * fx + xy * fy) + yy * fy * fy;
+  }
+
+  /// Of the window at a vertex of an octave, by its mean square frequency.
+  [[nodiscard]] float squaredCyclesOfWindow(int octave,
+                                            const shader::LichenMaterial& material) const {
+    const auto scale = float(std::ldexp(1.0, finerOctaves(octave, material)));
+    const float columns = material.columnsPerTile * scale, rows = material.rowsPerTile * scale;
+    return local_random_phase::kWindowSpread *
+           (xx * columns * columns + 0.75f * yy * rows * rows); // rows are sqrt(3) / 2 edges apart
   }
 };
 
@@ -96,7 +110,7 @@ Cell cellAt(const shader::LichenMaterial& material, const Vec2& position) {
 /// The three vertices around a point in the lattice of an octave.
 std::array<Vertex, 3> verticesAt(const Cell& cell, int octave, std::uint32_t variants,
                                  const shader::LichenMaterial& material) {
-  const int finer = std::max(octave - cosinesPart(material).firstOctave, 0);
+  const int finer = finerOctaves(octave, material);
   const auto scale = float(std::ldexp(1.0, finer));
   const float column = cell.column * scale, row = cell.row * scale;
   const float left = std::floor(column), top = std::floor(row);
@@ -173,12 +187,13 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
   const Cell cell =
       cellAt(material, {at.position[0] + material.offsetX, at.position[1] + material.offsetY});
   std::array<float, 3> sum{};
-  float lost = 0.0f;
+  float squares = 0.0f, lost = 0.0f;
   const auto* row = map.texels.data();
   for (std::size_t octave = 0; octave < cosines_.size(); ++octave) {
     if (cosines_[octave] == 0)
       continue;
     std::array<Vertex, 3> vertices = verticesAt(cell, int(octave), variants_, material);
+    const float ofWindow = footprint.squaredCyclesOfWindow(int(octave), material);
     for (int k = 0; k < cosines_[octave]; ++k) {
       const std::size_t own = std::size_t(k) % kRowCosines;
       const CosineTexel& box = row[0][own];
@@ -188,21 +203,22 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
         const float fx = box[0] + box[2] * draw.column, fy = box[1] + box[3] * draw.row;
         const float turns =
             fx * vertex.offset[0] + fy * vertex.offset[1] + draw.phase + amplitude[3];
-        const float window =
-            vertex.weight * local_random_phase::retainedAt(footprint.squaredCycles(fx, fy));
+        const float window = vertex.weight * local_random_phase::retainedAt(
+                                                 ofWindow + footprint.squaredCycles(fx, fy));
         const float value = window * local_random_phase::cosineOfTurns(turns);
         for (std::size_t c = 0; c < 3; ++c) {
           sum[c] += value * amplitude[c];
-          lost += (vertex.weight * vertex.weight - window * window) * amplitude[c] * amplitude[c];
+          const float square = amplitude[c] * amplitude[c];
+          squares += vertex.weight * vertex.weight * square;
+          lost += (vertex.weight * vertex.weight - window * window) * square;
         }
       }
       if (own + 1 == kRowCosines)
         row += kCosineColumns + variants_;
     }
   }
-  const auto dimensions = float(map.decoder.constants().dimensions);
-  // Half the square of an amplitude, over the variance 1 / 36 of a Gaussian value.
-  const float share = 18.0f * lost / dimensions;
+  constexpr float kLeast = 1e-20f; // of a map that does not vary
+  const float share = lost / std::max(squares, kLeast);
   return {0.5f + material.contrast * sum[0], 0.5f + material.contrast * sum[1],
           0.5f + material.contrast * sum[2], share};
 }

@@ -27,6 +27,7 @@ struct LichenCosinesVertices {
   ivec3 variants;         // columns of the image
   vec3 offsetX, offsetY;  // [tiles] from each vertex to the point
   vec3 windows;           // the squares sum to 1
+  vec2 spread;            // [cycles^2 / tile^2] of a window along x and y: its mean square frequency
 };
 
 /// The windows of three vertices, for the vectors from them in lattice coordinates. [LRP14] eq. 1
@@ -77,6 +78,9 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
   vertices.offsetX = (columns + 0.5 * rows) * perCell.x;
   vertices.offsetY = rows * perCell.y;
   vertices.windows = lichenCosineWindows(columns, rows);
+  // In cycles^2 / edge^2; rows lie sqrt(3) / 2 edges apart.
+  const float kSpread = 0.1733;
+  vertices.spread = kSpread * vec2(1.0, 0.75) / (perCell * perCell);
   return vertices;
 }
 
@@ -130,11 +134,12 @@ vec2 lichenBfloat16Pair(float pair) {
   return vec2(uintBitsToFloat(bits & 0xFFFF0000u), uintBitsToFloat(bits << 16u));
 }
 
-/// Adds one cosine at three vertices: to the sum of Gaussian values, and in w to the variance that
-/// the footprint takes from all channels. `box`: the cosine's half of a texel of column 0, the
+/// Adds one cosine at three vertices: to the sum of Gaussian values, to the sum of the squared
+/// amplitudes of all channels under the windows, and in w to what the footprint takes of it. `box`: the cosine's half of a texel of column 0, the
 /// others those of the vertices' variants. Advances the vertices' random numbers.
-void lichenAddCosine(inout vec4 sum, inout uvec3 states, LichenCosinesVertices vertices,
-                     vec3 footprint, vec2 box, vec2 variant0, vec2 variant1, vec2 variant2) {
+void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
+                     LichenCosinesVertices vertices, vec3 footprint, vec2 box, vec2 variant0,
+                     vec2 variant1, vec2 variant2) {
   vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
   vec4 amplitude0 = vec4(lichenBfloat16Pair(variant0.x), lichenBfloat16Pair(variant0.y));
   vec4 amplitude1 = vec4(lichenBfloat16Pair(variant1.x), lichenBfloat16Pair(variant1.y));
@@ -146,14 +151,15 @@ void lichenAddCosine(inout vec4 sum, inout uvec3 states, LichenCosinesVertices v
   vec3 frequencyY = middle.y + size.y * kPerBit * vec3(ivec3(states << 11u));
   vec3 turns = frequencyX * vertices.offsetX + frequencyY * vertices.offsetY +
                kPerBit * vec3(ivec3(states)) + vec3(amplitude0.a, amplitude1.a, amplitude2.a);
-  vec3 cycles = frequencyX * (footprint.x * frequencyX + footprint.z * frequencyY) +
+  vec3 cycles = dot(footprint.xy, vertices.spread) + frequencyX * (footprint.x * frequencyX + footprint.z * frequencyY) +
                 footprint.y * frequencyY * frequencyY;
   vec3 windows = vertices.windows * lichenCosineRetained(cycles);
   vec3 values = windows * lichenCosineOfTurns(turns);
   sum.rgb += values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb;
-  sum.w += dot(vertices.windows * vertices.windows - windows * windows,
-               vec3(dot(amplitude0.rgb, amplitude0.rgb), dot(amplitude1.rgb, amplitude1.rgb),
-                    dot(amplitude2.rgb, amplitude2.rgb)));
+  vec3 own = vec3(dot(amplitude0.rgb, amplitude0.rgb), dot(amplitude1.rgb, amplitude1.rgb),
+                  dot(amplitude2.rgb, amplitude2.rgb));
+  squares += dot(vertices.windows * vertices.windows, own);
+  sum.w += dot(vertices.windows * vertices.windows - windows * windows, own);
 }
 
 /// The Gaussian value, and in w the share of its variance that the footprint loses, averaged over
@@ -163,6 +169,7 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
   vec3 footprint = lichenCosinesFootprint(point, vec2(noise.tileTexelsX, noise.tileTexelsY));
   vec4 sum = vec4(0.0);
+  float squares = 0.0;
   int row = 0;
   int rows = int(shape.cosines) / 2;
   for (int octave = 0; octave < LICHEN_MAX_OCTAVES && row < rows; ++octave) {
@@ -175,14 +182,14 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
       vec4 variant0 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.x, row));
       vec4 variant1 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.y, row));
       vec4 variant2 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.z, row));
-      lichenAddCosine(sum, states, vertices, footprint, boxes.xy, variant0.xy, variant1.xy,
-                      variant2.xy);
-      lichenAddCosine(sum, states, vertices, footprint, boxes.zw, variant0.zw, variant1.zw,
-                      variant2.zw);
+      lichenAddCosine(sum, squares, states, vertices, footprint, boxes.xy, variant0.xy,
+                      variant1.xy, variant2.xy);
+      lichenAddCosine(sum, squares, states, vertices, footprint, boxes.zw, variant0.zw,
+                      variant1.zw, variant2.zw);
     }
   }
-  // Half the square of an amplitude, over the variance 1 / 36 of a Gaussian value.
-  return vec4(0.5 + material.contrast * sum.rgb, 18.0 * sum.w / float(int(map.dimensions)));
+  const float kLeast = 1.0e-20; // of a map that does not vary
+  return vec4(0.5 + material.contrast * sum.rgb, sum.w / max(squares, kLeast));
 }
 
 // The seam's functions; see method.glsl.

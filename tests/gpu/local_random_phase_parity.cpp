@@ -68,8 +68,8 @@ std::vector<std::byte> glbOf(const BundleFile& file) {
 /// Points some tiles around the origin. Footprints range from a quarter of a texel to a tile.
 std::vector<Point> samplePoints(std::size_t count) {
   std::mt19937 generator(11u);
-  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), stretch(0.0f, 14.0f),
-      angle(0.0f, 2.0f * std::numbers::pi_v<float>);
+  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f),
+      stretch(0.0f, 14.0f), angle(0.0f, 2.0f * std::numbers::pi_v<float>);
   std::vector<Point> points(count);
   for (Point& point : points) {
     point.uv = {tiles(generator), tiles(generator)};

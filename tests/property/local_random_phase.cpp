@@ -123,7 +123,7 @@ TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near 
     loss = std::max(loss,
                     std::abs(double(retainedAt(float(cycles * cycles))) - std::sin(phase) / phase));
   }
-  CHECK(loss < 0.093); // (1 - pi^2 / 18)^3, where sinc is 0
+  CHECK(loss < 0.093);              // (1 - pi^2 / 18)^3, where sinc is 0
   CHECK(retainedAt(-1.0f) == 1.0f); // a long footprint, by rounding
   CHECK(retainedAt(2.0f) == 0.0f);
 }
@@ -235,6 +235,38 @@ TEST_CASE("local random-phase noise has the covariance of Gaussian values, and o
     INFO("class " << k << " of " << counts[std::size_t(k)]);
     CHECK(sums[std::size_t(k)] / counts[std::size_t(k)] == Approx(mean).epsilon(0.015));
   }
+}
+
+TEST_CASE("all variants of a cosine change the luminance equally much") {
+  const Noise& noise = example().noises[0];
+  const NoiseMap& map = noise.maps[0];
+  const Eigen::Matrix3d covariance(map.covariance.data());
+  // About the mean, stored roots of light follow Gaussian values by the root of their covariance.
+  const Eigen::Vector3d ofStored =
+      Eigen::Vector3d(0.2126, 0.7152, 0.0722).cwiseProduct(Eigen::Vector3d(map.mean.data()));
+  const Eigen::Vector3d luminance =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).operatorSqrt() * ofStored;
+  const Table& table = example().tables[map.as<LocalRandomPhaseMap>().cosines];
+  const auto texels = cosineTexels(decodeLevel(table, 0));
+  const int variants = noise.as<LocalRandomPhaseNoise>().variants;
+  double squares = 0.0, fourths = 0.0; // the latter as of equal squares
+  for (std::uint32_t row = 0; row < table.height; ++row)
+    for (std::size_t j = 0; j < kRowCosines; ++j) {
+      double own = 0.0, ownFourths = 0.0;
+      for (int v = 0; v < variants; ++v) {
+        const CosineTexel& texel = texels[row * table.width + 1 + std::size_t(v)][j];
+        const double square = std::pow(
+            luminance.dot(Eigen::Vector3d(double(texel[0]), double(texel[1]), double(texel[2]))),
+            2.0);
+        own += square / variants;
+        ownFourths += square * square / variants;
+      }
+      squares += own;
+      fourths += own > 0.0 ? ownFourths / own : 0.0;
+    }
+  // The mean of E[a^4] / E[a^2]^2, weighted by energy: 1 of equal amplitudes, 1.5 to 1.9 where the
+  // eigenvectors have the signs, 2 at random.
+  CHECK(fourths / squares < 1.02);
 }
 
 TEST_CASE("local random-phase noise has the spectrum of the exemplar's Gaussian values") {
