@@ -302,12 +302,13 @@ BundleFile smallestCosines() {
   for (std::size_t row = 0; row < kCosines.size(); row += kRowCosines) {
     const std::span pair(&kCosines[row], kRowCosines);
     const auto append = [&](const auto& numbersOf) {
+      std::vector<float> texel;
       for (const Example& own : pair) {
         const std::array<float, 4> numbers = numbersOf(own);
-        const std::array texel{bfloat16Pair(numbers[0], numbers[1]),
-                               bfloat16Pair(numbers[2], numbers[3])};
-        appendTexels(table.texels, table.format, texel);
+        texel.push_back(bfloat16Pair(numbers[0], numbers[1]));
+        texel.push_back(bfloat16Pair(numbers[2], numbers[3]));
       }
+      appendTexels(table.texels, table.format, texel);
     };
     append([](const Example& own) { return own.box; });
     append([](const Example& own) { return std::array{own.first, 0.0f, 0.0f, 0.0f}; });
