@@ -30,7 +30,8 @@ inline Draw nextDraw(std::uint32_t& state) {
 }
 
 /// The mean square frequency of a window along one axis [cycles^2 / edge^2]: a cosine under it has
-/// that beside its own, so even one of frequency 0 is lost to wide pixels.
+/// that beside its own, so even one of frequency 0 is lost to wide pixels. By quadrature,
+/// integral (dv/dx)^2 / (4 pi^2 integral v^2) of the normalised window v.
 inline constexpr float kWindowSpread = 0.1733f;
 
 /// lichenCosineOfTurns: cos(2 pi turns), within 1.1e-4.
