@@ -64,6 +64,15 @@ template <class Value>
   return {accepted.placeholder, accepted.sentence, read};
 }
 
+/// The same or "auto", which reads as nothing.
+template <class Value>
+[[nodiscard]] Accepted<std::optional<Value>> orAuto(const Accepted<Value>& accepted) {
+  const auto read = [read = optional(accepted).read](const std::string& text) {
+    return text == "auto" ? std::optional<std::optional<Value>>(std::in_place) : read(text);
+  };
+  return {"auto|" + accepted.placeholder, "auto or " + accepted.sentence, read};
+}
+
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 

@@ -6,7 +6,10 @@
 #include "gaussian/gaussian_distribution.h"
 #include "gaussianization/gaussianized_maps.h"
 #include "octave_lattice.h"
+#include "placement/near_periods.h"
+#include "structure.h"
 #include "transport/covariance_map.h"
+#include "user_spectrum.h"
 
 #include <lichen/local_random_phase.h>
 
@@ -74,12 +77,53 @@ Result<void> checkOptions(const LocalRandomPhaseOptions& options) {
   if (options.cosines < int(kCosinesRange.least) || options.cosines > int(kCosinesRange.most))
     return Error{ErrorKind::usage, std::to_string(options.cosines) + " cosines; expected 1 to " +
                                        std::to_string(kMostCosines)};
+  const auto isWithin = [](const std::optional<double>& value, const NumberRange& range) {
+    return !value || (*value >= range.least && *value <= range.most);
+  };
+  if (!isWithin(options.structure, kStructureRange) || !isWithin(options.guide, kGuideRange) ||
+      !isWithin(options.turbulence, kTurbulenceRange))
+    return Error{ErrorKind::usage, "structure, guide and turbulence: expected 0 to 1"};
+  if (options.spectrum && options.structure.value_or(0.0) > 0.0)
+    return Error{ErrorKind::usage,
+                 "a structure has the phases of the exemplar; expected none with a "
+                 "spectrum of its own"};
   return {};
 }
 
 std::size_t appended(Table table, std::vector<Table>& tables) {
   tables.push_back(std::move(table));
   return tables.size() - 1;
+}
+
+/// Takes the frequencies of the structure out of the spectra, and returns them for each map. Sets
+/// what the maps share of it.
+std::vector<MapStructure> takeStructure(std::vector<MapSpectrum>& spectra, double share,
+                                        const std::vector<std::array<double, 2>>& offsets,
+                                        CosineStructure& shared) {
+  std::vector<MapStructure> structures(spectra.size());
+  const FrequencySet set = strongestFrequencies(powerPlane(spectra), share);
+  if (set.largest() == std::array{0, 0})
+    return structures;
+  const std::array<int, 2> size = structureSize(set);
+  shared = {size[0], size[1], int(offsets.size()), 0.0};
+  for (std::size_t m = 0; m < spectra.size(); ++m) {
+    SplitSpectrum parts = split(std::move(spectra[m]), set);
+    structures[m].image = structureImage(parts.inside, shared, {});
+    structures[m].offsets = offsets;
+    if (!offsets.empty())
+      structures[m].mean = structureImage(parts.inside, shared, offsets);
+    spectra[m] = std::move(parts.outside);
+  }
+  return structures;
+}
+
+/// Sets what a map's constants say of its structure.
+void setStructure(LocalRandomPhaseMap& map, const MapStructure& structure) {
+  map.structureDeviations = structure.image.deviations;
+  if (!structure.image.levels.empty())
+    for (std::size_t c = 0; c < std::size_t(map.dimensions); ++c)
+      map.structureAmplitudes.push_back(
+          std::min(gaussian::kGaussianDeviation * structure.largest(c), double(kMostAmplitude)));
 }
 
 /// As bakeLocalRandomPhase(), but throws std::bad_alloc.
@@ -113,6 +157,18 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
   const std::array<int, 2> cells = cellsOfOctave0(shared.texelsPerTileX, shared.texelsPerTileY);
   shared.columns = cells[0];
   shared.rows = cells[1];
+  if (options.spectrum)
+    for (MapSpectrum& own : spectra)
+      own = withPowersOf(*options.spectrum, std::move(own));
+  const bool isGuided = !options.spectrum && options.structure != 0.0 && options.guide != 0.0;
+  const placement::NearPeriods periods =
+      isGuided ? placement::nearPeriods(maps, std::size_t(kMostStructureOffsets), options.guide)
+               : placement::NearPeriods();
+  bake.structure = options.structure.value_or(periods.strength);
+  const std::vector<MapStructure> structures =
+      takeStructure(spectra, bake.structure, periods.shifts, shared.structure);
+  if (shared.structure.columns > 0)
+    shared.structure.turbulence = options.turbulence;
   std::vector<Cosine> cosines =
       fitCosines(smoothed(powerPlane(spectra)), std::size_t(options.cosines),
                  edgesOfOctave0(shared.columns, shared.rows));
@@ -124,7 +180,8 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
   std::size_t channel = 0;
   for (std::size_t m = 0; m < spectra.size(); ++m) {
     const std::size_t channels = spectra[m].channels.size();
-    Table table = cosineTable(cosines, vectors, {m, channel, channels});
+    Table table = cosineTable(shared, cosines, vectors, {m, channel, channels}, structures[m]);
+    setStructure(data[m], structures[m]);
     table.name = name + "." + std::string(nameOf(bake.noise.maps[m].target)) + ".cosines";
     data[m].cosines = appended(std::move(table), bake.tables);
     bake.noise.maps[m].data = data[m];

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Cosines and vectors -> the image that the shader reads.
+// Cosines, vectors and structure -> the image that the shader reads.
 #pragma once
 
 #include "cosine_vectors.h"
+#include "structure.h"
 
 #include <lichen/table.h>
 
@@ -22,8 +23,19 @@ struct MapRows {
   std::size_t channels = 0;
 };
 
+/// The structure of a map: its image, and the mean of that over the offsets of the list [tiles].
+struct MapStructure {
+  StructureImage image;
+  StructureImage mean; ///< without levels if there is no list
+  std::vector<std::array<double, 2>> offsets;
+
+  /// The largest magnitude of a coefficient of channel `channel`, in standard deviations.
+  [[nodiscard]] double largest(std::size_t channel) const;
+};
+
 /// The image of a map, as LocalRandomPhaseMap specifies it. The number of cosines is even.
-[[nodiscard]] Table cosineTable(const std::vector<Cosine>& cosines, const CosineVectors& vectors,
-                                const MapRows& rows);
+[[nodiscard]] Table cosineTable(const LocalRandomPhaseNoise& shared,
+                                const std::vector<Cosine>& cosines, const CosineVectors& vectors,
+                                const MapRows& rows, const MapStructure& structure);
 
 } // namespace lichen::local_random_phase

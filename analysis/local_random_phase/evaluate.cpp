@@ -2,11 +2,11 @@
 // Local random-phase noise on the CPU: (tables, parameters, footprint) -> value. Steps and names
 // follow shaders_glsl/noise/local_random_phase.glsl.
 #include "cosine.h"
+#include "cosine_vertices.h"
 #include "gaussianization/value_decoder.h"
-#include "octave_lattice.h"
+#include "structure_tiles.h"
 #include "triplanar/planes.h"
 
-#include <lichen/lattice.h>
 #include <lichen/local_random_phase_evaluate.h>
 
 #include <algorithm>
@@ -18,15 +18,12 @@
 namespace lichen {
 namespace {
 
+using namespace local_random_phase;
+
 using Value = LocalRandomPhaseEvaluator::Value;
 using Vec2 = std::array<float, 2>;
 
 bool isSlope(const shader::LichenMap& map) { return map.encoding == LICHEN_ENCODING_SLOPE; }
-
-/// The octaves from the lattice of the material's first to that of `octave`.
-int finerOctaves(int octave, const shader::LichenMaterial& material) {
-  return std::max(octave - cosinesPart(material).firstOctave, 0);
-}
 
 /// The squared cycles that a footprint spans of a frequency, as a quadratic form.
 struct Footprint {
@@ -41,7 +38,7 @@ struct Footprint {
                                             const shader::LichenMaterial& material) const {
     const auto scale = float(std::ldexp(1.0, finerOctaves(octave, material)));
     const float columns = material.columnsPerTile * scale, rows = material.rowsPerTile * scale;
-    return local_random_phase::kWindowSpread *
+    return kWindowSpread *
            (xx * columns * columns + 0.75f * yy * rows * rows); // rows are sqrt(3) / 2 edges apart
   }
 };
@@ -71,83 +68,12 @@ Footprint footprintOf(const TileFootprint& at, const shader::LichenNoise& noise)
           2.0f * slope * xy / (noise.tileTexelsX * noise.tileTexelsY)};
 }
 
-/// One vertex of a lattice: the state of its random numbers, its variant of all cosines, the vector
-/// from it to the point [tiles], and its window there.
-struct Vertex {
-  std::uint32_t state = 0, variant = 0;
-  Vec2 offset{};
-  float weight = 0.0f;
-};
-
-/// The cell of octave 0 that holds a point, modulo 2^32, and the place in it.
-struct Cell {
-  std::int32_t i = 0, j = 0;
-  float column = 0.0f, row = 0.0f; ///< in [0, 1)
-};
-
-std::int32_t floorDivide(std::int32_t a, std::int32_t b) { return a / b - (a % b < 0 ? 1 : 0); }
-
-/// Vertex (i, j) relative to the cell of the tile origin -> its representative in the period.
-std::pair<std::int32_t, std::int32_t> periodicVertex(std::int32_t i, std::int32_t j,
-                                                     std::int32_t columns, std::int32_t rows) {
-  const std::int32_t rowPeriods = floorDivide(j, rows);
-  j -= rowPeriods * rows;
-  i += rowPeriods * (rows / 2);
-  i -= floorDivide(i, columns) * columns;
-  return {i, j};
-}
-
-Cell cellAt(const shader::LichenMaterial& material, const Vec2& position) {
-  const float row = position[1] * material.rowsPerTile;
-  const float column = position[0] * material.columnsPerTile - 0.5f * row;
-  const float left = std::floor(column), top = std::floor(row);
-  std::int32_t i = std::int32_t(left), j = std::int32_t(top);
-  if (material.periodRows > 0)
-    std::tie(i, j) = periodicVertex(i, j, material.periodColumns, material.periodRows);
-  return {i, j, column - left, row - top};
-}
-
-/// The three vertices around a point in the lattice of an octave.
-std::array<Vertex, 3> verticesAt(const Cell& cell, int octave, std::uint32_t variants,
-                                 const shader::LichenMaterial& material) {
-  const int finer = finerOctaves(octave, material);
-  const auto scale = float(std::ldexp(1.0, finer));
-  const float column = cell.column * scale, row = cell.row * scale;
-  const float left = std::floor(column), top = std::floor(row);
-  const auto windows = local_random_phase::windowsAt(column - left, row - top);
-  const std::uint32_t seed = pcg(material.seedWord + std::uint32_t(octave));
-  std::array<Vertex, 3> vertices;
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::uint32_t i = (std::uint32_t(cell.i) << finer) + std::uint32_t(left) +
-                      std::uint32_t(windows.corner[k][0]);
-    std::uint32_t j =
-        (std::uint32_t(cell.j) << finer) + std::uint32_t(top) + std::uint32_t(windows.corner[k][1]);
-    if (material.periodRows > 0) {
-      const auto reduced =
-          periodicVertex(std::int32_t(i), std::int32_t(j), material.periodColumns << finer,
-                         material.periodRows << finer);
-      i = std::uint32_t(reduced.first);
-      j = std::uint32_t(reduced.second);
-    } else {
-      i += std::uint32_t(material.cellI) << finer;
-      j += std::uint32_t(material.cellJ) << finer;
-    }
-    const float a = windows.offset[k][0], b = windows.offset[k][1];
-    const std::uint32_t state = vertexHash(i, j, seed);
-    vertices[k] = {
-        state,
-        local_random_phase::variantOf(state, variants),
-        {(a + 0.5f * b) / (material.columnsPerTile * scale), b / (material.rowsPerTile * scale)},
-        windows.weight[k]};
-  }
-  return vertices;
-}
-
 } // namespace
 
 struct LocalRandomPhaseEvaluator::Map {
   gaussianization::ValueDecoder decoder;
-  std::vector<std::array<CosineTexel, kRowCosines>> texels; ///< of the image of cosines
+  std::vector<std::array<CosineTexel, kRowCosines>> texels; ///< of the cosines
+  StructureTiles structure;
 };
 
 Result<LocalRandomPhaseEvaluator> LocalRandomPhaseEvaluator::create(const Bundle& bundle,
@@ -166,11 +92,14 @@ Result<LocalRandomPhaseEvaluator> LocalRandomPhaseEvaluator::create(const Bundle
                                          ", not local-random-phase"};
     const auto& shared = noise.as<LocalRandomPhaseNoise>();
     auto maps = std::make_shared<std::vector<Map>>();
+    const CosineImageLayout layout(shared);
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
       const auto& stored = noise.maps[m].as<LocalRandomPhaseMap>();
-      maps->push_back(
-          {gaussianization::ValueDecoder(bundle, shaderMap(bundle, noise, m), stored.inverseTable),
-           cosineTexels(decodeLevel(bundle.tables[stored.cosines], 0))});
+      const std::vector<float> image = decodeLevel(bundle.tables[stored.cosines], 0);
+      const shader::LichenMap constants = shaderMap(bundle, noise, m);
+      maps->push_back({gaussianization::ValueDecoder(bundle, constants, stored.inverseTable),
+                       cosineTexels(image, layout),
+                       StructureTiles(shared.structure, layout, image, stored, constants)});
     }
     return LocalRandomPhaseEvaluator(shaderNoise(bundle, noiseIndex), shared.cosines,
                                      std::uint32_t(shared.variants), std::move(maps));
@@ -184,28 +113,32 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
                                           const TileFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
   const Footprint footprint = footprintOf(at, noise_);
-  const Cell cell =
-      cellAt(material, {at.position[0] + material.offsetX, at.position[1] + material.offsetY});
+  const CosineCell cell = cosineCellAt(
+      material, {at.position[0] + material.offsetX, at.position[1] + material.offsetY});
   std::array<float, 3> sum{};
   float squares = 0.0f, lost = 0.0f;
   const auto* row = map.texels.data();
   for (std::size_t octave = 0; octave < cosines_.size(); ++octave) {
     if (cosines_[octave] == 0)
       continue;
-    std::array<Vertex, 3> vertices = verticesAt(cell, int(octave), variants_, material);
+    std::array<CosineVertex, 3> vertices =
+        verticesAt(cell, int(octave), std::uint32_t(octave), material);
+    std::array<std::uint32_t, 3> variants{};
+    for (std::size_t v = 0; v < vertices.size(); ++v)
+      variants[v] = variantOf(vertices[v].state, variants_);
     const float ofWindow = footprint.squaredCyclesOfWindow(int(octave), material);
     for (int k = 0; k < cosines_[octave]; ++k) {
       const std::size_t own = std::size_t(k) % kRowCosines;
       const CosineTexel& box = row[0][own];
-      for (Vertex& vertex : vertices) {
-        const CosineTexel& amplitude = row[kCosineColumns + vertex.variant][own];
-        const local_random_phase::Draw draw = local_random_phase::nextDraw(vertex.state);
+      for (std::size_t v = 0; v < vertices.size(); ++v) {
+        CosineVertex& vertex = vertices[v];
+        const CosineTexel& amplitude = row[kCosineColumns + variants[v]][own];
+        const Draw draw = nextDraw(vertex.state);
         const float fx = box[0] + box[2] * draw.column, fy = box[1] + box[3] * draw.row;
         const float turns =
             fx * vertex.offset[0] + fy * vertex.offset[1] + draw.phase + amplitude[3];
-        const float window = vertex.weight * local_random_phase::retainedAt(
-                                                 ofWindow + footprint.squaredCycles(fx, fy));
-        const float value = window * local_random_phase::cosineOfTurns(turns);
+        const float window = vertex.weight * retainedAt(ofWindow + footprint.squaredCycles(fx, fy));
+        const float value = window * cosineOfTurns(turns);
         for (std::size_t c = 0; c < 3; ++c) {
           sum[c] += value * amplitude[c];
           const float square = amplitude[c] * amplitude[c];
@@ -217,6 +150,11 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
         row += kCosineColumns + variants_;
     }
   }
+  const StructureTiles::Value structure = map.structure.at(cell, material, at);
+  for (std::size_t c = 0; c < 3; ++c)
+    sum[c] += structure.gaussian[c];
+  squares += structure.squares;
+  lost += structure.lost;
   constexpr float kLeast = 1e-20f; // of a map that does not vary
   const float share = lost / std::max(squares, kLeast);
   return {0.5f + material.contrast * sum[0], 0.5f + material.contrast * sum[1],

@@ -55,6 +55,10 @@ template <class Real>
   return windows;
 }
 
+/// The octave of the lattice at whose vertices tiles of the structure lie: its edges are about a
+/// quarter of a tile.
+inline constexpr int kPlacementOctave = 2;
+
 /// The columns and rows in kOctaveTiles tiles that are nearest to equilateral triangles whose edges
 /// are about as long as the shorter side of the tile.
 [[nodiscard]] std::array<int, 2> cellsOfOctave0(int texelsX, int texelsY);

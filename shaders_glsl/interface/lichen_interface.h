@@ -131,6 +131,7 @@ struct LichenCosinesMaterial {
   // Octave of the lattice of columnsPerTile and rowsPerTile, which octaves below it share: 0 unless
   // the lattice is periodic and its period short.
   int firstOctave;
+  uint guided; // 1: tiles of the structure have the offsets of its list, if there is one
 };
 
 /// What only textons have of a noise: own0 and own1.
@@ -149,7 +150,9 @@ struct LichenCosinesNoise {
   uint variants;                     // vectors of a cosine, a power of two
   uint columns, rows;                // of octave 0 in eight tiles
   uint cosines;                      // of all octaves; even, as is the number of each
-  uint reserved0;                    // 0: to a multiple of 16 bytes
+  // log2 of columns and of rows (4 bits each), offsets (8), turbulence in 65,535ths (16); 0: no
+  // structure.
+  uint structure;
 };
 
 /// What all maps of a noise share. Fixed by the bundle.
@@ -177,12 +180,15 @@ struct LichenMap {
   uint decoding;                   // LICHEN_DECODING_*
   vec4 mean; // of the decoded values; w is 1. Slopes: z is the variance of a slope
   // Of textons: amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte
-  // m of sixteen. A channel that is absent or does not vary keeps nothing.
+  // m of sixteen. A channel that is absent or does not vary keeps nothing. Of a structure, in
+  // mipRetained0: the deviation of level m over that of the noise.
   uvec4 mipRetained0, mipRetained1, mipRetained2;
   // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
   // value less its mean. Lower triangular: row0.yz and row1.z are 0.
   vec4 row0, row1, row2;
-  vec4 sumFactor; // of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix; w unused
+  // Of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix. Of a structure: what its
+  // integers are multiplied with. w unused.
+  vec4 sumFactor;
 };
 
 /// The block of a noise. 1,024 bytes, fixed by the bundle.

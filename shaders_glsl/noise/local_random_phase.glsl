@@ -1,88 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Local random-phase noise [LRP14], from top to bottom: a point on the plane of tiles and its
 // footprint -> for each octave the three vertices around it and their windows -> the sum of the
-// cosines of each, with the share of the variance that the footprint loses. decode.glsl makes the
-// material's value of it. The CPU twin is analysis/local_random_phase/evaluate.
+// cosines of each, and of the structure, with the share of the variance that the footprint loses.
+// decode.glsl makes the material's value of it. The CPU twin is
+// analysis/local_random_phase/evaluate.
 // [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/027-cosines.md.
 #ifndef LICHEN_LOCAL_RANDOM_PHASE_GLSL
 #define LICHEN_LOCAL_RANDOM_PHASE_GLSL
 
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
+#include "cosine_vertices.glsl"
 #include "decode.glsl"
-#include "hash.glsl"
 #include "method_parts.glsl"
-#include "periodic_lattice.glsl"
-
-/// What all maps of a noise share at one point.
-struct LichenCosinesPoint {
-  ivec2 cell;  // of octave 0 that holds the point, from the cell of the tile origin on
-  vec2 inside; // the place in it, [0, 1)
-  vec2 gradientX, gradientY; // [tiles / pixel]
-};
-
-/// The three vertices around a point in the lattice of one octave.
-struct LichenCosinesVertices {
-  uvec3 states;           // of their random numbers
-  ivec3 variants;         // columns of the image
-  vec3 offsetX, offsetY;  // [tiles] from each vertex to the point
-  vec3 windows;           // the squares sum to 1
-  vec2 spread;            // [cycles^2 / tile^2] of a window along x and y: its mean square frequency
-};
-
-/// The windows of three vertices, for the vectors from them in lattice coordinates. [LRP14] eq. 1
-/// with a smaller window: it ends at the height of a triangle, within reach of no fourth vertex.
-vec3 lichenCosineWindows(vec3 columns, vec3 rows) {
-  const float kPerSquaredRadius = 4.0 / 3.0;
-  vec3 squares = columns * columns + columns * rows + rows * rows; // of the distance, in edges
-  vec3 left = max(1.0 - kPerSquaredRadius * squares, 0.0);
-  vec3 windows = left * left * left;
-  return windows * inversesqrt(dot(windows, windows));
-}
-
-/// The state of a vertex's random numbers; (i, j) from the cell of the tile origin on.
-uint lichenCosineState(ivec2 vertex, int finer, uint seed, LichenMaterial material) {
-  uvec2 near = uvec2(vertex);
-  if (bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0) {
-    int columns = material.periodColumns << finer;
-    int rows = material.periodRows << finer;
-    // The cell lies in the first period.
-    if (vertex.y >= rows)
-      vertex += ivec2(rows / 2, -rows);
-    vertex.x %= columns;
-    near = uvec2(vertex);
-  } else {
-    near += uvec2(ivec2(material.cellI, material.cellJ)) << uint(finer);
-  }
-  return lichenVertexHash(near.x, near.y, seed);
-}
-
-LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave, uint variants,
-                                            LichenMaterial material) {
-  int finer = max(octave - lichenCosinesMaterial(material).firstOctave, 0);
-  float scale = float(1 << finer);
-  vec2 place = point.inside * scale;
-  vec2 corner = floor(place);
-  place -= corner;
-  ivec2 cell = (point.cell << finer) + ivec2(corner);
-  int far = place.x + place.y < 1.0 ? 0 : 1;
-  vec3 columns = place.x - vec3(float(far), 1.0, 0.0);
-  vec3 rows = place.y - vec3(float(far), 0.0, 1.0);
-  vec2 perCell = 1.0 / (scale * vec2(material.columnsPerTile, material.rowsPerTile));
-  uint seed = lichenPcg(material.seedWord + uint(octave));
-  LichenCosinesVertices vertices;
-  vertices.states = uvec3(lichenCosineState(cell + far, finer, seed, material),
-                          lichenCosineState(cell + ivec2(1, 0), finer, seed, material),
-                          lichenCosineState(cell + ivec2(0, 1), finer, seed, material));
-  vertices.variants = 1 + ivec3((vertices.states >> 27u) & (variants - 1u));
-  vertices.offsetX = (columns + 0.5 * rows) * perCell.x;
-  vertices.offsetY = rows * perCell.y;
-  vertices.windows = lichenCosineWindows(columns, rows);
-  // In cycles^2 / edge^2; rows lie sqrt(3) / 2 edges apart.
-  const float kSpread = 0.1733;
-  vertices.spread = kSpread * vec2(1.0, 0.75) / (perCell * perCell);
-  return vertices;
-}
+#include "structure.glsl"
 
 /// cos(2 pi turns), within 1.1e-4.
 vec3 lichenCosineOfTurns(vec3 turns) {
@@ -135,8 +66,9 @@ vec2 lichenBfloat16Pair(float pair) {
 }
 
 /// Adds one cosine at three vertices: to the sum of Gaussian values, to the sum of the squared
-/// amplitudes of all channels under the windows, and in w to what the footprint takes of it. `box`: the cosine's half of a texel of column 0, the
-/// others those of the vertices' variants. Advances the vertices' random numbers.
+/// amplitudes of all channels under the windows, and in w to what the footprint takes of it.
+/// `box`: the cosine's half of a texel of column 0, the others those of the vertices' variants.
+/// Advances the vertices' random numbers.
 void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
                      LichenCosinesVertices vertices, vec3 footprint, vec2 box, vec2 variant0,
                      vec2 variant1, vec2 variant2) {
@@ -151,7 +83,8 @@ void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
   vec3 frequencyY = middle.y + size.y * kPerBit * vec3(ivec3(states << 11u));
   vec3 turns = frequencyX * vertices.offsetX + frequencyY * vertices.offsetY +
                kPerBit * vec3(ivec3(states)) + vec3(amplitude0.a, amplitude1.a, amplitude2.a);
-  vec3 cycles = dot(footprint.xy, vertices.spread) + frequencyX * (footprint.x * frequencyX + footprint.z * frequencyY) +
+  vec3 cycles = dot(footprint.xy, vertices.spread) +
+                frequencyX * (footprint.x * frequencyX + footprint.z * frequencyY) +
                 footprint.y * frequencyY * frequencyY;
   vec3 windows = vertices.windows * lichenCosineRetained(cycles);
   vec3 values = windows * lichenCosineOfTurns(turns);
@@ -175,19 +108,21 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
   for (int octave = 0; octave < LICHEN_MAX_OCTAVES && row < rows; ++octave) {
     int end = row + lichenOctaveCosines(octave, shape) / 2;
     LichenCosinesVertices vertices =
-        lichenCosinesVertices(point, octave, shape.variants, material);
+        lichenCosinesVertices(point, octave, uint(octave), material);
     uvec3 states = vertices.states;
+    ivec3 variants = 1 + ivec3((states >> 27u) & (shape.variants - 1u));
     for (; row < end; ++row) {
       vec4 boxes = LICHEN_FETCH_2D(image, ivec2(0, row));
-      vec4 variant0 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.x, row));
-      vec4 variant1 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.y, row));
-      vec4 variant2 = LICHEN_FETCH_2D(image, ivec2(vertices.variants.z, row));
+      vec4 variant0 = LICHEN_FETCH_2D(image, ivec2(variants.x, row));
+      vec4 variant1 = LICHEN_FETCH_2D(image, ivec2(variants.y, row));
+      vec4 variant2 = LICHEN_FETCH_2D(image, ivec2(variants.z, row));
       lichenAddCosine(sum, squares, states, vertices, footprint, boxes.xy, variant0.xy,
                       variant1.xy, variant2.xy);
       lichenAddCosine(sum, squares, states, vertices, footprint, boxes.zw, variant0.zw,
                       variant1.zw, variant2.zw);
     }
   }
+  lichenAddStructure(sum, squares, image, point, material, noise, map);
   const float kLeast = 1.0e-20; // of a map that does not vary
   return vec4(0.5 + material.contrast * sum.rgb, sum.w / max(squares, kLeast));
 }
@@ -207,6 +142,7 @@ void lichenSetPoint(out LichenCosinesPoint point, vec2 position, vec2 gradientX,
     point.cell.x -= columns * material.periodColumns;
   }
   point.inside = skewed - cell;
+  point.position = fract(position);
   point.gradientX = gradientX;
   point.gradientY = gradientY;
 }

@@ -31,12 +31,12 @@ vec2 lichenTextonImageSize(LichenNoise noise) {
 }
 
 LichenCosinesMaterial lichenCosinesMaterial(LichenMaterial material) {
-  return LichenCosinesMaterial(int(material.own0.x));
+  return LichenCosinesMaterial(int(material.own0.x), material.own0.y);
 }
 
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {
   return LichenCosinesNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w,
-                            noise.own1.x, noise.own1.y, noise.own1.z, 0u);
+                            noise.own1.x, noise.own1.y, noise.own1.z, noise.own1.w);
 }
 
 #endif

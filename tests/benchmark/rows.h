@@ -56,6 +56,7 @@ std::vector<Row> filterRows();    ///< mean colour from magnification to far awa
 std::vector<Row> viewRows();      ///< contrast, features and shimmer at all distances
 std::vector<Row> litRows();       ///< brightness of lit pictures at all distances
 std::vector<Row> textonRows();    ///< time, model error, flatness, border, covariance of textons
+std::vector<Row> structureRows(); ///< what repeats, beside tiling
 std::vector<Row> localRandomPhaseRows(); ///< time and quality of local random-phase noise
 std::vector<Row> loadRows();             ///< time in which the plugin reads a bundle
 std::vector<Row> shaderRows();           ///< ratios to plain and bare fetches; cost of options

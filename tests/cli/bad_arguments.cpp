@@ -114,6 +114,33 @@ TEST_CASE("the error for an unknown option value of bake lists the valid ones") 
         {"--tile " + metres + ": expected a number of metres from 0.000001 to 1000000"});
 }
 
+TEST_CASE("the error for a structure or spectrum that no noise can have says what is expected") {
+  const auto refuse = [](const std::string& option, const std::string& value,
+                         const std::string& expected) {
+    checkBakeRefuses({"--method", "local-random-phase", option, value}, kUsage,
+                     {option + " " + value + ": expected " + expected});
+  };
+  for (const std::string share : {"-0.1", "1.5", "some", "nan"}) {
+    refuse("--structure", share, "auto or a number from 0 to 1");
+    refuse("--guide", share, "auto or a number from 0 to 1");
+  }
+  for (const std::string tiles : {"-0.1", "1.5", "auto"})
+    refuse("--turbulence", tiles, "a number of tiles from 0 to 1");
+  for (const std::string parts : {"ring:8", "ring:12:8", "ring:-2:8", "ring:8:nan", "ring:8:12,",
+                                  "ring:8:12,band:1", "band:2:1:0:5", "band:0:9999:0:1"})
+    refuse("--spectrum", parts, "a picture, or parts such as ring:8:12");
+  const std::string white =
+      made().workplace.write("white.png", encodePng(SrgbImage(1, 1, 1), 8).value());
+  checkBakeRefuses({"--method", "local-random-phase", "--spectrum", white}, kBadInput,
+                   {"white.png: black everywhere but in the middle"});
+  checkBakeRefuses({"--method", "local-random-phase", "--spectrum", "no such.png"}, kBadInput,
+                   {"no such.png"});
+  checkBakeRefuses(
+      {"--method", "local-random-phase", "--spectrum", "ring:8:12", "--structure", "0.5"}, kUsage,
+      {"a structure has the phases of the exemplar"});
+  checkBakeRefuses({"--structure", "0.5"}, kUsage, {"--structure", "local-random-phase"});
+}
+
 TEST_CASE("the error for a size that synth cannot make states the range") {
   for (const std::string size :
        {"0x0", "abc", "99999x1", "1x99999", "12x", "x12", "1x2x3", "", "12.5x4", "99999999999x1"})

@@ -4,6 +4,7 @@
 #include <lichen/bundle.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -109,17 +110,28 @@ void checkCosines(const LocalRandomPhaseNoise& shared) {
                           [](int count) { return count % 2 == 0; }),
           "number of cosines");
   require(isWithin(shared.variants, 1, kMostVariants), "number of variants");
+  const auto isSide = [](int side) {
+    return side == 0 || (isWithin(side, kFewestStructureTexels, kMostStructureTexels) &&
+                         std::has_single_bit(unsigned(side)));
+  };
+  require(isSide(shared.structure.columns) && isSide(shared.structure.rows) &&
+              isWithin(shared.structure.offsets, 0, kMostStructureOffsets),
+          "size of a structure");
 }
 
 void checkCosines(const NoiseMap& map, const LocalRandomPhaseNoise& shared, const Bundle& bundle) {
   const auto& own = map.as<LocalRandomPhaseMap>();
   require(own.cosines < bundle.tables.size(), "index of the image");
   const Table& image = bundle.tables[own.cosines];
-  require(image.depth == 0 && image.width == 1 + std::uint32_t(shared.variants) &&
-              image.height == std::uint32_t(shared.cosineCount()) / kRowCosines &&
+  const CosineImageLayout layout(shared);
+  require(image.depth == 0 && image.width == layout.width && image.height == layout.height &&
               image.format == TexelFormat::rgba32Sfloat,
           "shape of an image of cosines");
   require(isWithin(own.dimensions, 1, int(map.channels.size())), "number of dimensions");
+  if (shared.structure.columns > 0)
+    require(own.structureAmplitudes.size() == std::size_t(own.dimensions) &&
+                own.structureDeviations.size() == std::size_t(structureLevels(shared.structure)),
+            "numbers of a structure");
   require(!own.inverseTable || *own.inverseTable < bundle.tables.size(), "index of the table");
 }
 

@@ -41,14 +41,24 @@ MapExemplar ofChannels(std::size_t channels) {
   return map;
 }
 
+struct Kind {
+  std::size_t channels;
+  GaussianOnly gaussian;
+  double structure, guide;
+};
+
 /// Of 16 bits, as rounding of tables has a test of its own for all methods.
-BundleFile bakedFile(std::size_t channels, GaussianOnly gaussian) {
-  const MapExemplar map = ofChannels(channels);
+BundleFile bakedFile(const Kind& kind) {
+  const MapExemplar map = ofChannels(kind.channels);
   LocalRandomPhaseOptions options;
   options.bits = 16;
   options.cosines = 24;
-  options.gaussian = gaussian;
+  options.gaussian = kind.gaussian;
+  options.structure = kind.structure;
+  options.guide = kind.guide;
+  options.turbulence = kind.guide > 0.0 && kind.structure < 1.0 ? 0.05 : 0.0;
   Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("noise", {&map, 1}, options);
+  INFO((bake ? std::string() : bake.error().message));
   REQUIRE(bake);
   BundleFile file;
   file.bundle.tables = std::move(bake.value().tables);
@@ -110,7 +120,8 @@ public:
   explicit Reference(const Bundle& bundle)
       : noise_(bundle.noises[0]), shared_(noise_.as<LocalRandomPhaseNoise>()),
         texels_(cosineTexels(
-            decodeLevel(bundle.tables[noise_.maps[0].as<LocalRandomPhaseMap>().cosines], 0))) {}
+            decodeLevel(bundle.tables[noise_.maps[0].as<LocalRandomPhaseMap>().cosines], 0),
+            CosineImageLayout(shared_))) {}
 
   /// The Gaussian value at a position in tiles from tile 0, of a point without a footprint.
   [[nodiscard]] std::array<double, 3> at(double x, double y, std::uint32_t seed) const {
@@ -173,13 +184,13 @@ private:
 
 TEST_CASE("the local random-phase shader matches its CPU twin: 99.9 % within 1/1024, all within "
           "1/255") {
-  struct Kind {
-    std::size_t channels;
-    GaussianOnly gaussian;
-  };
   for (const Kind& kind :
-       {Kind{3, GaussianOnly::no}, Kind{3, GaussianOnly::yes}, Kind{1, GaussianOnly::no}}) {
-    const BundleFile file = bakedFile(kind.channels, kind.gaussian);
+       {Kind{3, GaussianOnly::no, 0.0, 0.0}, Kind{3, GaussianOnly::yes, 0.0, 0.0},
+        Kind{1, GaussianOnly::no, 0.0, 0.0}, Kind{3, GaussianOnly::no, 0.6, 0.0},
+        Kind{3, GaussianOnly::no, 1.0, 1.0}, Kind{1, GaussianOnly::no, 0.5, 1.0}}) {
+    const BundleFile file = bakedFile(kind);
+    const bool hasList = file.bundle.noises[0].as<LocalRandomPhaseNoise>().structure.offsets > 0;
+    REQUIRE(hasList == (kind.guide > 0.0));
     VulkanDevice* const device = sharedDevice();
     const std::vector<std::byte> glb = glbOf(file);
     const Bundle bundle = parseBundle(glb, "noise").value();
@@ -205,7 +216,8 @@ TEST_CASE("the local random-phase shader matches its CPU twin: 99.9 % within 1/1
             ++count;
           }
       }
-      INFO("channels " << kind.channels << ", use " << number++);
+      INFO("channels " << kind.channels << ", structure " << kind.structure << ", guide "
+                       << kind.guide << ", use " << number++);
       CHECK(largest <= 1.0 / 255.0);
       CHECK(double(beyond) <= 0.001 * double(count));
     }
@@ -215,7 +227,7 @@ TEST_CASE("the local random-phase shader matches its CPU twin: 99.9 % within 1/1
 
 TEST_CASE(
     "local random-phase noise is the sum of the cosines of all vertices under their windows") {
-  const BundleFile file = bakedFile(3, GaussianOnly::no);
+  const BundleFile file = bakedFile({3, GaussianOnly::no, 0.0, 0.0});
   const Bundle bundle = parseBundle(glbOf(file), "noise").value();
   const LocalRandomPhaseEvaluator twin = LocalRandomPhaseEvaluator::create(bundle, 0).value();
   const Reference reference(bundle);
@@ -245,7 +257,8 @@ TEST_CASE(
 }
 
 TEST_CASE("local random-phase noise repeats after its period and nowhere jumps") {
-  const BundleFile file = bakedFile(3, GaussianOnly::no);
+  const double structure = GENERATE(0.0, 0.7);
+  const BundleFile file = bakedFile({3, GaussianOnly::no, structure, structure});
   const Bundle bundle = parseBundle(glbOf(file), "noise").value();
   const LocalRandomPhaseEvaluator twin = LocalRandomPhaseEvaluator::create(bundle, 0).value();
   std::mt19937 generator(5u);

@@ -47,13 +47,18 @@ const std::vector<NamedPlane>& planes() {
     const Bundle tiling = bundleOf(bakeTiling("example", {&map, 1}, {}));
     const Bundle texton = bundleOf(bakeTexton("example", {&map, 1}, options));
     const Bundle cosines = bundleOf(bakeLocalRandomPhase("example", {&map, 1}, {}));
+    LocalRandomPhaseOptions half;
+    half.structure = 0.5;
+    half.guide = 1.0;
+    const Bundle structured = bundleOf(bakeLocalRandomPhase("example", {&map, 1}, half));
     return std::vector<NamedPlane>{
         {"tiling, uv", noisePlane(tiling, Mapping::uv), 1200},
         {"tiling, triplanar", noisePlane(tiling, Mapping::triplanar), 1200},
         {"texton, uv", noisePlane(texton, Mapping::uv), 400},
         {"texton, triplanar", noisePlane(texton, Mapping::triplanar), 400},
         {"local random phase, uv", noisePlane(cosines, Mapping::uv), 400},
-        {"local random phase, triplanar", noisePlane(cosines, Mapping::triplanar), 300}};
+        {"local random phase, triplanar", noisePlane(cosines, Mapping::triplanar), 300},
+        {"structure, uv", noisePlane(structured, Mapping::uv), 400}};
   }();
   return all;
 }
@@ -66,7 +71,7 @@ TEST_CASE("a view has the mean colour, contrast and features of its supersampled
   // pixels are a quarter as wide as long.
   struct Size {
     double texels, slant;
-    std::array<double, 6> contrast, difference; // bounds of the planes
+    std::array<int, 7> contrast, difference; // bounds of the planes [%]
   };
   // What each plane has plus at most 0.03, the spread of the ratios of 400 pixels. At the level of
   // the longer side, contrast is off by 0.1 to 0.3 from 2 texels on, and by 0.3 for narrow pixels.
@@ -74,25 +79,25 @@ TEST_CASE("a view has the mean colour, contrast and features of its supersampled
   // of a texel or less do not average: so that a view of one texel a pixel is as sharp as the
   // exemplar.
   for (const auto& [texels, slant, contrast, difference] :
-       {Size{0.125, 1, {0.01, 0.01, 0.01, 0.01, 0.02, 0.02}, {0.02, 0.02, 0.02, 0.02, 0.11, 0.11}},
-        Size{0.5, 1, {0.04, 0.03, 0.05, 0.05, 0.11, 0.1}, {0.07, 0.06, 0.09, 0.08, 0.29, 0.28}},
-        Size{1, 1, {0.08, 0.06, 0.12, 0.10, 0.19, 0.19}, {0.20, 0.13, 0.22, 0.18, 0.49, 0.46}},
-        Size{1.41, 1, {0.05, 0.06, 0.10, 0.10, 0.15, 0.15}, {0.15, 0.17, 0.24, 0.23, 0.3, 0.37}},
-        Size{2, 1, {0.05, 0.05, 0.08, 0.08, 0.13, 0.13}, {0.16, 0.16, 0.29, 0.27, 0.29, 0.27}},
-        Size{2.83, 1, {0.05, 0.03, 0.04, 0.04, 0.1, 0.1}, {0.18, 0.17, 0.29, 0.28, 0.29, 0.28}},
-        Size{4, 1, {0.09, 0.06, 0.09, 0.05, 0.1, 0.1}, {0.19, 0.19, 0.27, 0.27, 0.29, 0.29}},
-        Size{5.66, 1, {0.10, 0.10, 0.10, 0.08, 0.1, 0.1}, {0.24, 0.22, 0.27, 0.27, 0.29, 0.29}},
-        Size{1, 4, {0.06, 0.04, 0.08, 0.08, 0.13, 0.13}, {0.26, 0.22, 0.39, 0.36, 0.33, 0.3}},
-        Size{2, 4, {0.12, 0.11, 0.13, 0.09, 0.1, 0.1}, {0.34, 0.31, 0.39, 0.37, 0.33, 0.3}}})
+       {Size{0.125, 1, {1, 1, 1, 1, 2, 2, 3}, {2, 2, 2, 2, 11, 11, 11}},
+        Size{0.5, 1, {4, 3, 5, 5, 11, 10, 9}, {7, 6, 9, 8, 29, 28, 25}},
+        Size{1, 1, {8, 6, 12, 10, 19, 19, 19}, {20, 13, 22, 18, 49, 46, 43}},
+        Size{1.41, 1, {5, 6, 10, 10, 15, 15, 3}, {15, 17, 24, 23, 30, 37, 17}},
+        Size{2, 1, {5, 5, 8, 8, 13, 13, 4}, {16, 16, 29, 27, 29, 27, 19}},
+        Size{2.83, 1, {5, 3, 4, 4, 10, 10, 7}, {18, 17, 29, 28, 29, 28, 19}},
+        Size{4, 1, {9, 6, 9, 5, 10, 10, 7}, {19, 19, 27, 27, 29, 29, 21}},
+        Size{5.66, 1, {10, 10, 10, 8, 10, 10, 13}, {24, 22, 27, 27, 29, 29, 27}},
+        Size{1, 4, {6, 4, 8, 8, 13, 13, 4}, {26, 22, 39, 36, 33, 30, 24}},
+        Size{2, 4, {12, 11, 13, 9, 10, 10, 14}, {34, 31, 39, 37, 33, 30, 36}}})
     for (std::size_t k = 0; k < planes().size(); ++k) {
       const NamedPlane& one = planes()[k];
       const FilteredView view =
           filteredView(one.plane, texels / kTexels, slant * texels / kTexels, one.pixels, 6);
       INFO(one.name << ", pixels of " << texels << " x " << slant * texels << " texels: contrast "
                     << view.contrast() << ", difference " << view.difference());
-      CHECK(view.meanError < view.meanTolerance(difference[k], one.pixels));
-      CHECK(std::abs(view.contrast() - 1.0) < contrast[k]);
-      CHECK(view.difference() < difference[k]);
+      CHECK(view.meanError < view.meanTolerance(0.01 * difference[k], one.pixels));
+      CHECK(std::abs(view.contrast() - 1.0) < 0.01 * contrast[k]);
+      CHECK(view.difference() < 0.01 * difference[k]);
     }
 }
 
@@ -146,7 +151,7 @@ TEST_CASE("a camera moving over a floor shimmers hardly more than supersampled f
   // 1.2 is wanted, and the exemplars of lichen-bench have 0.9 to 1.05. Here pixels of the floor are
   // up to eight times as long as wide, in texels as large as the exemplar's grain, and one square
   // fetch keeps more of it than their average does: measured 1.14, 1.23, 1.39 and 1.57, to 0.02.
-  const std::array<double, 6> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5};
+  const std::array<double, 7> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5, 1.17};
   for (std::size_t k = 0; k < planes().size(); ++k) {
     const NamedPlane& one = planes()[k];
     const CameraMove move = cameraMove(one.plane, 5);

@@ -282,7 +282,7 @@ BundleFile smallestCosines() {
   BundleFile file;
   Noise noise;
   noise.name = "swell";
-  noise.data = LocalRandomPhaseNoise{16, 12, 7, 6, {2, 0, 2}, 2};
+  noise.data = LocalRandomPhaseNoise{16, 12, 7, 6, {2, 0, 2}, 2, {}};
   NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
   Table table;
   table.name = "swell.height.cosines";
@@ -314,7 +314,7 @@ BundleFile smallestCosines() {
     append([](const Example& own) { return std::array{own.first, 0.0f, 0.0f, 0.0f}; });
     append([](const Example& own) { return std::array{own.second, 0.0f, 0.0f, own.phase}; });
   }
-  map.data = LocalRandomPhaseMap{addTable(file.bundle, std::move(table)), std::nullopt, 1};
+  map.data = LocalRandomPhaseMap{addTable(file.bundle, std::move(table)), std::nullopt, 1, {}, {}};
   addNoise(file, std::move(noise), std::move(map));
   return file;
 }

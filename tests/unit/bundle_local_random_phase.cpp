@@ -7,9 +7,11 @@
 #include <lichen/bfloat16_pair.h>
 #include <lichen/lattice.h>
 #include <lichen/shader_parameters.h>
+#include <lichen/structure_texel.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -21,6 +23,37 @@ namespace {
 
 const std::vector<std::byte>& soundFile() {
   static const std::vector<std::byte> file = encodeGlb(example::smallestCosines()).value();
+  return file;
+}
+
+/// The example with a structure and a list of three offsets.
+BundleFile structured() {
+  BundleFile file = example::smallestCosines();
+  auto& shared = file.bundle.noises[0].as<LocalRandomPhaseNoise>();
+  shared.structure = {64, 64, 3, 0.25};
+  auto& map = file.bundle.noises[0].maps[0].as<LocalRandomPhaseMap>();
+  map.structureAmplitudes = {0.5};
+  map.structureDeviations = {0.8, 0.7, 0.6, 0.5, 0.3, 0.1};
+  Table& table = file.bundle.tables[map.cosines];
+  const std::vector<float> cosines = decodeLevel(table, 0);
+  const CosineImageLayout layout(shared);
+  std::vector<float> texels(4 * std::size_t(layout.width) * layout.height,
+                            structureTexel({1, 2, 3}));
+  for (std::size_t row = 0; row < layout.cosineRows; ++row)
+    std::copy_n(&cosines[4 * row * layout.cosineColumns], 4 * layout.cosineColumns,
+                &texels[4 * row * layout.width]);
+  constexpr std::array<float, 6> kOffsets{0.0f, 0.0f, 0.25f, -0.5f, 0.5f, 0.125f};
+  std::copy(kOffsets.begin(), kOffsets.end(),
+            &texels[4 * std::size_t(layout.offsetRow) * layout.width]);
+  table.width = layout.width;
+  table.height = layout.height;
+  table.texels.clear();
+  appendTexels(table.texels, table.format, texels);
+  return file;
+}
+
+const std::vector<std::byte>& structuredFile() {
+  static const std::vector<std::byte> file = encodeGlb(structured()).value();
   return file;
 }
 
@@ -51,6 +84,69 @@ TEST_CASE("a float holds two numbers of 8 significant bits, and is never subnorm
     for (std::size_t i = 0; i < 2; ++i)
       CHECK(std::abs(found[i] - wanted[i]) <= std::ldexp(std::abs(wanted[i]), -8) + 1.2e-38f);
   }
+}
+
+TEST_CASE("a float holds three integers of a structure, and is never subnormal") {
+  std::mt19937 generator(5u);
+  std::uniform_int_distribution<int> integer(-kMostStructureInteger - 1, kMostStructureInteger);
+  for (int k = 0; k < 10000; ++k) {
+    const std::array<int, 3> wanted{integer(generator), integer(generator), integer(generator)};
+    const float texel = structureTexel(wanted);
+    CHECK(std::isnormal(texel));
+    CHECK(fromStructureTexel(texel) == wanted);
+  }
+}
+
+TEST_CASE("the example file of a structure has no faults, and is read as it was written") {
+  CHECK(checkBundle(GlbParts(structuredFile()).join()).empty());
+  const Bundle bundle = parseBundle(structuredFile(), "structure").value();
+  REQUIRE(bundle.noises.size() == 1);
+  CHECK(bundle.noises[0] == structured().bundle.noises[0]);
+}
+
+TEST_CASE("every fault of a structure is found") {
+  const auto structureOf = [](GlbParts& parts) -> json& { return sharedOf(parts)["structure"]; };
+  const auto ownOf = [](GlbParts& parts) -> json& { return parts.map(0, 0)["structure"]; };
+  example::checkFaults(
+      structuredFile(),
+      {
+          {"a number", "type", [&](GlbParts& p) { structureOf(p) = 64; }},
+          {"no sides", "required", [&](GlbParts& p) { structureOf(p).erase("texels"); }},
+          {"one side", "count", [&](GlbParts& p) { structureOf(p)["texels"] = {64}; }},
+          {"small sides", "range", [&](GlbParts& p) { structureOf(p)["texels"][0] = 32; }},
+          {"huge sides", "range", [&](GlbParts& p) { structureOf(p)["texels"][1] = 16384; }},
+          {"sides that are no powers of two", "structure-texels",
+           [&](GlbParts& p) { structureOf(p)["texels"][1] = 96; }},
+          {"no offsets", "range", [&](GlbParts& p) { structureOf(p)["offsets"] = 0; }},
+          {"two offsets", "range", [&](GlbParts& p) { structureOf(p)["offsets"] = 2; }},
+          {"65 offsets", "range", [&](GlbParts& p) { structureOf(p)["offsets"] = 65; }},
+          {"a list in the cosines", "map-cosines",
+           [&](GlbParts& p) { structureOf(p).erase("offsets"); }},
+          {"another height", "map-cosines",
+           [&](GlbParts& p) { structureOf(p)["texels"][1] = 128; }},
+          {"a turbulence of two tiles", "range",
+           [&](GlbParts& p) { structureOf(p)["turbulence"] = 2.0; }},
+          {"no structure of the map", "required",
+           [&](GlbParts& p) { p.map(0, 0).erase("structure"); }},
+          {"no amplitudes", "required", [&](GlbParts& p) { ownOf(p).erase("amplitudes"); }},
+          {"a huge amplitude", "range", [&](GlbParts& p) { ownOf(p)["amplitudes"][0] = 5.0; }},
+          {"two amplitudes", "structure-count",
+           [&](GlbParts& p) {
+             ownOf(p)["amplitudes"] = {0.5, 0.5};
+           }},
+          {"a deviation above 1", "range", [&](GlbParts& p) { ownOf(p)["deviations"][0] = 1.5; }},
+          {"five deviations", "structure-count",
+           [&](GlbParts& p) { ownOf(p)["deviations"].erase(5); }},
+          {"a long offset", "structure-offsets",
+           [](GlbParts& p) {
+             // The image ends the file: the second offset is in the first texel of the row after
+             // that of the cosines.
+             const std::size_t row = 64 * 4 * sizeof(float);
+             const std::size_t offset = p.binary.size() - row * (1 + 63) + 2 * sizeof(float);
+             p.binary[offset + 3] = std::byte{0x40}; // 2 and more
+             p.binary[offset + 2] = std::byte{0x00};
+           }},
+      });
 }
 
 TEST_CASE("every fault of what the cosines share is found") {
@@ -140,6 +236,26 @@ TEST_CASE("the constants of a noise count the cosines of each octave") {
   CHECK(part.columns == 7);
   CHECK(part.rows == 6);
   CHECK(part.cosines == 156);
+  CHECK(part.structure == 0);
+}
+
+TEST_CASE("the constants of a noise hold the size of its structure and what its levels leave") {
+  Bundle bundle = structured().bundle;
+  bundle.noises[0].as<LocalRandomPhaseNoise>().structure.rows = 128;
+  CHECK(cosinesPart(shaderNoise(bundle, 0)).structure == 0x40000376u); // 0.25 of 65,535, 3, 7 and 6
+  const shader::LichenMap map = shaderMap(bundle, bundle.noises[0], 0);
+  CHECK(map.sumFactor.x == Approx(0.5 / 511.0));
+  CHECK(map.mipRetained0.x == 0x8099B3CCu); // 0.8, 0.7, 0.6 and 0.5 of 255
+  CHECK(map.mipRetained0.y == 0x00001A4Cu); // 0.3 and 0.1, then nothing
+  const auto isGuided = [&](bool periodic, double tiles) {
+    Placement placement;
+    placement.periodic = periodic;
+    placement.periodTilesX = placement.periodTilesY = tiles;
+    return cosinesPart(shaderMaterial(bundle, MaterialNoise(), placement).material).guided != 0;
+  };
+  CHECK(isGuided(false, 0.0));
+  CHECK(isGuided(true, 3.0));
+  CHECK_FALSE(isGuided(true, 1.5));
 }
 
 TEST_CASE("a tile origin moves the cosines' lattice by whole cells, modulo 2^32") {

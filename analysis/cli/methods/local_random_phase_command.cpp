@@ -3,6 +3,7 @@
 #include "local_random_phase_command.h"
 
 #include "../table_words.h"
+#include "spectrum_option.h"
 
 #include <lichen/counted.h>
 #include <lichen/local_random_phase.h>
@@ -21,9 +22,17 @@ constexpr const char* kHeading = "Local random phase";
 /// Risks that random phases have. Slow variation is not one of them: the noise has it.
 bool isOfRandomPhases(const Risk& risk) { return risk.name == "outlines"; }
 
+std::string offsetWords(const CosineStructure& structure) {
+  return structure.offsets > 0 ? counted(std::uint64_t(structure.offsets), "offset")
+                               : "any offsets";
+}
+
 class Bake final : public BakeOptions {
 public:
   int cosines = 0;
+  std::optional<double> structure, guide;
+  double turbulence = 0.0;
+  std::optional<SpectrumChoice> spectrum;
 
   [[nodiscard]] Result<std::vector<std::vector<Risk>>>
   assess(std::span<const MapExemplar> maps, Periodic, const SharedOptions& shared) const override {
@@ -47,6 +56,15 @@ public:
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     LocalRandomPhaseOptions options;
     options.cosines = cosines;
+    options.structure = structure;
+    options.guide = guide;
+    options.turbulence = turbulence;
+    if (spectrum) {
+      Result<SpectrumPicture> picture = spectrumPicture(*spectrum);
+      if (!picture)
+        return picture.error();
+      options.spectrum = std::move(picture).value();
+    }
     options.bits = input.bits;
     options.periodic = input.borders;
     options.progress = input.progress;
@@ -61,6 +79,11 @@ public:
     result.json["periodic"] = bake.exemplarWasPeriodic;
     result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "blended");
     result.facts.emplace_back("Cosines", std::to_string(shared.cosineCount()));
+    result.json["structure"] = bake.structure;
+    result.json["offsets"] = shared.structure.offsets;
+    if (bake.structure > 0.0)
+      result.facts.emplace_back("Structure", fmt::format("{:.2f} of the power, {}", bake.structure,
+                                                         offsetWords(shared.structure)));
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
     return result;
@@ -81,6 +104,22 @@ std::unique_ptr<const BakeOptions> LocalRandomPhaseCommand::addBakeOptions(CLI::
            wholeNumber(int(kCosinesRange.least), int(kCosinesRange.most)), "50",
            "Number of cosines; more follow the spectrum more closely and cost more per pixel")
       .group(kHeading);
+  addValue(verb, "--structure", options->structure, orAuto(number(kStructureRange)), "auto",
+           "Share of the power that keeps the phases of the exemplar, and so its structure; auto: "
+           "as clearly as the exemplar repeats")
+      .group(kHeading);
+  addValue(verb, "--guide", options->guide, orAuto(number(kGuideRange)), "auto",
+           "How closely tiles of the structure follow what repeats in the exemplar; 0: not at all")
+      .group(kHeading);
+  addValue(verb, "--turbulence", options->turbulence, number(kTurbulenceRange, "tiles"), "0",
+           "Deviation of a smooth random displacement of the structure")
+      .group(kHeading);
+  addValue(
+      verb, "--spectrum", options->spectrum, spectrumChoice(), "",
+      "A spectrum in place of the exemplar's, which gives the colours: a picture of amplitudes, "
+      "frequency 0 in the middle and a cycle per tile a pixel; or rings FROM:TO and bands "
+      "LEFT:RIGHT:TOP:BOTTOM in cycles per tile")
+      .group(kHeading);
   return options;
 }
 
@@ -97,6 +136,11 @@ void LocalRandomPhaseCommand::describe(const Noise& noise, Json& json) const {
   json["localRandomPhase"] = {{"cosines", shared.cosineCount()},
                               {"octaves", shared.cosines},
                               {"variants", shared.variants}};
+  const CosineStructure& structure = shared.structure;
+  if (structure.columns > 0)
+    json["localRandomPhase"]["structure"] = {{"texels", {structure.columns, structure.rows}},
+                                             {"offsets", structure.offsets},
+                                             {"turbulence", structure.turbulence}};
 }
 
 std::vector<std::string> LocalRandomPhaseCommand::linesOf(const Noise& noise,
@@ -104,8 +148,14 @@ std::vector<std::string> LocalRandomPhaseCommand::linesOf(const Noise& noise,
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   const auto octaves = std::count_if(shared.cosines.begin(), shared.cosines.end(),
                                      [](int count) { return count > 0; });
-  return {fmt::format("{} in {}", counted(std::uint64_t(shared.cosineCount()), "cosine"),
-                      counted(std::uint64_t(octaves), "octave"))};
+  std::vector<std::string> lines{fmt::format("{} in {}",
+                                             counted(std::uint64_t(shared.cosineCount()), "cosine"),
+                                             counted(std::uint64_t(octaves), "octave"))};
+  const CosineStructure& structure = shared.structure;
+  if (structure.columns > 0)
+    lines.push_back(fmt::format("structure of {} x {} texels, {}", structure.columns,
+                                structure.rows, offsetWords(structure)));
+  return lines;
 }
 
 void LocalRandomPhaseCommand::describe(const Bundle&, const NoiseMap& map, Json& json) const {
@@ -125,8 +175,12 @@ std::vector<std::string> LocalRandomPhaseCommand::linesOf(const Bundle& bundle,
 int LocalRandomPhaseCommand::fetches(const Bundle&, const Noise& noise, const NoiseMap& map,
                                      const MaterialNoise&) const {
   constexpr int kPerCosine = 2; // four texels, frequencies and three vectors, hold two cosines
-  const int cosines = noise.as<LocalRandomPhaseNoise>().cosineCount();
-  return kPerCosine * cosines + (map.as<LocalRandomPhaseMap>().inverseTable ? 1 : 0);
+  const auto& shared = noise.as<LocalRandomPhaseNoise>();
+  // Three by three texels hold the 16 that a spline needs, at two levels.
+  constexpr int kPerTile = 2 * 9;
+  const int tiles = shared.structure.columns == 0 ? 0 : shared.structure.offsets > 0 ? 4 : 3;
+  return kPerCosine * shared.cosineCount() + kPerTile * tiles +
+         (map.as<LocalRandomPhaseMap>().inverseTable ? 1 : 0);
 }
 
 const Table& LocalRandomPhaseCommand::imageOf(const Bundle& bundle, const NoiseMap& map) const {

@@ -6,22 +6,48 @@
 #include <lichen/gaussianization.h>
 #include <lichen/result.h>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace lichen {
 
+/// Amplitudes at whole numbers of cycles per tile, row by row: column x and row y have the
+/// frequency (x - width / 2, y - height / 2), rounded down. Finite and not negative. Amplitudes of
+/// a frequency and its negative are averaged in the square; frequency 0 and those that the
+/// exemplar's pixels cannot hold do not count.
+struct SpectrumPicture {
+  int width = 0, height = 0;
+  std::vector<float> amplitudes;
+};
+
 struct LocalRandomPhaseOptions : GaussianizationOptions {
   int cosines = 50; ///< at each vertex; a pixel evaluates three times as many
+  /// The share of the power whose phases are those of the exemplar, kStructureRange: 0 is a random
+  /// field, and with 1 the exemplar itself is laid in tiles. Absent: as clearly as the exemplar
+  /// repeats.
+  std::optional<double> structure;
+  /// How closely tiles of the structure follow what repeats in the exemplar, kGuideRange: 0 places
+  /// them anywhere. Absent: as clearly as it repeats.
+  std::optional<double> guide;
+  /// The deviation of a smooth random displacement of the structure along each axis [tiles],
+  /// kTurbulenceRange.
+  double turbulence = 0.0;
+  /// In place of the exemplar's, which then gives colours only: the channels of the noise do not
+  /// correlate in space. Excludes a structure.
+  std::optional<SpectrumPicture> spectrum;
 };
 inline constexpr NumberRange kCosinesRange{1.0, double(kMostCosines)};
+inline constexpr NumberRange kStructureRange{0.0, 1.0}, kGuideRange{0.0, 1.0},
+    kTurbulenceRange{0.0, 1.0};
 
 /// The result of a bake. The maps of `noise` number its tables from 0.
 struct LocalRandomPhaseBake {
   Noise noise; ///< maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
+  double structure = 0.0; ///< the share of the power with the phases of the exemplar
 };
 
 /// Gaussianizes the maps as bakeTiling() does, and fits cosines to the cross-spectra of all maps

@@ -21,7 +21,8 @@ LinearImage spectrumPicture(const Table& table, const LocalRandomPhaseNoise& sha
   constexpr double kShownDecibels = 50.0;
   const int width = std::min(side, shared.texelsPerTileX);
   const int height = std::min(side, shared.texelsPerTileY);
-  const auto texels = cosineTexels(decodeLevel(table, 0));
+  const CosineImageLayout layout(shared);
+  const auto texels = cosineTexels(decodeLevel(table, 0), layout);
   std::vector<double> density(std::size_t(width) * std::size_t(height), 0.0);
   const auto fill = [&](double low, double high, double top, double bottom, double value) {
     const auto pixel = [](double frequency, int texels1, int pixels) {
@@ -34,13 +35,13 @@ LinearImage spectrumPicture(const Table& table, const LocalRandomPhaseNoise& sha
            x < pixel(high, shared.texelsPerTileX, width); ++x)
         density[std::size_t(y) * std::size_t(width) + std::size_t(x)] = value;
   };
-  for (std::size_t j = 0; j < kRowCosines * std::size_t(table.height); ++j) {
-    const auto* row = &texels[j / kRowCosines * table.width];
+  for (std::size_t j = 0; j < kRowCosines * std::size_t(layout.cosineRows); ++j) {
+    const auto* row = &texels[j / kRowCosines * layout.cosineColumns];
     const CosineTexel& box = row[0][j % kRowCosines];
     const double sizeX = box[2], sizeY = box[3];
     const double low = box[0] - 0.5 * sizeX, top = box[1] - 0.5 * sizeY;
     double squares = 0.0; // of the amplitudes, over all variants
-    for (std::uint32_t column = kCosineColumns; column < table.width; ++column)
+    for (std::uint32_t column = kCosineColumns; column < layout.cosineColumns; ++column)
       for (std::size_t c = 0; c < 3; ++c)
         squares += std::pow(double(row[column][j % kRowCosines][c]), 2.0);
     const double value = squares / std::max(sizeX * sizeY, 1e-12);

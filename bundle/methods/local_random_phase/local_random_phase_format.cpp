@@ -5,6 +5,8 @@
 
 #include <lichen/bfloat16_pair.h>
 
+#include <algorithm>
+#include <bit>
 #include <numeric>
 
 namespace lichen {
@@ -27,12 +29,24 @@ void LocalRandomPhaseFormat::writeNoise(const Noise& noise, Json& json) const {
                               {"rows", shared.rows},
                               {"octaves", shared.cosines},
                               {"variants", shared.variants}};
+  const CosineStructure& structure = shared.structure;
+  if (structure.columns == 0)
+    return;
+  Json& own = json["localRandomPhase"]["structure"];
+  own["texels"] = {structure.columns, structure.rows};
+  if (structure.offsets > 0)
+    own["offsets"] = structure.offsets;
+  if (structure.turbulence > 0.0)
+    own["turbulence"] = structure.turbulence;
 }
 
 void LocalRandomPhaseFormat::writeMap(const NoiseMap& map, Json& json) const {
   const auto& own = map.as<LocalRandomPhaseMap>();
   json["dimensions"] = own.dimensions;
   json["cosines"] = own.cosines;
+  if (!own.structureAmplitudes.empty())
+    json["structure"] = {{"amplitudes", own.structureAmplitudes},
+                         {"deviations", own.structureDeviations}};
   if (own.inverseTable)
     json["inverseTable"] = *own.inverseTable;
 }
@@ -49,13 +63,39 @@ std::array<std::uint32_t, 2> LocalRandomPhaseFormat::tileSize(const Bundle&,
   return {std::uint32_t(shared.texelsPerTileX), std::uint32_t(shared.texelsPerTileY)};
 }
 
-std::vector<std::array<CosineTexel, kRowCosines>> cosineTexels(const std::vector<float>& image) {
-  std::vector<std::array<CosineTexel, kRowCosines>> texels(image.size() / 4);
-  for (std::size_t i = 0; i < texels.size(); ++i)
-    for (std::size_t j = 0; j < kRowCosines; ++j) {
-      const auto [first, second] = fromBfloat16Pair(image[4 * i + 2 * j]);
-      const auto [third, fourth] = fromBfloat16Pair(image[4 * i + 2 * j + 1]);
-      texels[i][j] = {first, second, third, fourth};
+int structureLevels(const CosineStructure& structure) {
+  return int(std::bit_width(unsigned(std::min(structure.columns, structure.rows)) / 2u));
+}
+
+CosineImageLayout::CosineImageLayout(const LocalRandomPhaseNoise& shared)
+    : cosineColumns(kCosineColumns + std::uint32_t(shared.variants)),
+      cosineRows(std::uint32_t(shared.cosineCount()) / kRowCosines), offsetRow(cosineRows),
+      meanColumn(std::uint32_t(shared.structure.columns) / 2u),
+      structureRows_(std::uint32_t(shared.structure.rows)) {
+  const bool hasMean = shared.structure.offsets > 0;
+  firstLevelRow_ = offsetRow + (hasMean ? 1u : 0u);
+  width = std::max(cosineColumns, hasMean ? 2u * meanColumn : meanColumn);
+  height = levelRow(structureLevels(shared.structure));
+}
+
+std::uint32_t CosineImageLayout::levelRow(int level) const {
+  // Half of the rows of each level above it.
+  return firstLevelRow_ + structureRows_ - (structureRows_ >> level);
+}
+
+std::vector<std::array<CosineTexel, kRowCosines>> cosineTexels(const std::vector<float>& image,
+                                                               const CosineImageLayout& layout) {
+  std::vector<std::array<CosineTexel, kRowCosines>> texels;
+  texels.reserve(std::size_t(layout.cosineColumns) * layout.cosineRows);
+  for (std::size_t row = 0; row < layout.cosineRows; ++row)
+    for (std::size_t column = 0; column < layout.cosineColumns; ++column) {
+      const float* texel = &image[4 * (row * layout.width + column)];
+      auto& cosines = texels.emplace_back();
+      for (std::size_t j = 0; j < kRowCosines; ++j) {
+        const auto [first, second] = fromBfloat16Pair(texel[2 * j]);
+        const auto [third, fourth] = fromBfloat16Pair(texel[2 * j + 1]);
+        cosines[j] = {first, second, third, fourth};
+      }
     }
   return texels;
 }

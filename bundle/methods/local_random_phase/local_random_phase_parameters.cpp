@@ -5,7 +5,10 @@
 #include "methods/map_constants.h"
 #include "methods/method_part.h"
 
+#include <lichen/structure_texel.h>
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace lichen {
@@ -26,6 +29,23 @@ int firstOctave(const shader::LichenNoise& noise, const Placement& placement) {
        std::ldexp(placement.periodTilesY * part.rows / kOctaveTiles, octave) < kFewestRows))
     ++octave;
   return octave;
+}
+
+/// LichenCosinesNoise::structure
+shader::uint structureWord(const CosineStructure& structure) {
+  if (structure.columns == 0)
+    return 0;
+  const auto log2 = [](int side) { return shader::uint(std::bit_width(unsigned(side)) - 1); };
+  return log2(structure.columns) | log2(structure.rows) << 4 |
+         shader::uint(structure.offsets) << 8 |
+         shader::uint(std::lround(structure.turbulence * 0xFFFF)) << 16;
+}
+
+/// Whether tiles keep what repeats in the exemplar: a period must repeat it too.
+bool isGuided(const Placement& placement) {
+  const auto isWhole = [](double tiles) { return tiles == std::round(tiles); };
+  return !placement.periodic ||
+         (isWhole(placement.periodTilesX) && isWhole(placement.periodTilesY));
 }
 
 } // namespace
@@ -72,6 +92,16 @@ void LocalRandomPhaseFormat::setMap(const Bundle& bundle, const Noise&, const No
   const auto& own = map.as<LocalRandomPhaseMap>();
   setImage(constants, bundle.tables[own.cosines]);
   constants.dimensions = shader::uint(own.dimensions);
+  std::vector<double> losses;
+  for (const double deviation : own.structureDeviations)
+    losses.push_back(1.0 - deviation * deviation);
+  if (!losses.empty())
+    losses.push_back(1.0); // beyond the last level
+  constants.mipRetained0 = retainedAmplitudes(losses);
+  std::array<float, 3> perInteger{};
+  for (std::size_t c = 0; c < own.structureAmplitudes.size(); ++c)
+    perInteger[c] = float(own.structureAmplitudes[c] / kMostStructureInteger);
+  constants.sumFactor = {perInteger[0], perInteger[1], perInteger[2], 0.0f};
   setDecoding(constants, bundle, map, own.inverseTable);
 }
 
@@ -80,16 +110,17 @@ void LocalRandomPhaseFormat::setNoise(const Noise& noise, shader::LichenNoise& c
   std::array<shader::uint, 3> counts{};
   for (std::size_t octave = 0; octave < shared.cosines.size(); ++octave)
     counts[octave / 4] |= shader::uint(shared.cosines[octave]) << (8 * (octave % 4));
-  setPart(constants,
-          shader::LichenCosinesNoise{counts[0], counts[1], counts[2], shader::uint(shared.variants),
-                                     shader::uint(shared.columns), shader::uint(shared.rows),
-                                     shader::uint(shared.cosineCount()), 0});
+  setPart(constants, shader::LichenCosinesNoise{
+                         counts[0], counts[1], counts[2], shader::uint(shared.variants),
+                         shader::uint(shared.columns), shader::uint(shared.rows),
+                         shader::uint(shared.cosineCount()), structureWord(shared.structure)});
 }
 
 void LocalRandomPhaseFormat::setMaterial(const shader::LichenNoise& noise, const MaterialNoise&,
                                          const Placement& placement,
                                          shader::LichenMaterial& constants) const {
-  setPart(constants, shader::LichenCosinesMaterial{firstOctave(noise, placement)});
+  setPart(constants, shader::LichenCosinesMaterial{firstOctave(noise, placement),
+                                                   shader::uint(isGuided(placement))});
 }
 
 shader::LichenCosinesMaterial cosinesPart(const shader::LichenMaterial& material) {

@@ -63,35 +63,94 @@ std::optional<std::vector<int>> readOctaves(ObjectReader& reader) {
   return octaves;
 }
 
-/// Checks the magnitudes, beyond which values of the noise could be infinite.
-void checkTexels(ObjectReader& reader, const Table& image) {
-  const auto texels = cosineTexels(decodeLevel(image, 0));
+/// The sides of a structure, and the number of its offsets. Nothing if a member is faulty.
+std::optional<CosineStructure> readStructure(ObjectReader& parent, FindingList& findings) {
+  constexpr const char* kStructure = "structure";
+  const json* value = parent.optional(kStructure);
+  if (value == nullptr)
+    return CosineStructure();
+  ObjectReader reader(*value, parent.pointerTo(kStructure), findings);
+  const auto sides =
+      reader.pair("texels", {double(kFewestStructureTexels), double(kMostStructureTexels)});
+  const int offsets =
+      reader.integerOr("offsets", kMostStructureOffsets, 0, kFewestStructureOffsets);
+  const double turbulence = reader.numberOr("turbulence", {0.0, 1.0}, 0.0);
+  reader.warnOfUnknown();
+  if (!sides)
+    return std::nullopt;
+  for (const double side : *sides)
+    if (side != std::floor(side) || !std::has_single_bit(unsigned(side))) {
+      reader.error("structure-texels", "texels", json(side).dump() + "; expected powers of two");
+      return std::nullopt;
+    }
+  return CosineStructure{int((*sides)[0]), int((*sides)[1]), offsets, turbulence};
+}
+
+/// The factors and deviations of a map's structure.
+void readStructure(ObjectReader& parent, const CosineStructure& structure, FindingList& findings,
+                   LocalRandomPhaseMap& map) {
+  constexpr const char* kStructure = "structure";
+  const json* value = parent.required(kStructure);
+  if (value == nullptr)
+    return;
+  ObjectReader reader(*value, parent.pointerTo(kStructure), findings);
+  const auto amplitudes = reader.numbers("amplitudes", {0.0, double(kMostAmplitude)});
+  const auto deviations = reader.numbers("deviations", {0.0, 1.0});
+  reader.warnOfUnknown();
+  const auto checkCount = [&](const char* key, const std::vector<double>& values, int wanted) {
+    if (values.size() != std::size_t(wanted))
+      reader.error("structure-count", key,
+                   counted(values.size(), "number") + "; expected " + std::to_string(wanted));
+  };
+  if (amplitudes) {
+    checkCount("amplitudes", *amplitudes, map.dimensions);
+    map.structureAmplitudes = *amplitudes;
+  }
+  if (deviations) {
+    checkCount("deviations", *deviations, structureLevels(structure));
+    map.structureDeviations = *deviations;
+  }
+}
+
+/// Checks the magnitudes, beyond which values of the noise could be infinite. The texels of a
+/// structure are within their range whatever their bits.
+void checkTexels(ObjectReader& reader, const CosineImageLayout& layout, int offsets,
+                 const Table& image) {
+  const std::vector<float> floats = decodeLevel(image, 0);
+  const auto texels = cosineTexels(floats, layout);
   for (std::size_t i = 0; i < texels.size(); ++i)
     for (const CosineTexel& cosine : texels[i])
       for (std::size_t k = 0; k < cosine.size(); ++k) {
-        const bool isFrequency = i % image.width < kCosineColumns;
+        const bool isFrequency = i % layout.cosineColumns < kCosineColumns;
         const float most = isFrequency ? kMostFrequency : k == 3 ? kMostTurns : kMostAmplitude;
         if (!(std::abs(cosine[k]) <= most))
           return reader.error("cosines-texels", "cosines",
                               "a number of " + json(double(cosine[k])).dump() + "; expected -" +
                                   json(most).dump() + " to " + json(most).dump());
       }
+  const auto first =
+      floats.begin() + std::ptrdiff_t(4 * std::size_t(layout.offsetRow) * layout.width);
+  for (auto offset = first; offset != first + 2 * offsets; ++offset)
+    if (!(std::abs(*offset) <= 1.0f))
+      return reader.error("structure-offsets", "cosines",
+                          "an offset of " + json(double(*offset)).dump() +
+                              " tiles; expected -1 to 1");
 }
 
 void checkImage(ObjectReader& reader, const LocalRandomPhaseNoise& shared, const Table& image) {
   const auto error = [&](const std::string& message) {
     reader.error("map-cosines", "cosines", message);
   };
-  const std::uint32_t width = kCosineColumns + std::uint32_t(shared.variants);
-  const std::uint32_t height = std::uint32_t(shared.cosineCount()) / kRowCosines;
-  if (image.depth != 0 || image.width != width || image.height != height)
-    return error(shapeOf(image) + " texels; expected " + std::to_string(width) + " x " +
-                 std::to_string(height) + " for its noise's cosines");
+  const CosineImageLayout layout(shared);
+  if (image.depth != 0 || image.width != layout.width || image.height != layout.height)
+    return error(shapeOf(image) + " texels; expected " + std::to_string(layout.width) + " x " +
+                 std::to_string(layout.height) + " for its noise's cosines" +
+                 (shared.structure.columns > 0 ? " and structure" : ""));
   if (image.mipLevels != 1)
     return error(counted(image.mipLevels, "mip level") + "; expected 1");
   if (image.format != TexelFormat::rgba32Sfloat)
     return error("texels of another format; expected RGBA32F");
-  checkTexels(reader, image);
+  checkTexels(reader, layout, shared.structure.offsets, image);
 }
 
 } // namespace
@@ -107,6 +166,7 @@ MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList&
   const auto rows = member.integer("rows", kMostOctaveCells, "range", 2);
   const auto octaves = readOctaves(member);
   const auto variants = member.integer("variants", kMostVariants, "range", 1);
+  const std::optional<CosineStructure> structure = readStructure(member, findings);
   member.warnOfUnknown();
   if (rows && *rows % 2 != 0) {
     member.error("rows-odd", "rows", std::to_string(*rows) + "; expected an even number");
@@ -116,7 +176,7 @@ MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList&
     member.error("variants", "variants", std::to_string(*variants) + "; expected a power of two");
     return LocalRandomPhaseNoise();
   }
-  if (!texels || !columns || !rows || !octaves || !variants)
+  if (!texels || !columns || !rows || !octaves || !variants || !structure)
     return LocalRandomPhaseNoise();
   shared.texelsPerTileX = (*texels)[0];
   shared.texelsPerTileY = (*texels)[1];
@@ -124,18 +184,21 @@ MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList&
   shared.rows = int(*rows);
   shared.cosines = *octaves;
   shared.variants = int(*variants);
+  shared.structure = *structure;
   return shared;
 }
 
 MethodMap LocalRandomPhaseFormat::readMap(ObjectReader& reader, const Noise& noise,
                                           const NoiseMap& map, const Tables& tables,
-                                          FindingList&) const {
+                                          FindingList& findings) const {
   LocalRandomPhaseMap own;
   const InverseTableMembers inverse = readInverseTable(reader, map, tables);
   own.dimensions = inverse.dimensions;
   own.inverseTable = inverse.table;
   const Table* image = readTableIndex(reader, "cosines", "map-cosines-index", tables, own.cosines);
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
+  if (shared.structure.columns > 0)
+    readStructure(reader, shared.structure, findings, own);
   if (image != nullptr && !isUnknown(shared))
     checkImage(reader, shared, *image);
   return own;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The option --spectrum: rings and bands in text, or a painted picture -> amplitudes.
+#pragma once
+
+#include "../options.h"
+
+#include <lichen/local_random_phase.h>
+#include <lichen/result.h>
+
+#include <array>
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+namespace lichen::cli {
+
+/// Frequencies whose magnitude lies in a range [cycles / tile].
+struct SpectrumRing {
+  double from = 0.0, to = 0.0;
+};
+/// Frequencies in a rectangle, and their mirrors [cycles / tile].
+struct SpectrumBand {
+  double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+};
+using SpectrumPart = std::variant<SpectrumRing, SpectrumBand>;
+
+/// The parts, or the picture to read.
+using SpectrumChoice = std::variant<std::vector<SpectrumPart>, std::filesystem::path>;
+
+/// "ring:8:12,band:0:2:20:40", or the name of a file.
+[[nodiscard]] Accepted<std::optional<SpectrumChoice>> spectrumChoice();
+
+/// The amplitudes: 1 at the frequencies of the parts, or the luminance codes of the picture, whose
+/// middle is the frequency 0. Errors: as readImage(); badInput for a picture without a value above
+/// 0, but for its middle.
+[[nodiscard]] Result<SpectrumPicture> spectrumPicture(const SpectrumChoice& choice);
+
+} // namespace lichen::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The shifts that nearly repeat an exemplar: bricks, threads, stitches. Tiles that differ by them
+// fit together. After Lutz, Sauvage and Dischler 2023 [LSD23], section 4.
+#pragma once
+
+#include <lichen/exemplar.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace lichen::placement {
+
+/// What repeats in an exemplar.
+struct NearPeriods {
+  /// How clearly it repeats: 0 of a random field, 1 of bricks.
+  double strength = 0.0;
+  /// Shifts in tiles, [-1/2, 1/2), the first of them 0; at least kFewestShifts or none. They are
+  /// drawn: no two are close, and each repeats the exemplar together with all before it.
+  std::vector<std::array<double, 2>> shifts;
+};
+
+inline constexpr std::size_t kFewestShifts = 3;
+
+/// The strength is `strength`, or found by a comparison with a random field of the same smooth
+/// spectrum. At most `most` shifts; none for a strength of 0. Takes the largest maps into account,
+/// as periodic images. O(N (log N + most)) in their pixels. Deterministic. Throws std::bad_alloc.
+[[nodiscard]] NearPeriods nearPeriods(std::span<const MapExemplar> maps, std::size_t most,
+                                      std::optional<double> strength = std::nullopt);
+
+} // namespace lichen::placement

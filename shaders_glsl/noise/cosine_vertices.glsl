@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The lattices of local random-phase noise, one for each octave: a point on the plane of tiles ->
+// the three vertices around it, with their windows and random numbers. [LRP14] section 3.1; the
+// deviations are in docs/decisions/027-cosines.md.
+#ifndef LICHEN_COSINE_VERTICES_GLSL
+#define LICHEN_COSINE_VERTICES_GLSL
+
+#include "../interface/lichen_interface.h"
+#include "hash.glsl"
+#include "method_parts.glsl"
+#include "periodic_lattice.glsl"
+
+/// What all maps of a noise share at one point.
+struct LichenCosinesPoint {
+  ivec2 cell;  // of octave 0 that holds the point, from the cell of the tile origin on
+  vec2 inside;   // the place in it, [0, 1)
+  vec2 position; // [tiles] modulo whole tiles
+  vec2 gradientX, gradientY; // [tiles / pixel]
+};
+
+/// The three vertices around a point in the lattice of one octave.
+struct LichenCosinesVertices {
+  uvec3 states;          // of their random numbers
+  uvec3 colors;          // 0, 1 and 2 around each point, but for the ends of a period
+  vec3 offsetX, offsetY; // [tiles] from each vertex to the point
+  vec3 windows;          // the squares sum to 1
+  vec2 spread;           // [cycles^2 / tile^2] mean square frequency of a window along x and y
+};
+
+/// The windows of three vertices, for the vectors from them in lattice coordinates. [LRP14] eq. 1
+/// with a smaller window: it ends at the height of a triangle, within reach of no fourth vertex.
+vec3 lichenCosineWindows(vec3 columns, vec3 rows) {
+  const float kPerSquaredRadius = 4.0 / 3.0;
+  vec3 squares = columns * columns + columns * rows + rows * rows; // of the distance, in edges
+  vec3 left = max(1.0 - kPerSquaredRadius * squares, 0.0);
+  vec3 windows = left * left * left;
+  return windows * inversesqrt(dot(windows, windows));
+}
+
+/// A vertex (i, j) from the cell of the tile origin on -> modulo 2^32, or its like in the period.
+uvec2 lichenCosineVertex(ivec2 vertex, int finer, LichenMaterial material) {
+  if (!bool(LICHEN_PERIODIC_LATTICE) || material.periodRows == 0)
+    return uvec2(vertex) + (uvec2(ivec2(material.cellI, material.cellJ)) << uint(finer));
+  int columns = material.periodColumns << finer;
+  int rows = material.periodRows << finer;
+  // The cell lies in the first period.
+  if (vertex.y >= rows)
+    vertex += ivec2(rows / 2, -rows);
+  vertex.x %= columns;
+  return uvec2(vertex);
+}
+
+/// `stream`: the number that their random numbers belong to.
+LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave, uint stream,
+                                            LichenMaterial material) {
+  int finer = max(octave - lichenCosinesMaterial(material).firstOctave, 0);
+  float scale = float(1 << finer);
+  vec2 place = point.inside * scale;
+  vec2 corner = floor(place);
+  place -= corner;
+  ivec2 cell = (point.cell << finer) + ivec2(corner);
+  int far = place.x + place.y < 1.0 ? 0 : 1;
+  vec3 columns = place.x - vec3(float(far), 1.0, 0.0);
+  vec3 rows = place.y - vec3(float(far), 0.0, 1.0);
+  vec2 perCell = 1.0 / (scale * vec2(material.columnsPerTile, material.rowsPerTile));
+  uint seed = lichenPcg(material.seedWord + stream);
+  uvec2 vertex0 = lichenCosineVertex(cell + far, finer, material);
+  uvec2 vertex1 = lichenCosineVertex(cell + ivec2(1, 0), finer, material);
+  uvec2 vertex2 = lichenCosineVertex(cell + ivec2(0, 1), finer, material);
+  LichenCosinesVertices vertices;
+  vertices.states = uvec3(lichenVertexHash(vertex0.x, vertex0.y, seed),
+                          lichenVertexHash(vertex1.x, vertex1.y, seed),
+                          lichenVertexHash(vertex2.x, vertex2.y, seed));
+  vertices.colors = (uvec3(vertex0.x, vertex1.x, vertex2.x) -
+                     uvec3(vertex0.y, vertex1.y, vertex2.y)) % 3u;
+  vertices.offsetX = (columns + 0.5 * rows) * perCell.x;
+  vertices.offsetY = rows * perCell.y;
+  vertices.windows = lichenCosineWindows(columns, rows);
+  // In cycles^2 / edge^2; rows lie sqrt(3) / 2 edges apart.
+  const float kSpread = 0.1733;
+  vertices.spread = kSpread * vec2(1.0, 0.75) / (perCell * perCell);
+  return vertices;
+}
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Noises with a spectrum that the user gives: their power lies where it says, and their colours are
+// the exemplar's.
+#include "example_exemplar.h"
+
+#include <lichen/fft.h>
+#include <lichen/local_random_phase.h>
+#include <lichen/local_random_phase_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace lichen;
+
+namespace {
+
+constexpr int kTexels = 128;
+
+SpectrumPicture pictureOf(bool (*holds)(int u, int v)) {
+  SpectrumPicture picture{81, 81, {}};
+  for (int v = -40; v <= 40; ++v)
+    for (int u = -40; u <= 40; ++u)
+      picture.amplitudes.push_back(holds(u, v) ? 1.0f : 0.0f);
+  return picture;
+}
+
+Bundle baked(const MapExemplar& map, const SpectrumPicture& picture, int cosines) {
+  LocalRandomPhaseOptions options;
+  options.spectrum = picture;
+  options.cosines = cosines;
+  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("example", {&map, 1}, options);
+  REQUIRE(bake);
+  Bundle bundle;
+  bundle.tables = std::move(bake.value().tables);
+  bundle.noises = {std::move(bake.value().noise)};
+  return bundle;
+}
+
+/// The share of the first channel's power in 8 x 8 tiles at frequencies [cycles / tile] that
+/// `isNear` takes.
+double powerShare(const Bundle& bundle, bool (*isNear)(double u, double v)) {
+  constexpr int kTiles = 8, kSide = 512;
+  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  std::vector<float> plane;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const float column = (float(x) + 0.5f) * kTiles / kSide;
+      const float row = (float(y) + 0.5f) * kTiles / kSide;
+      // A Hann window, as the plane does not repeat.
+      const double window = std::pow(std::sin(3.14159265358979 * (x + 0.5) / kSide) *
+                                         std::sin(3.14159265358979 * (y + 0.5) / kSide),
+                                     2.0);
+      plane.push_back(float(
+          window * (double(evaluator.gaussian(0, material, {{column, row}, {}, {}})[0]) - 0.5)));
+    }
+  const HalfSpectrum spectrum = forwardFft(plane, kSide, kSide);
+  double near = 0.0, all = 0.0;
+  for (int row = 0; row < kSide; ++row)
+    for (int u = 0; u < spectrum.columns(); ++u) {
+      const double power = std::norm(spectrum.at(u, row));
+      all += power;
+      if (isNear(double(u) / kTiles, double(spectrum.signedRow(row)) / kTiles))
+        near += power;
+    }
+  return near / all;
+}
+
+} // namespace
+
+TEST_CASE("a noise with a ring as its spectrum has its power there, even with five cosines") {
+  const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+  const SpectrumPicture ring = pictureOf([](int u, int v) {
+    const double magnitude = std::hypot(u, v);
+    return magnitude >= 18.0 && magnitude <= 22.0;
+  });
+  const auto isNear = [](double u, double v) { return std::abs(std::hypot(u, v) - 20.0) < 6.0; };
+  CHECK(powerShare(baked(map, ring, 50), isNear) > 0.95);
+  // Five rectangles hold the corners of a ring's box too.
+  CHECK(powerShare(baked(map, ring, 5), isNear) > 0.7);
+}
+
+TEST_CASE("a noise with a band as its spectrum has its power there, and the exemplar's colours") {
+  const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+  const SpectrumPicture band =
+      pictureOf([](int u, int v) { return u >= 25 && u <= 35 && v >= -2 && v <= 2; });
+  const Bundle bundle = baked(map, band, 20);
+  CHECK(powerShare(bundle, [](double u, double v) {
+          return u > 22.0 && u < 38.0 && std::abs(v) < 6.0;
+        }) > 0.95);
+  // The mean light of 16 tiles.
+  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  std::array<double, 3> found{}, wanted{};
+  constexpr int kSide = 512;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const auto value = evaluator.evaluate(
+          0, material, {{(float(x) + 0.5f) * 4 / kSide, (float(y) + 0.5f) * 4 / kSide}, {}, {}});
+      for (std::size_t c = 0; c < 3; ++c)
+        found[c] += double(value[c]) / (kSide * kSide);
+    }
+  for (std::size_t i = 0; i < map.values.size(); ++i) { // sRGB codes to light
+    const double code = map.values[i];
+    const double light = code <= 0.04045 ? code / 12.92 : std::pow((code + 0.055) / 1.055, 2.4);
+    wanted[i % 3] += light / (kTexels * kTexels);
+  }
+  for (std::size_t c = 0; c < 3; ++c)
+    CHECK(found[c] == Approx(wanted[c]).margin(0.01));
+}
+
+TEST_CASE("a spectrum of the user's own excludes a structure") {
+  const MapExemplar map = test::threeMaterials(32, 32, 3);
+  LocalRandomPhaseOptions options;
+  options.spectrum = pictureOf([](int, int) { return true; });
+  options.structure = 0.5;
+  const Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("x", {&map, 1}, options);
+  REQUIRE_FALSE(bake);
+  CHECK(bake.error().kind == ErrorKind::usage);
+}
