@@ -342,6 +342,7 @@ TEST_CASE("a measure reports exhausted memory, whichever allocation fails") {
   CHECK(exhaustMemory(First::each, [&] { return latticeVisibility(a, view); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return stationaryLatticeVisibility(a, view, 2); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return seamVisibility(a, b); }) > 0);
+  CHECK(exhaustMemory(First::each, [&] { return strokeExcess(a, 2); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return phaseRandomized(a, 1); }) > 0);
   CHECK(exhaustMemory(First::sampled, [&] { return measureResult(a, b); }) > 10);
 }
@@ -381,6 +382,7 @@ TEST_CASE("returning an error reports exhausted memory, whichever allocation fai
   CHECK(exhaustRefusal([&] { return latticeVisibility(grey, view); }) > 0);
   CHECK(exhaustRefusal([&] { return stationaryLatticeVisibility(empty, view, 2); }) > 0);
   CHECK(exhaustRefusal([&] { return seamVisibility(empty, grey); }) > 0);
+  CHECK(exhaustRefusal([&] { return strokeExcess(empty, 2); }) > 0);
   CHECK(exhaustRefusal([&] { return phaseRandomized(empty, 1); }) > 0);
 
   CHECK(exhaustRefusal([&] { return encodePng(empty, 8); }) > 0);
