@@ -14,6 +14,7 @@
 #include <lichen/local_random_phase.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lichen {
@@ -53,9 +54,24 @@ MapSpectrum spectrumOf(const gaussianization::Gaussianized& image) {
   return result;
 }
 
-/// How luminance follows the Gaussian channels of a colour map about its mean, to the first order.
-/// Empty for others.
-std::vector<double> luminanceOf(const gaussianization::GaussianizedMap& map) {
+/// How stored values follow the Gaussian channels about their mean, to the first order, scaled as
+/// MapSpectrum::toStored: by the root of their covariance, the symmetric one with a table, the
+/// triangular one without.
+Eigen::MatrixXd toStoredOf(const gaussianization::GaussianizedMap& map) {
+  const auto channels = Eigen::Index(map.map.mean.size());
+  if (channels != map.image.dimensions) // which axes the Gaussian ones are is not known
+    return Eigen::MatrixXd::Identity(map.image.dimensions, map.image.dimensions);
+  const Eigen::MatrixXd covariance =
+      Eigen::Map<const Eigen::MatrixXd>(map.map.covariance.data(), channels, channels);
+  const Eigen::MatrixXd root = map.inverse ? transport::power<Eigen::MatrixXd>(covariance, 0.5)
+                                           : Eigen::MatrixXd(covariance.llt().matrixL());
+  return std::sqrt(double(channels)) / root.norm() * root;
+}
+
+/// How luminance follows the Gaussian channels of a colour map about its mean, to the first order
+/// and up to a factor. Empty for others.
+std::vector<double> luminanceOf(const gaussianization::GaussianizedMap& map,
+                                const Eigen::MatrixXd& toStored) {
   constexpr std::array<double, 3> kLuminance{0.2126, 0.7152, 0.0722}; // ITU-R BT.709
   const bool isColor =
       map.map.target == MapTarget::baseColor || map.map.target == MapTarget::emissive;
@@ -64,12 +80,7 @@ std::vector<double> luminanceOf(const gaussianization::GaussianizedMap& map) {
   Eigen::Vector3d ofStored(kLuminance.data());
   if (map.map.encoding == ValueEncoding::root) // light is the square
     ofStored = ofStored.cwiseProduct(Eigen::Vector3d(map.map.mean.data()));
-  const Eigen::MatrixXd covariance = Eigen::Matrix3d(map.map.covariance.data());
-  // The stored values follow the Gaussian ones by the root of their covariance: the symmetric one
-  // with a table, the triangular one without.
-  const Eigen::MatrixXd root = map.inverse ? transport::power<Eigen::MatrixXd>(covariance, 0.5)
-                                           : Eigen::MatrixXd(covariance.llt().matrixL());
-  const Eigen::Vector3d luminance = root.transpose() * ofStored;
+  const Eigen::Vector3d luminance = toStored.transpose() * ofStored;
   return {luminance[0], luminance[1], luminance[2]};
 }
 
@@ -140,8 +151,10 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
     shared.texelsPerTileX = std::max(shared.texelsPerTileX, map.image.width);
     shared.texelsPerTileY = std::max(shared.texelsPerTileY, map.image.height);
     spectra.push_back(spectrumOf(map.image));
-    if (!spectra.back().channels.empty())
-      spectra.back().luminance = luminanceOf(map);
+    if (!spectra.back().channels.empty()) {
+      spectra.back().toStored = toStoredOf(map);
+      spectra.back().luminance = luminanceOf(map, spectra.back().toStored);
+    }
     LocalRandomPhaseMap own;
     own.dimensions = map.image.dimensions;
     if (map.inverse)
@@ -169,9 +182,8 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
       takeStructure(spectra, bake.structure, periods.shifts, shared.structure);
   if (shared.structure.columns > 0)
     shared.structure.turbulence = options.turbulence;
-  std::vector<Cosine> cosines =
-      fitCosines(smoothed(powerPlane(spectra)), std::size_t(options.cosines),
-                 edgesOfOctave0(shared.columns, shared.rows));
+  std::vector<Cosine> cosines = fitCosines(powerPlane(spectra), std::size_t(options.cosines),
+                                           edgesOfOctave0(shared.columns, shared.rows));
   if (cosines.empty()) // nothing varies
     cosines.assign(2, {{0, 1, 1, 2}, 0, 0.0});
   const CosineVectors vectors = cosineVectors(spectra, cosines);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Power plane -> boxes of frequencies (power_tree) -> octaves -> energies by least squares.
+// Power plane -> boxes of frequencies (power_tree) -> octaves -> energies by least squares, on the
+// spectrum and on the autocovariance.
 //
 // [LRP14] section 4.3. The energies are fitted to the spectra that the windows make of the boxes,
 // where the paper gives each stratum its own energy: docs/decisions/027-cosines.md.
@@ -7,6 +8,7 @@
 
 #include "window_spectrum.h"
 
+#include <lichen/fft.h>
 #include <lichen/local_random_phase_map.h>
 
 #include <Eigen/Dense>
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 namespace lichen::local_random_phase {
@@ -25,6 +28,16 @@ constexpr double kEdgesPerBox = 1.3;
 
 /// Boxes of frequencies at which the spectra are compared: small beside the widths of the windows.
 constexpr std::size_t kComparedBoxes = 3000;
+
+/// Of the spectrum's rows: weights p^-1.2 of the power p, between those of the absolute and of the
+/// relative error. Constants of the fit, on twelve exemplars: docs/decisions/027-cosines.md.
+constexpr double kWeightExponent = 1.2;
+
+/// Of the lags' rows: their sum of squares over that of the spectrum's rows.
+constexpr double kLagWeight = 5.0;
+
+/// Lags are compared as far as autocovarianceError() does [texels].
+constexpr int kMostLag = 31;
 
 /// Cosines of similar areas that share an octave, as each octave costs a pixel three hashes and
 /// windows. Even, as the image's rows hold two.
@@ -59,8 +72,14 @@ BoxPower powerOf(const PowerPlane& power, const FrequencyBox& box) {
   return result;
 }
 
-/// The power spectral density of a cosine of variance 1: half of the variance lies at the
-/// frequencies of its box, half at their mirrors.
+/// sin(pi x) / (pi x).
+double sinc(double x) {
+  const double phase = std::numbers::pi * x;
+  return phase == 0.0 ? 1.0 : std::sin(phase) / phase;
+}
+
+/// The power spectral density and the autocovariance of a cosine of variance 1. Half of the
+/// variance lies at the frequencies of its box, half at their mirrors.
 class CosineSpectrum {
 public:
   /// `texels`: of the tile, along x and y.
@@ -76,6 +95,13 @@ public:
     const double aliasU = u - texels_[0], aliasV = v - std::copysign(texels_[1], v);
     return 0.5 *
            (twoSided(u, v) + twoSided(aliasU, v) + twoSided(u, aliasV) + twoSided(aliasU, aliasV));
+  }
+
+  /// At a lag in tiles: the mean of cos 2 pi f t over the box, under the windows.
+  [[nodiscard]] double covariance(double x, double y) const {
+    const double u = 0.5 * (box_.low() + box_.high()), v = 0.5 * (box_.lowRow() + box_.highRow());
+    return window_.correlation(x / edges_[0], y / edges_[1]) * sinc(box_.width() * x) *
+           sinc(box_.height() * y) * std::cos(2.0 * std::numbers::pi * (u * x + v * y));
   }
 
 private:
@@ -97,13 +123,19 @@ private:
   std::array<double, 2> edges_{};
 };
 
-/// Minimizes |spectra energies - wanted|^2 over energies >= 0 by coordinate descent.
-Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& spectra,
-                                        const Eigen::VectorXd& wanted, Eigen::VectorXd energies) {
+/// Rows of the least squares: `made` by a variance of 1 of each cosine, which has a column, and
+/// `wanted` of all together.
+struct Rows {
+  Eigen::MatrixXd made;
+  Eigen::VectorXd wanted;
+};
+
+/// Minimizes |made energies - wanted|^2 over energies >= 0 by coordinate descent. `gram` is
+/// made^T made and `products` made^T wanted.
+Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram,
+                                        const Eigen::VectorXd& products, Eigen::VectorXd energies) {
   constexpr int kSweeps = 2000;
   constexpr double kSmallestChange = 1e-7; // of the sum of energies
-  const Eigen::MatrixXd gram = spectra.transpose() * spectra;
-  const Eigen::VectorXd products = spectra.transpose() * wanted;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double change = 0.0;
     for (Eigen::Index j = 0; j < energies.size(); ++j) {
@@ -120,48 +152,113 @@ Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& spectra,
   return energies;
 }
 
-/// Sets the energies. Rows are boxes of nearly constant power, weighted so that the error lies
-/// between the absolute one, which the autocovariance shows, and the relative one.
-void fitEnergies(const PowerPlane& power, const std::array<double, 2>& edges,
-                 std::vector<Cosine>& cosines) {
-  const std::vector<FrequencyBox> compared = boxesOfEqualPower(power, kComparedBoxes);
-  const WindowSpectrum window;
-  const auto rows = Eigen::Index(compared.size()), columns = Eigen::Index(cosines.size());
-  Eigen::MatrixXd spectra = Eigen::MatrixXd::Zero(rows, columns);
-  Eigen::VectorXd wanted = Eigen::VectorXd::Zero(rows);
-  std::vector<BoxPower> powers;
-  double largest = 0.0;
-  for (const FrequencyBox& box : compared) {
-    powers.push_back(powerOf(power, box));
-    largest = std::max(largest, powers.back().mean());
-  }
-  tbb::parallel_for(Eigen::Index(0), columns, [&](Eigen::Index j) {
-    const CosineSpectrum spectrum(window, cosines[std::size_t(j)], edges,
-                                  {2.0 * power.columns, power.rows + 1.0});
-    for (Eigen::Index i = 0; i < rows; ++i) {
-      const FrequencyBox& box = compared[std::size_t(i)];
-      spectra(i, j) =
-          spectrum.at(0.5 * (box.low() + box.high()), 0.5 * (box.lowRow() + box.highRow()));
+/// Each frequency averaged with its neighbours, by 1 2 1 along both axes, (0, 0) left out: the
+/// power of one image fluctuates about that of its texture by as much as its size.
+PowerPlane smoothed(const PowerPlane& power) {
+  PowerPlane result = power;
+  const int half = power.rows / 2;
+  tbb::parallel_for(-half, half + 1, [&](int v) {
+    for (int u = 0; u < power.columns; ++u) {
+      double sum = 0.0, weights = 0.0;
+      for (int dv = -1; dv <= 1; ++dv)
+        for (int du = -1; du <= 1; ++du) {
+          int x = u + du, y = v + dv;
+          if (x < 0) { // the mirror
+            x = -x;
+            y = -y;
+          }
+          if (x >= power.columns || std::abs(y) > half || (x == 0 && y == 0))
+            continue;
+          const double weight = double((2 - std::abs(du)) * (2 - std::abs(dv)));
+          sum += weight * power.at(x, y);
+          weights += weight;
+        }
+      result.values[std::size_t(v + half) * std::size_t(power.columns) + std::size_t(u)] =
+          weights > 0.0 ? sum / weights : 0.0;
     }
   });
+  return result;
+}
+
+/// Boxes of nearly constant power, weighted so that the error lies between the absolute and the
+/// relative one.
+Rows spectrumRows(const PowerPlane& smooth, const std::vector<CosineSpectrum>& cosines) {
   constexpr double kLeastPower = 1e-6; // of the largest, as in power_tree
-  // From 1 to 2 the errors of six exemplars change by a tenth.
-  constexpr double kWeightExponent = 1.6;
-  for (Eigen::Index i = 0; i < rows; ++i) {
+  const std::vector<FrequencyBox> boxes = boxesOfEqualPower(smooth, kComparedBoxes);
+  std::vector<BoxPower> powers;
+  double largest = 0.0;
+  for (const FrequencyBox& box : boxes) {
+    powers.push_back(powerOf(smooth, box));
+    largest = std::max(largest, powers.back().mean());
+  }
+  Rows rows{Eigen::MatrixXd(Eigen::Index(boxes.size()), Eigen::Index(cosines.size())),
+            Eigen::VectorXd(Eigen::Index(boxes.size()))};
+  tbb::parallel_for(Eigen::Index(0), rows.made.rows(), [&](Eigen::Index i) {
+    const FrequencyBox& box = boxes[std::size_t(i)];
     const BoxPower& own = powers[std::size_t(i)];
     const double weight = std::sqrt(
         own.frequencies / std::pow(own.mean() + kLeastPower * largest + 1e-300, kWeightExponent));
-    spectra.row(i) *= weight;
-    wanted[i] = weight * own.mean();
+    const double u = 0.5 * (box.low() + box.high()), v = 0.5 * (box.lowRow() + box.highRow());
+    for (std::size_t j = 0; j < cosines.size(); ++j)
+      rows.made(i, Eigen::Index(j)) = weight * cosines[j].at(u, v);
+    rows.wanted[i] = weight * own.mean();
+  });
+  return rows;
+}
+
+/// The autocovariance at the lags of a half plane. It is that of the exemplar: smoothing the
+/// spectrum would narrow it.
+Rows lagRows(const PowerPlane& power, const std::vector<CosineSpectrum>& cosines) {
+  HalfSpectrum spectrum{2 * power.columns, power.rows + 1, {}};
+  const int width = spectrum.width, height = spectrum.height, half = power.rows / 2;
+  spectrum.values.resize(std::size_t(spectrum.columns()) * std::size_t(height));
+  for (int v = -half; v <= half; ++v)
+    for (int u = 0; u < power.columns; ++u)
+      if (u != 0 || v != 0)
+        spectrum.at(u, (v + height) % height) = float(power.at(u, v));
+  const std::vector<float> plane = inverseFft(spectrum); // over the number of texels
+  constexpr int kSupportsPerSide = 4;                    // as autocovarianceError()
+  const int columns = std::min(kMostLag, width / kSupportsPerSide);
+  const int lines = std::min(kMostLag, height / kSupportsPerSide) + 1;
+  const Eigen::Index stride = 2 * columns + 1;
+  Rows rows{Eigen::MatrixXd(stride * lines, Eigen::Index(cosines.size())),
+            Eigen::VectorXd(stride * lines)};
+  tbb::parallel_for(0, lines, [&](int y) {
+    for (int x = -columns; x <= columns; ++x) {
+      const Eigen::Index i = y * stride + x + columns;
+      for (std::size_t j = 0; j < cosines.size(); ++j)
+        rows.made(i, Eigen::Index(j)) =
+            cosines[j].covariance(double(x) / width, double(y) / height);
+      rows.wanted[i] =
+          double(width) * height *
+          double(plane[std::size_t(y) * std::size_t(width) + std::size_t((x + width) % width)]);
+    }
+  });
+  return rows;
+}
+
+/// Sets the energies, from the spectrum and from the autocovariance.
+void fitEnergies(const PowerPlane& power, const PowerPlane& smooth,
+                 const std::array<double, 2>& edges, std::vector<Cosine>& cosines) {
+  const WindowSpectrum window;
+  std::vector<CosineSpectrum> spectra;
+  Eigen::VectorXd energies(Eigen::Index(cosines.size()));
+  for (std::size_t j = 0; j < cosines.size(); ++j) {
+    spectra.emplace_back(window, cosines[j], edges,
+                         std::array{2.0 * power.columns, power.rows + 1.0});
+    energies[Eigen::Index(j)] = 2.0 * powerOf(smooth, cosines[j].box).sum;
   }
-  Eigen::VectorXd energies(columns);
-  double variance = 0.0;
-  for (Eigen::Index j = 0; j < columns; ++j)
-    variance += energies[j] = 2.0 * powerOf(power, cosines[std::size_t(j)].box).sum;
-  energies = nonNegativeLeastSquares(spectra, wanted, std::move(energies));
+  const double variance = energies.sum();
+  const Rows boxes = spectrumRows(smooth, spectra), lags = lagRows(power, spectra);
+  const double weight =
+      kLagWeight * boxes.wanted.squaredNorm() / lags.wanted.squaredNorm(); // the variance is not 0
+  energies = nonNegativeLeastSquares(
+      boxes.made.transpose() * boxes.made + weight * lags.made.transpose() * lags.made,
+      boxes.made.transpose() * boxes.wanted + weight * lags.made.transpose() * lags.wanted,
+      std::move(energies));
   const double scale = variance / energies.sum();
-  for (Eigen::Index j = 0; j < columns; ++j)
-    cosines[std::size_t(j)].energy = scale * energies[j];
+  for (std::size_t j = 0; j < cosines.size(); ++j)
+    cosines[j].energy = scale * energies[Eigen::Index(j)];
 }
 
 } // namespace
@@ -169,8 +266,9 @@ void fitEnergies(const PowerPlane& power, const std::array<double, 2>& edges,
 std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
                                const std::array<double, 2>& edges) {
   std::vector<Cosine> cosines;
-  for (const FrequencyBox& box : boxesOfEqualPower(power, count))
-    if (powerOf(power, box).sum > 0.0)
+  const PowerPlane smooth = smoothed(power);
+  for (const FrequencyBox& box : boxesOfEqualPower(smooth, count))
+    if (powerOf(smooth, box).sum > 0.0)
       cosines.push_back({box});
   if (cosines.empty())
     return cosines;
@@ -184,7 +282,7 @@ std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
     const std::size_t last = std::min(first + kSharing, cosines.size()) - 1;
     cosines[j].octave = octaveOf(areaOf(cosines[first].box), areaOf(cosines[last].box), edges);
   }
-  fitEnergies(power, edges, cosines);
+  fitEnergies(power, smooth, edges, cosines);
   if (cosines.size() % 2 != 0) // one of no frequency
     cosines.push_back({{1, 1, 0, 0}, cosines.back().octave, 0.0});
   return cosines;

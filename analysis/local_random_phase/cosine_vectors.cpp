@@ -120,39 +120,17 @@ PowerPlane powerPlane(const std::vector<MapSpectrum>& maps) {
   power.rows = 2 * ((height - 1) / 2) + 1;
   power.values.assign(std::size_t(power.columns) * std::size_t(power.rows), 0.0);
   tbb::parallel_for(0, power.rows, [&](int row) {
-    for (int u = 0; u < power.columns; ++u)
-      for (const MapSpectrum& map : maps)
-        for (std::size_t c = 0; c < map.channels.size(); ++c)
-          power.values[std::size_t(row) * std::size_t(power.columns) + std::size_t(u)] +=
-              std::norm(map.at(c, u, row - power.rows / 2));
-  });
-  return power;
-}
-
-PowerPlane smoothed(const PowerPlane& power) {
-  PowerPlane result = power;
-  const int half = power.rows / 2;
-  tbb::parallel_for(-half, half + 1, [&](int v) {
-    for (int u = 0; u < power.columns; ++u) {
-      double sum = 0.0, weights = 0.0;
-      for (int dv = -1; dv <= 1; ++dv)
-        for (int du = -1; du <= 1; ++du) {
-          int x = u + du, y = v + dv;
-          if (x < 0) { // the mirror
-            x = -x;
-            y = -y;
-          }
-          if (x >= power.columns || std::abs(y) > half || (x == 0 && y == 0))
-            continue;
-          const double weight = double((2 - std::abs(du)) * (2 - std::abs(dv)));
-          sum += weight * power.at(x, y);
-          weights += weight;
-        }
-      result.values[std::size_t(v + half) * std::size_t(power.columns) + std::size_t(u)] =
-          weights > 0.0 ? sum / weights : 0.0;
+    for (const MapSpectrum& map : maps) {
+      VectorXcd values(Index(map.channels.size()));
+      for (int u = 0; u < power.columns; ++u) {
+        for (Index c = 0; c < values.size(); ++c)
+          values[c] = map.at(std::size_t(c), u, row - power.rows / 2);
+        power.values[std::size_t(row) * std::size_t(power.columns) + std::size_t(u)] +=
+            (map.toStored * values).squaredNorm();
+      }
     }
   });
-  return result;
+  return power;
 }
 
 CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
@@ -166,6 +144,11 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
   if (channels == 0)
     return result;
 
+  MatrixXd weights = MatrixXd::Zero(channels, channels); // of the power, as in powerPlane()
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const MatrixXd& own = maps[m].toStored;
+    weights.block(first[m], first[m], own.cols(), own.cols()) = own.transpose() * own;
+  }
   // The matrix of each box has the energy of its cosine, and together they have the covariance.
   std::vector<MatrixXcd> matrices(cosines.size());
   MatrixXd whole = MatrixXd::Zero(channels, channels); // of the exemplar
@@ -175,7 +158,7 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
   });
   for (std::size_t j = 0; j < cosines.size(); ++j) {
     whole += 2.0 * matrices[j].real();
-    if (const double energy = matrices[j].trace().real(); energy > 0.0)
+    if (const double energy = weights.cwiseProduct(matrices[j].real()).sum(); energy > 0.0)
       matrices[j] *= cosines[j].energy / energy;
     fitted += matrices[j].real();
   }

@@ -19,6 +19,9 @@ namespace lichen::local_random_phase {
 struct MapSpectrum {
   std::vector<HalfSpectrum> channels;
   std::vector<double> variances; ///< of each channel, in squared standard deviations
+  /// How the stored values follow the channels, to the first order: a square matrix whose squares
+  /// sum to the number of channels.
+  Eigen::MatrixXd toStored;
   /// How luminance follows each channel, up to a factor; empty where the map has no luminance.
   std::vector<double> luminance;
 
@@ -26,13 +29,10 @@ struct MapSpectrum {
   [[nodiscard]] std::complex<double> at(std::size_t channel, int u, int v) const;
 };
 
-/// The sum of the power of all channels of all maps. Columns and rows are those of the largest
-/// maps, without the highest frequencies of even sizes, which have no mirror.
+/// The sum of the power of all stored values of all maps: a channel counts as much as it changes
+/// them. Columns and rows are those of the largest maps, without the highest frequencies of even
+/// sizes, which have no mirror.
 [[nodiscard]] PowerPlane powerPlane(const std::vector<MapSpectrum>& maps);
-
-/// Each frequency averaged with its neighbours, by 1 2 1 along both axes, (0, 0) left out: the
-/// power of one image fluctuates about that of its texture by as much as its size.
-[[nodiscard]] PowerPlane smoothed(const PowerPlane& power);
 
 /// Vectors over all channels, map after map. vectors[j](c, v): what variant v of cosine j adds to
 /// the amplitude of channel c, in Gaussian values, and phases[j](m, v) what it adds to the phase of

@@ -52,7 +52,7 @@ private:
 
 /// Exponents of the weights of the absolute and of the relative error, and the share of the former.
 /// With 50 cosines, on eleven exemplars: docs/decisions/027-cosines.md.
-constexpr double kAbsolute = 0.6, kRelative = 1.6, kAbsoluteShare = 0.8;
+constexpr double kAbsolute = 0.6, kRelative = 1.6, kAbsoluteShare = 0.6;
 
 /// Powers below this share of the largest one count as if they were it.
 constexpr double kLeastPower = 1e-6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Window -> the power spectrum of its lattice average, as a summed-area table.
+// Window -> the power spectrum of its lattice average, as a summed-area table, and its transform.
 //
 // The mean over the lattice of sum_v w_v(x) w_v(x + t) is the autocorrelation of one window over
 // the area of a cell, so the density is |w^|^2 over that area. [LRP14] section 3.5.
@@ -41,11 +41,13 @@ std::vector<float> windowPlane() {
 } // namespace
 
 WindowSpectrum::WindowSpectrum() : sums_(std::size_t(kSide + 1) * (kSide + 1), 0.0) {
-  const HalfSpectrum spectrum = forwardFft(windowPlane(), kSide, kSide);
+  HalfSpectrum spectrum = forwardFft(windowPlane(), kSide, kSide);
+  for (std::complex<float>& value : spectrum.values)
+    value = std::norm(value);
   const auto power = [&](int u, int v) { // frequencies in steps, in [-kHalf, kHalf)
     if (u < 0)
-      return double(std::norm(spectrum.at(-u, (kSide - v) % kSide)));
-    return double(std::norm(spectrum.at(u, (v + kSide) % kSide)));
+      return double(spectrum.at(-u, (kSide - v) % kSide).real());
+    return double(spectrum.at(u, (v + kSide) % kSide).real());
   };
   const auto at = [&](int row, int column) -> double& {
     return sums_[std::size_t(row) * (kSide + 1) + std::size_t(column)];
@@ -57,6 +59,25 @@ WindowSpectrum::WindowSpectrum() : sums_(std::size_t(kSide + 1) * (kSide + 1), 0
   const double whole = sums_.back();
   for (double& sum : sums_)
     sum /= whole;
+  correlation_ = inverseFft(spectrum);
+  const float variance = correlation_.front();
+  for (float& value : correlation_)
+    value /= variance;
+}
+
+double WindowSpectrum::correlation(double x, double y) const {
+  constexpr double kSquaredReach = 3.0; // of two windows, each of radius sqrt(3) / 2
+  if (x * x + y * y >= kSquaredReach)
+    return 0.0;
+  const double column = x * kSamplesPerEdge, row = y * kSamplesPerEdge;
+  const int left = int(std::floor(column)), top = int(std::floor(row));
+  const double a = column - left, b = row - top;
+  const auto at = [&](int i, int j) {
+    return double(
+        correlation_[std::size_t((j + kSide) % kSide) * kSide + std::size_t((i + kSide) % kSide)]);
+  };
+  return (1.0 - b) * ((1.0 - a) * at(left, top) + a * at(left + 1, top)) +
+         b * ((1.0 - a) * at(left, top + 1) + a * at(left + 1, top + 1));
 }
 
 double WindowSpectrum::below(double x, double y) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The spectrum that a window gives to a cosine, summed over rectangles of frequencies.
+// The spectrum that a window gives to a cosine, summed over rectangles of frequencies, and its
+// autocorrelation.
 #pragma once
 
 #include <vector>
@@ -18,8 +19,13 @@ public:
   /// 1.
   [[nodiscard]] double below(double x, double y) const;
 
+  /// The autocovariance of that cosine at the lag (x, y) in edges: 1 at (0, 0), 0 where windows do
+  /// not meet.
+  [[nodiscard]] double correlation(double x, double y) const;
+
 private:
   std::vector<double> sums_;
+  std::vector<float> correlation_;
 };
 
 } // namespace lichen::local_random_phase

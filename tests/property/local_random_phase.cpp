@@ -5,6 +5,7 @@
 
 #include <lichen/local_random_phase.h>
 #include <lichen/local_random_phase_evaluate.h>
+#include <lichen/quality.h>
 #include <lichen/spectrum.h>
 #include <lichen/tiling.h>
 
@@ -16,6 +17,8 @@
 #include <array>
 #include <cmath>
 #include <local_random_phase/cosine.h>
+#include <local_random_phase/cosine_fit.h>
+#include <local_random_phase/cosine_vectors.h>
 #include <local_random_phase/octave_lattice.h>
 #include <local_random_phase/power_tree.h>
 #include <local_random_phase/window_spectrum.h>
@@ -61,6 +64,36 @@ std::vector<std::vector<float>> gaussianPlanes(const Bundle& bundle, std::uint32
         planes[c].push_back(6.0f * (value[c] - 0.5f));
     }
   return planes;
+}
+
+/// The Gaussian channels of the example's exemplar, in standard deviations.
+std::vector<std::vector<float>> exemplarPlanes() {
+  const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+  TilingOptions options;
+  options.bits = 16;
+  const Result<TilingBake> tiling = bakeTiling("example", {&map, 1}, options);
+  REQUIRE(tiling);
+  const auto& own = tiling.value().noise.maps[0].as<TilingMap>();
+  const Table& image = tiling.value().tables[own.gaussian];
+  const std::vector<float> texels = decodeLevel(image, 0);
+  const auto stride = std::size_t(channelCount(image.format));
+  std::vector<std::vector<float>> planes(3);
+  for (std::size_t c = 0; c < planes.size(); ++c)
+    for (std::size_t i = c; i < texels.size(); i += stride)
+      planes[c].push_back(6.0f * (texels[i] - kStoredGaussianMean));
+  return planes;
+}
+
+/// The matrix by which stored values follow the example's Gaussian ones, to the first order.
+Eigen::Matrix3d toStored() {
+  const Eigen::Matrix3d covariance(example().noises[0].maps[0].covariance.data());
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).operatorSqrt();
+}
+
+/// How the luminance follows them: stored values are roots of light.
+Eigen::Vector3d luminanceOfGaussian() {
+  const Eigen::Vector3d mean(example().noises[0].maps[0].mean.data());
+  return toStored() * Eigen::Vector3d(0.2126, 0.7152, 0.0722).cwiseProduct(mean);
 }
 
 } // namespace
@@ -171,6 +204,34 @@ TEST_CASE("the spectrum of the windows is that of random samples") {
   }
 }
 
+TEST_CASE("the correlation of the windows is that of random samples") {
+  const WindowSpectrum spectrum;
+  CHECK(spectrum.correlation(0.0, 0.0) == Approx(1.0));
+  CHECK(spectrum.correlation(0.0, 1.74) == 0.0);
+  std::mt19937 generator(2u);
+  std::uniform_real_distribution<double> place(0.0, 1.0);
+  for (const std::array<double, 2>& lag : {std::array{0.01, 0.0}, std::array{0.3, 0.2},
+                                           std::array{-0.5, 0.6}, std::array{0.1, -1.1}}) {
+    const double down = lag[1] * 2.0 / std::numbers::sqrt3, across = lag[0] - 0.5 * down;
+    constexpr int kSamples = 200000;
+    double sum = 0.0;
+    for (int sample = 0; sample < kSamples; ++sample) {
+      const double column = place(generator), row = place(generator);
+      const double i = std::floor(column + across), j = std::floor(row + down);
+      const auto here = windowsAt(column, row),
+                 there = windowsAt(column + across - i, row + down - j);
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = 0; b < 3; ++b)
+          if (here.corner[a][0] == there.corner[b][0] + int(i) &&
+              here.corner[a][1] == there.corner[b][1] + int(j))
+            sum += here.weight[a] * there.weight[b] / kSamples;
+    }
+    INFO(lag[0] << ", " << lag[1]);
+    // The products deviate by at most 1/2: four standard errors.
+    CHECK(spectrum.correlation(lag[0], lag[1]) == Approx(sum).margin(0.0045));
+  }
+}
+
 TEST_CASE("boxes of equal power find the rectangles of a plane that has them") {
   PowerPlane power{64, 127, std::vector<double>(64 * 127, 1.0)};
   const std::array<FrequencyBox, 3> wanted{{{0, 10, -8, 9}, {20, 31, 20, 40}, {40, 50, -50, -30}}};
@@ -190,6 +251,86 @@ TEST_CASE("boxes of equal power find the rectangles of a plane that has them") {
                                          box.left == 0 && box.top == 0 ? box.bottom - 1 : box.top));
   }
   CHECK(area == 64.0 * 127.0);
+}
+
+TEST_CASE("the power plane sums to the variance of the stored values") {
+  constexpr int kWidth = 15, kHeight = 11;
+  std::mt19937 generator(3u);
+  std::uniform_real_distribution<float> value(-1.0f, 1.0f);
+  std::vector<MapSpectrum> maps(2);
+  double variance = 0.0;
+  for (MapSpectrum& map : maps) {
+    map.toStored = Eigen::Matrix2d{{0.5, 0.3}, {double(value(generator)), -0.4}};
+    Eigen::MatrixXd channels(2, kWidth * kHeight);
+    for (Eigen::Index c = 0; c < 2; ++c) {
+      std::vector<float> plane(kWidth * kHeight);
+      for (std::size_t i = 0; i < plane.size(); ++i) {
+        plane[i] = value(generator);
+        channels(c, Eigen::Index(i)) = double(plane[i]);
+        plane[i] /= float(plane.size());
+      }
+      map.channels.push_back(forwardFft(plane, kWidth, kHeight));
+    }
+    const Eigen::MatrixXd stored = map.toStored * channels;
+    variance += (stored.colwise() - stored.rowwise().mean()).squaredNorm() / (kWidth * kHeight);
+  }
+  const PowerPlane power = powerPlane(maps);
+  double sum = 0.0;
+  for (int v = -power.rows / 2; v <= power.rows / 2; ++v)
+    for (int u = 0; u < power.columns; ++u)
+      if (u != 0 || v != 0)
+        sum += (u == 0 ? 1.0 : 2.0) * power.at(u, v);
+  CHECK(sum == Approx(variance).epsilon(1e-5));
+}
+
+TEST_CASE("fitted cosines have the spectrum's variance and its autocovariance") {
+  // The periodogram of a texture: power laws, times the squares that chance makes of it.
+  constexpr int kHalf = 64;
+  PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+  std::mt19937 generator(4u);
+  std::exponential_distribution<double> chance(1.0);
+  double variance = 0.0;
+  for (int v = 1 - kHalf; v < kHalf; ++v)
+    for (int u = 0; u < kHalf; ++u) {
+      power.values.push_back(chance(generator) / std::pow(4.0 + u * u + 2.0 * v * v, 1.4));
+      if (u != 0 || v != 0)
+        variance += (u == 0 ? 1.0 : 2.0) * power.values.back();
+    }
+  const std::array<double, 2> edges = edgesOfOctave0(7, 8);
+  const std::vector<Cosine> cosines = fitCosines(power, 50, edges);
+  const WindowSpectrum window;
+  const auto sinc = [](double x) {
+    return x == 0.0 ? 1.0 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);
+  };
+  double difference = 0.0, whole = 0.0;
+  for (int y = 0; y < 32; ++y)
+    for (int x = -31; x < 32; ++x) {
+      const double s = x / (2.0 * kHalf), t = y / (2.0 * kHalf); // [tiles]
+      double wanted = 0.0, found = 0.0;
+      for (int v = 1 - kHalf; v < kHalf; ++v)
+        for (int u = 0; u < kHalf; ++u)
+          if (u != 0 || v != 0)
+            wanted += (u == 0 ? 1.0 : 2.0) * power.at(u, v) *
+                      std::cos(2.0 * std::numbers::pi * (u * s + v * t));
+      for (const Cosine& cosine : cosines) {
+        const FrequencyBox& box = cosine.box;
+        const double edgesPerTile = std::ldexp(1.0, cosine.octave);
+        if (cosine.energy > 0.0)
+          found += cosine.energy *
+                   window.correlation(s / edges[0] * edgesPerTile, t / edges[1] * edgesPerTile) *
+                   sinc(box.width() * s) * sinc(box.height() * t) *
+                   std::cos(std::numbers::pi *
+                            ((box.low() + box.high()) * s + (box.lowRow() + box.highRow()) * t));
+      }
+      difference += (found - wanted) * (found - wanted);
+      whole += wanted * wanted;
+      if (x == 0 && y == 0) {
+        CHECK(wanted == Approx(variance));
+        CHECK(found == Approx(variance).epsilon(0.01)); // smoothing changes it
+      }
+    }
+  INFO(std::sqrt(difference / whole));
+  CHECK(std::sqrt(difference / whole) < 0.12); // 0.23 of the spectrum's rows alone
 }
 
 TEST_CASE("local random-phase noise has the covariance of Gaussian values, and one variance "
@@ -246,12 +387,7 @@ TEST_CASE("local random-phase noise has the covariance of Gaussian values, and o
 TEST_CASE("all variants of a cosine change the luminance equally much") {
   const Noise& noise = example().noises[0];
   const NoiseMap& map = noise.maps[0];
-  const Eigen::Matrix3d covariance(map.covariance.data());
-  // About the mean, stored roots of light follow Gaussian values by the root of their covariance.
-  const Eigen::Vector3d ofStored =
-      Eigen::Vector3d(0.2126, 0.7152, 0.0722).cwiseProduct(Eigen::Vector3d(map.mean.data()));
-  const Eigen::Vector3d luminance =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).operatorSqrt() * ofStored;
+  const Eigen::Vector3d luminance = luminanceOfGaussian();
   const Table& table = example().tables[map.as<LocalRandomPhaseMap>().cosines];
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   const auto texels = cosineTexels(decodeLevel(table, 0), CosineImageLayout(shared));
@@ -277,23 +413,11 @@ TEST_CASE("all variants of a cosine change the luminance equally much") {
 }
 
 TEST_CASE("local random-phase noise has the spectrum of the exemplar's Gaussian values") {
-  const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
-  TilingOptions options;
-  options.bits = 16;
-  const Result<TilingBake> tiling = bakeTiling("example", {&map, 1}, options);
-  REQUIRE(tiling);
-  const auto& own = tiling.value().noise.maps[0].as<TilingMap>();
-  const Table& image = tiling.value().tables[own.gaussian];
-  const std::vector<float> texels = decodeLevel(image, 0);
-  const auto stride = std::size_t(channelCount(image.format));
   constexpr int kCrop = 32, kSide = 512;
-  const auto planes = gaussianPlanes(example(), 1, kSide);
+  const auto exemplar = exemplarPlanes(), planes = gaussianPlanes(example(), 1, kSide);
   for (std::size_t c = 0; c < 3; ++c) {
-    std::vector<float> plane;
-    for (std::size_t i = c; i < texels.size(); i += stride)
-      plane.push_back(6.0f * (texels[i] - kStoredGaussianMean));
     // Its power as a periodic image: crops of a shift by half the image count too.
-    const std::vector<double> wanted = radialPowerSpectrum(plane, kTexels, kTexels, kCrop);
+    const std::vector<double> wanted = radialPowerSpectrum(exemplar[c], kTexels, kTexels, kCrop);
     const std::vector<double> found = radialPowerSpectrum(planes[c], kSide, kSide, kCrop);
     double squares = 0.0;
     for (std::size_t radius = 2; radius < wanted.size(); ++radius)
@@ -301,6 +425,21 @@ TEST_CASE("local random-phase noise has the spectrum of the exemplar's Gaussian 
     INFO("channel " << c);
     CHECK(std::sqrt(squares / double(wanted.size() - 2)) < 0.6);
   }
+}
+
+TEST_CASE("local random-phase noise has hardly more strokes than random phases make") {
+  // Of the luminance before the table: where its colours change abruptly, edges are coherent too.
+  constexpr int kSide = 512;
+  const Eigen::Vector3d luminance = luminanceOfGaussian();
+  const auto planes = gaussianPlanes(example(), 1, kSide);
+  SrgbImage image(kSide, kSide, 1);
+  for (std::size_t i = 0; i < image.values.size(); ++i)
+    image.values[i] =
+        float(luminance.dot(Eigen::Vector3d(planes[0][i], planes[1][i], planes[2][i])));
+  const StrokeExcess excess = strokeExcess(image, 12).value();
+  INFO(excess.value << " +- " << excess.standardError);
+  CHECK(excess.value - 3.0 * excess.standardError <
+        0.1); // 0.3 if the signs are on the eigenvectors
 }
 
 TEST_CASE("a bake of local random-phase noise is the same on one thread and on many") {

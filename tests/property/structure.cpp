@@ -51,6 +51,7 @@ MapSpectrum spectrumOfWaves() {
           sumOfWaves((x + 0.5) / kWidth, (y + 0.5) / kHeight, [](const Wave&) { return 1.0; }) /
           (kWidth * kHeight)));
   MapSpectrum spectrum;
+  spectrum.toStored = Eigen::MatrixXd::Identity(1, 1);
   spectrum.channels.push_back(forwardFft(plane, kWidth, kHeight));
   double variance = 0.0;
   for (const Wave& wave : kWaves)
