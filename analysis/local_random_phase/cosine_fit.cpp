@@ -23,8 +23,8 @@ namespace lichen::local_random_phase {
 namespace {
 
 /// Edges of a lattice in units of 1 / sqrt(area of a box): a window about as wide in frequency as
-/// the box. From 1 to 1.5 the errors hardly change; longer edges show single waves.
-constexpr double kEdgesPerBox = 1.3;
+/// the box. Longer ones show single waves: docs/decisions/027-cosines.md.
+constexpr double kEdgesPerBox = 0.9;
 
 /// Boxes of frequencies at which the spectra are compared: small beside the widths of the windows.
 constexpr std::size_t kComparedBoxes = 3000;
