@@ -171,12 +171,12 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
   shared.columns = cells[0];
   shared.rows = cells[1];
   if (options.spectrum)
-    for (MapSpectrum& own : spectra)
-      own = withPowersOf(*options.spectrum, std::move(own));
-  const bool isGuided = !options.spectrum && options.structure != 0.0 && options.guide != 0.0;
+    if (Result<void> replaced = replaceSpectra(*options.spectrum, spectra); !replaced)
+      return replaced.error();
+  const bool mayHave = !options.spectrum && options.structure != 0.0;
   const placement::NearPeriods periods =
-      isGuided ? placement::nearPeriods(maps, std::size_t(kMostStructureOffsets), options.guide)
-               : placement::NearPeriods();
+      mayHave ? placement::nearPeriods(maps, std::size_t(kMostStructureOffsets), options.guide)
+              : placement::NearPeriods();
   bake.structure = options.structure.value_or(periods.strength);
   const std::vector<MapStructure> structures =
       takeStructure(spectra, bake.structure, periods.shifts, shared.structure);

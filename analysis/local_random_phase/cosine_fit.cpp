@@ -152,34 +152,6 @@ Eigen::VectorXd nonNegativeLeastSquares(const Eigen::MatrixXd& gram,
   return energies;
 }
 
-/// Each frequency averaged with its neighbours, by 1 2 1 along both axes, (0, 0) left out: the
-/// power of one image fluctuates about that of its texture by as much as its size.
-PowerPlane smoothed(const PowerPlane& power) {
-  PowerPlane result = power;
-  const int half = power.rows / 2;
-  tbb::parallel_for(-half, half + 1, [&](int v) {
-    for (int u = 0; u < power.columns; ++u) {
-      double sum = 0.0, weights = 0.0;
-      for (int dv = -1; dv <= 1; ++dv)
-        for (int du = -1; du <= 1; ++du) {
-          int x = u + du, y = v + dv;
-          if (x < 0) { // the mirror
-            x = -x;
-            y = -y;
-          }
-          if (x >= power.columns || std::abs(y) > half || (x == 0 && y == 0))
-            continue;
-          const double weight = double((2 - std::abs(du)) * (2 - std::abs(dv)));
-          sum += weight * power.at(x, y);
-          weights += weight;
-        }
-      result.values[std::size_t(v + half) * std::size_t(power.columns) + std::size_t(u)] =
-          weights > 0.0 ? sum / weights : 0.0;
-    }
-  });
-  return result;
-}
-
 /// Boxes of nearly constant power, weighted so that the error lies between the absolute and the
 /// relative one.
 Rows spectrumRows(const PowerPlane& smooth, const std::vector<CosineSpectrum>& cosines) {

@@ -18,6 +18,7 @@ void setLevels(std::vector<float>& texels, const CosineImageLayout& layout, std:
                const StructureImage& image, const std::array<double, 3>& largest) {
   for (std::size_t k = 0; k < image.levels.size(); ++k) {
     const StructureImage::Level& level = image.levels[k];
+    const std::array<std::uint32_t, 2> corner = layout.levelCorner(int(k));
     for (int y = 0; y < level.rows; ++y)
       for (int x = 0; x < level.columns; ++x) {
         const auto& own =
@@ -27,7 +28,7 @@ void setLevels(std::vector<float>& texels, const CosineImageLayout& layout, std:
           if (largest[c] > 0.0)
             integers[c] = int(std::lround(kMostStructureInteger *
                                           std::clamp(double(own[c]) / largest[c], -1.0, 1.0)));
-        const std::size_t texel = (layout.levelRow(int(k)) + std::size_t(y / 2)) * layout.width +
+        const std::size_t texel = (corner[1] + std::size_t(y / 2)) * layout.width + corner[0] +
                                   column + std::size_t(x / 2);
         texels[4 * texel + std::size_t(2 * (y % 2) + x % 2)] = structureTexel(integers);
       }

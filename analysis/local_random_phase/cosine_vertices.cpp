@@ -71,7 +71,7 @@ std::array<CosineVertex, 3> verticesAt(const CosineCell& cell, int octave, std::
     const float a = windows.offset[k][0], b = windows.offset[k][1];
     vertices[k] = {
         vertexHash(i, j, seed),
-        (i - j) % 3u,
+        (i - j + 0x80000000u) % 3u, // far from the origin the difference wraps
         {(a + 0.5f * b) / (material.columnsPerTile * scale), b / (material.rowsPerTile * scale)},
         windows.weight[k]};
   }

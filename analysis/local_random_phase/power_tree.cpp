@@ -4,6 +4,8 @@
 // In place of the strata and sub-strata of [LRP14] section 4.2: docs/decisions/027-cosines.md.
 #include "power_tree.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -134,6 +136,32 @@ private:
 };
 
 } // namespace
+
+PowerPlane smoothed(const PowerPlane& power) {
+  PowerPlane result = power;
+  const int half = power.rows / 2;
+  tbb::parallel_for(-half, half + 1, [&](int v) {
+    for (int u = 0; u < power.columns; ++u) {
+      double sum = 0.0, weights = 0.0;
+      for (int dv = -1; dv <= 1; ++dv)
+        for (int du = -1; du <= 1; ++du) {
+          int x = u + du, y = v + dv;
+          if (x < 0) { // the mirror
+            x = -x;
+            y = -y;
+          }
+          if (x >= power.columns || std::abs(y) > half || (x == 0 && y == 0))
+            continue;
+          const double weight = double((2 - std::abs(du)) * (2 - std::abs(dv)));
+          sum += weight * power.at(x, y);
+          weights += weight;
+        }
+      result.values[std::size_t(v + half) * std::size_t(power.columns) + std::size_t(u)] =
+          weights > 0.0 ? sum / weights : 0.0;
+    }
+  });
+  return result;
+}
 
 std::vector<FrequencyBox> boxesOfEqualPower(const PowerPlane& power, std::size_t count) {
   Tree tree(power);

@@ -20,6 +20,10 @@ struct PowerPlane {
   }
 };
 
+/// Each frequency averaged with its neighbours, by 1 2 1 along both axes, (0, 0) left out: the
+/// power of one image fluctuates about that of its texture by as much as its size.
+[[nodiscard]] PowerPlane smoothed(const PowerPlane& power);
+
 /// Frequencies u in [left, right), v in [top, bottom).
 struct FrequencyBox {
   int left = 0, right = 0, top = 0, bottom = 0;

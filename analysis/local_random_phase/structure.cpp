@@ -51,21 +51,23 @@ std::array<int, 2> FrequencySet::largest() const {
 
 FrequencySet strongestFrequencies(const PowerPlane& power, double share) {
   struct Frequency {
-    double power;
+    double order, power; // power around it, and its own
     int u, v;
   };
+  const PowerPlane smooth = smoothed(power);
   std::vector<Frequency> all;
   double sum = 0.0;
   for (int v = -(power.rows / 2); v <= power.rows / 2; ++v)
-    for (int u = 0; u < power.columns; ++u)
+    for (int u = 0; u < power.columns; ++u) {
       // (0, v) stands for (0, -v) too. An image cannot hold higher frequencies.
-      if ((u > 0 || v > 0) && 2 * u < kMostStructureTexels &&
-          2 * std::abs(v) < kMostStructureTexels) {
-        all.push_back({power.at(u, v), u, v});
-        sum += all.back().power;
-      }
+      const bool isHeld = 2 * u < kMostStructureTexels && 2 * std::abs(v) < kMostStructureTexels;
+      if (!isHeld || (u == 0 && v <= 0))
+        continue;
+      all.push_back({smooth.at(u, v), power.at(u, v), u, v});
+      sum += all.back().power;
+    }
   std::sort(all.begin(), all.end(), [](const Frequency& a, const Frequency& b) {
-    return std::tuple(-a.power, a.v, a.u) < std::tuple(-b.power, b.v, b.u);
+    return std::tuple(-a.order, a.v, a.u) < std::tuple(-b.order, b.v, b.u);
   });
   FrequencySet set(power.columns, power.rows);
   double held = 0.0;

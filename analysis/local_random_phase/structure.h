@@ -35,8 +35,9 @@ private:
   std::vector<std::uint8_t> holds_;
 };
 
-/// The frequencies of the highest power that together hold at least the proportion `share` of it,
-/// in [0, 1]: none for 0, all for 1. Both mirrors of column 0 are in it, or neither.
+/// The frequencies around which power is highest, so many that they hold at least the proportion
+/// `share` of it, in [0, 1]: none for 0, all for 1. Whole regions, as random waves between single
+/// fixed ones would show as stripes. Both mirrors of column 0 are in it, or neither.
 [[nodiscard]] FrequencySet strongestFrequencies(const PowerPlane& power, double share);
 
 /// Splits a spectrum into what has the frequencies of the set and the rest.

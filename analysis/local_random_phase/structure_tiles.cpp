@@ -22,11 +22,12 @@ std::vector<std::array<float, 3>> decodedLevel(const std::vector<float>& image,
                                                const shader::vec4& perInteger) {
   const std::size_t columns = std::size_t(structure.columns) >> level;
   const std::size_t rows = std::size_t(structure.rows) >> level;
+  const std::array<std::uint32_t, 2> corner = layout.levelCorner(level);
   std::vector<std::array<float, 3>> texels;
   texels.reserve(columns * rows);
   for (std::size_t y = 0; y < rows; ++y)
     for (std::size_t x = 0; x < columns; ++x) {
-      const std::size_t texel = (layout.levelRow(level) + y / 2) * layout.width + column + x / 2;
+      const std::size_t texel = (corner[1] + y / 2) * layout.width + corner[0] + column + x / 2;
       const auto integers = fromStructureTexel(image[4 * texel + 2 * (y % 2) + x % 2]);
       texels.push_back({perInteger.x * float(integers[0]), perInteger.y * float(integers[1]),
                         perInteger.z * float(integers[2])});

@@ -5,11 +5,16 @@
 #include "cosine_vectors.h"
 
 #include <lichen/local_random_phase.h>
+#include <lichen/result.h>
+
+#include <vector>
 
 namespace lichen::local_random_phase {
 
-/// The transform of a random field with the powers of `picture` in each channel, and the variances
-/// of `exemplar`. The channels do not correlate. Throws std::bad_alloc.
-[[nodiscard]] MapSpectrum withPowersOf(const SpectrumPicture& picture, MapSpectrum exemplar);
+/// Replaces the transforms of all maps by those of random fields with the powers of `picture` in
+/// each channel, and the variances that they had. The channels do not correlate. Errors: badInput
+/// for a picture without power at the frequencies of a map. Throws std::bad_alloc.
+[[nodiscard]] Result<void> replaceSpectra(const SpectrumPicture& picture,
+                                          std::vector<MapSpectrum>& maps);
 
 } // namespace lichen::local_random_phase

@@ -3,7 +3,8 @@
 // around all that are chosen is high.
 //
 // [LSD23] draws offsets by the autocovariance as a density. Here each also repeats those before it,
-// and a field without periods is recognized: docs/decisions/028-structure.md.
+// and a field without periods is recognized: docs/decisions/028-structure.md. The constants were
+// chosen on twelve exemplars, on which they were also judged.
 #include "near_periods.h"
 
 #include <lichen/fft.h>
@@ -223,8 +224,6 @@ double smoothStep(double low, double high, double value) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-} // namespace
-
 /// Shifts of a reduced autocorrelation -> those of the whole one nearby that repeat the exemplar
 /// best, together with all before them.
 std::vector<std::array<int, 2>> refined(const std::vector<std::array<int, 2>>& shifts,
@@ -256,33 +255,33 @@ std::vector<std::array<int, 2>> refined(const std::vector<std::array<int, 2>>& s
   return result;
 }
 
+} // namespace
+
 NearPeriods nearPeriods(std::span<const MapExemplar> maps, std::size_t most,
-                        std::optional<double> strength) {
-  // Of twelve exemplars, bricks have 0.78, ripples 0.43, wood 0.21, moss and dirt below 0.04.
+                        std::optional<double> guide) {
+  // Of twelve exemplars, bricks have an excess of 0.78, ripples 0.43, wood 0.21, moss and dirt less
+  // than 0.04.
   constexpr double kRandom = 0.08, kRegular = 0.30, kLeastStrength = 0.05;
   HalfSpectrum whole = powerOf(maps);
   dropSlowVariation(whole);
   const HalfSpectrum power = reduced(whole);
-  NearPeriods result;
   const Autocorrelation correlation = autocorrelationOf(power);
-  const auto found = [&] {
-    const Autocorrelation random = autocorrelationOf(randomPower(power));
-    return smoothStep(kRandom, kRegular, meanHeight(correlation) - meanHeight(random));
-  };
-  result.strength = strength ? *strength : found();
-  if (result.strength < kLeastStrength) {
-    result.strength = 0.0;
+  const double excess = meanHeight(correlation) - meanHeight(autocorrelationOf(randomPower(power)));
+  NearPeriods result;
+  if (const double strength = smoothStep(kRandom, kRegular, excess); strength >= kLeastStrength)
+    result.strength = strength;
+  const double closeness = guide.value_or(result.strength);
+  if (closeness == 0.0)
     return result;
-  }
   constexpr double kSharpness = 300.0, kLeastHeight = 0.75;
   constexpr std::ptrdiff_t kFirst = 2, kEnd = 9; // the shifts 3 to 9 are the measure of the others
-  Draw draw(correlation, kSharpness * result.strength);
+  Draw draw(correlation, kSharpness * closeness);
   while (draw.shifts().size() < most) {
     double least = -1.0;
     if (draw.heights().size() >= std::size_t(kEnd)) {
       std::vector<double> heights(draw.heights().begin() + kFirst, draw.heights().begin() + kEnd);
       std::nth_element(heights.begin(), heights.begin() + (kEnd - kFirst) / 2, heights.end());
-      least = kLeastHeight * result.strength * heights[(kEnd - kFirst) / 2];
+      least = kLeastHeight * closeness * heights[(kEnd - kFirst) / 2];
     }
     if (!draw.next(least))
       break;

@@ -24,10 +24,11 @@ struct NearPeriods {
 
 inline constexpr std::size_t kFewestShifts = 3;
 
-/// The strength is `strength`, or found by a comparison with a random field of the same smooth
-/// spectrum. At most `most` shifts; none for a strength of 0. Takes the largest maps into account,
+/// The strength is found by a comparison with a random field of the same smooth spectrum. There are
+/// at most `most` shifts, which repeat the exemplar as closely as `guide`, [0, 1], or the strength
+/// says; none for 0. Takes the largest maps into account,
 /// as periodic images. O(N (log N + most)) in their pixels. Deterministic. Throws std::bad_alloc.
 [[nodiscard]] NearPeriods nearPeriods(std::span<const MapExemplar> maps, std::size_t most,
-                                      std::optional<double> strength = std::nullopt);
+                                      std::optional<double> guide = std::nullopt);
 
 } // namespace lichen::placement

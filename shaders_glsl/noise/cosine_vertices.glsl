@@ -15,6 +15,8 @@ struct LichenCosinesPoint {
   ivec2 cell;  // of octave 0 that holds the point, from the cell of the tile origin on
   vec2 inside;   // the place in it, [0, 1)
   vec2 position; // [tiles] modulo whole tiles
+  uvec2 origin;  // the cell of the tile origin, modulo 2^32
+  uint seedWord; // of the plane, as is the origin
   vec2 gradientX, gradientY; // [tiles / pixel]
 };
 
@@ -37,10 +39,11 @@ vec3 lichenCosineWindows(vec3 columns, vec3 rows) {
   return windows * inversesqrt(dot(windows, windows));
 }
 
-/// A vertex (i, j) from the cell of the tile origin on -> modulo 2^32, or its like in the period.
-uvec2 lichenCosineVertex(ivec2 vertex, int finer, LichenMaterial material) {
+/// A vertex (i, j) from the cell of the tile origin on -> modulo 2^32, or the vertex of the period
+/// that stands for it.
+uvec2 lichenCosineVertex(ivec2 vertex, int finer, uvec2 origin, LichenMaterial material) {
   if (!bool(LICHEN_PERIODIC_LATTICE) || material.periodRows == 0)
-    return uvec2(vertex) + (uvec2(ivec2(material.cellI, material.cellJ)) << uint(finer));
+    return uvec2(vertex) + (origin << uint(finer));
   int columns = material.periodColumns << finer;
   int rows = material.periodRows << finer;
   // The cell lies in the first period.
@@ -63,16 +66,17 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
   vec3 columns = place.x - vec3(float(far), 1.0, 0.0);
   vec3 rows = place.y - vec3(float(far), 0.0, 1.0);
   vec2 perCell = 1.0 / (scale * vec2(material.columnsPerTile, material.rowsPerTile));
-  uint seed = lichenPcg(material.seedWord + stream);
-  uvec2 vertex0 = lichenCosineVertex(cell + far, finer, material);
-  uvec2 vertex1 = lichenCosineVertex(cell + ivec2(1, 0), finer, material);
-  uvec2 vertex2 = lichenCosineVertex(cell + ivec2(0, 1), finer, material);
+  uint seed = lichenPcg(point.seedWord + stream);
+  uvec2 vertex0 = lichenCosineVertex(cell + far, finer, point.origin, material);
+  uvec2 vertex1 = lichenCosineVertex(cell + ivec2(1, 0), finer, point.origin, material);
+  uvec2 vertex2 = lichenCosineVertex(cell + ivec2(0, 1), finer, point.origin, material);
   LichenCosinesVertices vertices;
   vertices.states = uvec3(lichenVertexHash(vertex0.x, vertex0.y, seed),
                           lichenVertexHash(vertex1.x, vertex1.y, seed),
                           lichenVertexHash(vertex2.x, vertex2.y, seed));
+  // The difference wraps, and 2^32 is no multiple of 3: far from the origin.
   vertices.colors = (uvec3(vertex0.x, vertex1.x, vertex2.x) -
-                     uvec3(vertex0.y, vertex1.y, vertex2.y)) % 3u;
+                     uvec3(vertex0.y, vertex1.y, vertex2.y) + 0x80000000u) % 3u;
   vertices.offsetX = (columns + 0.5 * rows) * perCell.x;
   vertices.offsetY = rows * perCell.y;
   vertices.windows = lichenCosineWindows(columns, rows);

@@ -4,7 +4,8 @@
 // cosines of each, and of the structure, with the share of the variance that the footprint loses.
 // decode.glsl makes the material's value of it. The CPU twin is
 // analysis/local_random_phase/evaluate.
-// [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/027-cosines.md.
+// [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/027-cosines.md
+// and 028-structure.md.
 #ifndef LICHEN_LOCAL_RANDOM_PHASE_GLSL
 #define LICHEN_LOCAL_RANDOM_PHASE_GLSL
 
@@ -143,6 +144,8 @@ void lichenSetPoint(out LichenCosinesPoint point, vec2 position, vec2 gradientX,
   }
   point.inside = skewed - cell;
   point.position = fract(position);
+  point.origin = uvec2(ivec2(material.cellI, material.cellJ));
+  point.seedWord = material.seedWord;
   point.gradientX = gradientX;
   point.gradientY = gradientY;
 }

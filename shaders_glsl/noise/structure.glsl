@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The structure of local random-phase noise: an image with the phases of the exemplar. A point and
 // its footprint -> tiles of the image at the three vertices around it, magnified by cubic B-splines
-// and blended so that the variance is the same everywhere. [LRP14] section 4.2;
-// docs/decisions/028-structure.md. The CPU twin is analysis/local_random_phase/structure_tiles.
+// and blended so that the variance is the same everywhere, with a list of offsets nearly so.
+// [LRP14] section 5.1, eq. 4; docs/decisions/028-structure.md. The CPU twin is
+// analysis/local_random_phase/structure_tiles.
 #ifndef LICHEN_STRUCTURE_GLSL
 #define LICHEN_STRUCTURE_GLSL
 
@@ -16,7 +17,7 @@
 /// Where an image of cosines has the structure; its sides are powers of two.
 struct LichenStructureImage {
   ivec2 size;    // [texels of the structure] of level 0
-  int levels;    // beyond them all is averaged out
+  int levels;    // beyond the last the mean alone is left
   int offsets;   // of the list, 0: none
   int offsetRow; // of the list
   float turbulence; // [tiles]
@@ -33,13 +34,21 @@ LichenStructureImage lichenStructureImage(LichenCosinesNoise noise) {
   return structure;
 }
 
+/// values[index]. An indexed vector would live in memory on most devices.
+float lichenChosen(vec3 values, int index) {
+  return index == 0 ? values.x : (index == 1 ? values.y : values.z);
+}
+uint lichenChosen(uvec3 values, int index) {
+  return index == 0 ? values.x : (index == 1 ? values.y : values.z);
+}
+
 /// The three integers of ten bits in a float.
 vec3 lichenStructureTexel(uint bits) {
   return vec3(int(bits << 22u) >> 22, int(bits << 12u) >> 22,
               int((bits & 0x80000000u) | ((bits << 2u) & 0x7FC00000u)) >> 22);
 }
 
-/// The weights of a cubic B-spline for the four texels around a place, `t` beyond the second.
+/// The weights of a cubic B-spline for the four texels around a position, `t` beyond the second.
 vec4 lichenSplineWeights(float t) {
   float left = 1.0 - t;
   vec4 weights;
@@ -50,13 +59,13 @@ vec4 lichenSplineWeights(float t) {
   return weights / 6.0;
 }
 
-/// A level at `place` [texels]. Its texels begin at `corner` of the image, each texel of which
+/// A level at `texel` [texels]. Its texels begin at `corner` of the image, each texel of which
 /// holds two columns of two rows.
-vec3 lichenStructureAt(LICHEN_IMAGE_2D image, ivec2 corner, ivec2 size, vec2 place) {
-  place -= 0.5;
-  vec2 near = floor(place);
-  vec4 x = lichenSplineWeights(place.x - near.x);
-  vec4 y = lichenSplineWeights(place.y - near.y);
+vec3 lichenStructureAt(LICHEN_IMAGE_2D image, ivec2 corner, ivec2 size, vec2 texel) {
+  texel -= 0.5;
+  vec2 near = floor(texel);
+  vec4 x = lichenSplineWeights(texel.x - near.x);
+  vec4 y = lichenSplineWeights(texel.y - near.y);
   ivec2 first = ivec2(near) - 1;
   // Three pairs of columns and rows hold the four, from an even or an odd one on.
   bvec2 isOdd = equal(first & 1, ivec2(1));
@@ -68,14 +77,11 @@ vec3 lichenStructureAt(LICHEN_IMAGE_2D image, ivec2 corner, ivec2 size, vec2 pla
   ivec2 last = size / 2 - 1;
   vec3 sum = vec3(0.0);
   for (int row = 0; row < 3; ++row) {
-    // Chosen, not indexed: an indexed vector lives in memory on most devices.
-    float even = row == 0 ? evenY.x : (row == 1 ? evenY.y : evenY.z);
-    float odd = row == 0 ? oddY.x : (row == 1 ? oddY.y : oddY.z);
+    float even = lichenChosen(evenY, row), odd = lichenChosen(oddY, row);
     for (int column = 0; column < 3; ++column) {
-      ivec2 texel = corner + ((pair + ivec2(column, row)) & last);
-      uvec4 bits = floatBitsToUint(LICHEN_FETCH_2D(image, texel));
-      float left = column == 0 ? evenX.x : (column == 1 ? evenX.y : evenX.z);
-      float right = column == 0 ? oddX.x : (column == 1 ? oddX.y : oddX.z);
+      uvec4 bits = floatBitsToUint(
+          LICHEN_FETCH_2D(image, corner + ((pair + ivec2(column, row)) & last)));
+      float left = lichenChosen(evenX, column), right = lichenChosen(oddX, column);
       sum += even * (left * lichenStructureTexel(bits.x) + right * lichenStructureTexel(bits.y)) +
              odd * (left * lichenStructureTexel(bits.z) + right * lichenStructureTexel(bits.w));
     }
@@ -101,63 +107,66 @@ vec2 lichenTurbulence(LichenCosinesVertices vertices) {
                         dot(vertices.windows, vec3(ivec3(states))));
 }
 
-/// Adds the structure: to the sum of Gaussian values, twice its variance to `squares`, and in w
-/// twice what the footprint takes of it, as of cosines.
+/// Where a level begins in the image, from the first row of the levels on [texels of the image]:
+/// level 1 is below level 0, and each of the others on the right of the one before.
+ivec2 lichenLevelCorner(LichenStructureImage structure, int level) {
+  if (level == 0)
+    return ivec2(0);
+  return ivec2(structure.size.x / 2 - (structure.size.x >> level), structure.size.y / 2);
+}
+
+/// Adds the structure to `sum.rgb`. Adds twice its variance to `squares`, and to `sum.w` twice the
+/// variance that the footprint takes, like the squared amplitudes of cosines.
 void lichenAddStructure(inout vec4 sum, inout float squares, LICHEN_IMAGE_2D image,
                         LichenCosinesPoint point, LichenMaterial material, LichenNoise noise,
                         LichenMap map) {
   const int kPlacementOctave = 2; // edges of a quarter of a tile
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
+  if (shape.structure == 0u)
+    return;
   LichenStructureImage structure = lichenStructureImage(shape);
   vec2 size = vec2(structure.size);
   float level = min(lichenFootprintLevel(point.gradientX * size, point.gradientY * size),
                     float(structure.levels));
   int finer = int(level);
   float coarserShare = level - float(finer);
-  bool isGuided = structure.offsets > 0 && lichenCosinesMaterial(material).guided != 0u;
+  int end = min(coarserShare > 0.0 ? finer + 2 : finer + 1, structure.levels);
   LichenCosinesVertices vertices = lichenCosinesVertices(
       point, kPlacementOctave, uint(LICHEN_MAX_OCTAVES), material);
   vec2 displacement = structure.turbulence * lichenTurbulence(vertices);
   // With a list, tiles are blended about their mean over it, which is the fourth.
+  bool isGuided = structure.offsets > 0 && lichenCosinesMaterial(material).guided != 0u;
   float meanWeight = 1.0 - vertices.windows.x - vertices.windows.y - vertices.windows.z;
-  int tiles = shape.structure == 0u ? 0 : (isGuided ? 4 : 3);
-  int end = min(coarserShare > 0.0 ? finer + 2 : finer + 1, structure.levels);
+  ivec2 firstRow = ivec2(0, structure.offsetRow + (structure.offsets > 0 ? 1 : 0));
   vec3 integers = vec3(0.0);
-  for (int tile = 0; tile < tiles; ++tile) {
-    // Chosen, not indexed, as above.
-    uint state = tile == 0 ? vertices.states.x
-                           : (tile == 1 ? vertices.states.y : vertices.states.z);
-    uint color = tile == 0 ? vertices.colors.x
-                           : (tile == 1 ? vertices.colors.y : vertices.colors.z);
-    vec2 fromVertex = tile == 0 ? vec2(vertices.offsetX.x, vertices.offsetY.x)
-                                : (tile == 1 ? vec2(vertices.offsetX.y, vertices.offsetY.y)
-                                             : vec2(vertices.offsetX.z, vertices.offsetY.z));
-    vec2 place = displacement + (isGuided ? point.position : fromVertex);
-    if (isGuided && tile < 3)
-      place += lichenListedOffset(image, structure, state >> 16u, color);
+  for (int tile = 0; tile < (isGuided ? 4 : 3); ++tile) {
+    vec2 position = displacement + point.position;
+    uint state = lichenChosen(vertices.states, tile);
+    if (tile < 3 && isGuided)
+      position += lichenListedOffset(image, structure, state >> 16u,
+                                     lichenChosen(vertices.colors, tile));
     else if (tile < 3)
-      place += vec2(ivec2(uvec2(state & 0xFFFFu, state >> 16u))) * (1.0 / 65536.0);
-    int column = tile < 3 ? 0 : structure.size.x / 2;
-    float weight = tile == 0 ? vertices.windows.x
-                             : (tile == 1 ? vertices.windows.y
-                                          : (tile == 2 ? vertices.windows.z : meanWeight));
+      position = displacement +
+                 vec2(lichenChosen(vertices.offsetX, tile), lichenChosen(vertices.offsetY, tile)) +
+                 vec2(ivec2(uvec2(state & 0xFFFFu, state >> 16u))) * (1.0 / 65536.0);
+    float weight = tile < 3 ? lichenChosen(vertices.windows, tile) : meanWeight;
+    ivec2 corner = firstRow + ivec2(tile < 3 ? 0 : structure.size.x / 2, 0);
     for (int k = finer; k < end; ++k) {
-      int row = structure.offsetRow + (structure.offsets > 0 ? 1 : 0) + structure.size.y -
-                (structure.size.y >> k);
       float share = k == finer ? 1.0 - coarserShare : coarserShare;
       ivec2 levelSize = structure.size >> k;
-      integers += weight * share * lichenStructureAt(image, ivec2(column, row), levelSize,
-                                                     place * vec2(levelSize));
+      integers += weight * share *
+                  lichenStructureAt(image, corner + lichenLevelCorner(structure, k), levelSize,
+                                    position * vec2(levelSize));
     }
   }
   sum.rgb += map.sumFactor.rgb * integers;
   // Deviations of the structure over that of the noise, 1/6 in each channel.
   float whole = lichenMipRetained(0, map.mipRetained0);
-  float left = mix(lichenMipRetained(finer, map.mipRetained0),
-                   lichenMipRetained(finer + 1, map.mipRetained0), coarserShare);
+  float retained = mix(lichenMipRetained(finer, map.mipRetained0),
+                       lichenMipRetained(finer + 1, map.mipRetained0), coarserShare);
   float perDeviation = float(map.dimensions) * (2.0 / 36.0);
   squares += perDeviation * whole * whole;
-  sum.w += perDeviation * (whole * whole - left * left);
+  sum.w += perDeviation * (whole * whole - retained * retained);
 }
 
 #endif

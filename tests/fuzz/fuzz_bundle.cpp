@@ -115,6 +115,7 @@ void checkCosines(const LocalRandomPhaseNoise& shared) {
                          std::has_single_bit(unsigned(side)));
   };
   require(isSide(shared.structure.columns) && isSide(shared.structure.rows) &&
+              (shared.structure.columns > 0) == (shared.structure.rows > 0) &&
               isWithin(shared.structure.offsets, 0, kMostStructureOffsets),
           "size of a structure");
 }
@@ -132,6 +133,8 @@ void checkCosines(const NoiseMap& map, const LocalRandomPhaseNoise& shared, cons
     require(own.structureAmplitudes.size() == std::size_t(own.dimensions) &&
                 own.structureDeviations.size() == std::size_t(structureLevels(shared.structure)),
             "numbers of a structure");
+  for (const double amplitude : own.structureAmplitudes)
+    require(amplitude >= 0.0 && amplitude <= double(kMostAmplitude), "amplitude of a structure");
   require(!own.inverseTable || *own.inverseTable < bundle.tables.size(), "index of the table");
 }
 

@@ -50,8 +50,10 @@ std::vector<Bytes> seeds() {
           laterRevision(),
           encodeGlb(example::smallestTexton()).value(),
           encodeGlb(example::smallestCosines()).value(),
+          encodeGlb(example::smallestStructure()).value(),
           encodeGlb(example::textonMix()).value(),
           cookBundle(example::smallest().bundle),
+          cookBundle(example::smallestStructure().bundle),
           cookBundle(example::textonMix().bundle),
           encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 4, 2, 0, 3)),
           encodeKtx2(example::patternTable("", TexelFormat::rgba8Unorm, 4, 4, 4, 2))};

@@ -56,9 +56,8 @@ BundleFile bakedFile(const Kind& kind) {
   options.gaussian = kind.gaussian;
   options.structure = kind.structure;
   options.guide = kind.guide;
-  options.turbulence = kind.guide > 0.0 && kind.structure < 1.0 ? 0.05 : 0.0;
+  options.turbulence = kind.structure < 1.0 ? 0.05 : 0.0;
   Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("noise", {&map, 1}, options);
-  INFO((bake ? std::string() : bake.error().message));
   REQUIRE(bake);
   BundleFile file;
   file.bundle.tables = std::move(bake.value().tables);

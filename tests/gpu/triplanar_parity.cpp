@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Triplanar noise in the shader, through the plugin, against the CPU twin. Tiling is also compared
 // with a double-precision oracle that blends planes of the tiling oracle.
+#include "../property/example_exemplar.h"
 #include "plugin_host.h"
 #include "shared_device.h"
 #include "synthetic_noise.h"
 #include "synthetic_texton.h"
 
+#include <lichen/bundle_writer.h>
+#include <lichen/local_random_phase.h>
+#include <lichen/local_random_phase_evaluate.h>
 #include <lichen/texton_evaluate.h>
 #include <lichen/tiling_evaluate.h>
 
@@ -283,6 +287,42 @@ TEST_CASE("triplanar textons match the CPU twin: 99.9 % within 1/1024 and all wi
                   << texton.steps);
     CHECK(difference.largest <= 1.0 / 255.0);
     CHECK(difference.fractionBeyond <= 0.001);
+  }
+}
+
+TEST_CASE("triplanar local random-phase noise matches the CPU twin: 99.9 % within 1/1024 and all "
+          "within 1/255") {
+  const MapExemplar map = threeMaterials(64, 48, 5);
+  for (const double structure : {0.0, 0.7}) {
+    LocalRandomPhaseOptions options;
+    options.bits = 16;
+    options.cosines = 24;
+    options.structure = options.guide = structure;
+    Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("noise", {&map, 1}, options);
+    REQUIRE(bake);
+    BundleFile file;
+    file.bundle.tables = std::move(bake.value().tables);
+    file.bundle.noises = {std::move(bake.value().noise)};
+    file.bundle.materials = {MaterialNoise()};
+    file.previews.emplace_back();
+    file.shape = PreviewShape::none;
+    OnDevice noise(encodeGlb(file).value());
+    const LocalRandomPhaseEvaluator twin =
+        LocalRandomPhaseEvaluator::create(noise.bundle, 0).value();
+    const std::vector<SpacePoint> points = samplePoints(64.0f, 500);
+    std::vector<MaterialUse> uses = manyUses(noise.host.use());
+    uses.resize(3); // of which the last has another tile origin in each plane
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      const auto values = noise.shader(kValue, uses[i], points);
+      std::vector<std::array<float, 4>> expected;
+      for (const SpacePoint& point : points)
+        expected.push_back(twin.evaluate(0, noise.host.planes(), footprintOf(point)));
+      Difference difference;
+      difference.note(values, expected, 0, 3);
+      INFO("structure " << structure << ", use " << i);
+      CHECK(difference.largest <= 1.0 / 255.0);
+      CHECK(difference.fractionBeyond <= 0.001);
+    }
   }
 }
 

@@ -438,8 +438,9 @@ TEST_CASE("local random-phase noise has hardly more strokes than random phases m
         float(luminance.dot(Eigen::Vector3d(planes[0][i], planes[1][i], planes[2][i])));
   const StrokeExcess excess = strokeExcess(image, 12).value();
   INFO(excess.value << " +- " << excess.standardError);
-  CHECK(excess.value - 3.0 * excess.standardError <
-        0.1); // 0.3 if the signs are on the eigenvectors
+  CHECK(excess.standardError < 0.02);
+  // Measured 0.06; 0.34 if the signs are on the eigenvectors.
+  CHECK(excess.value - 3.0 * excess.standardError < 0.1);
 }
 
 TEST_CASE("a bake of local random-phase noise is the same on one thread and on many") {

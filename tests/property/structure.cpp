@@ -3,8 +3,10 @@
 // every magnification and distance, its share of the variance; and what repeats in an exemplar.
 #include "example_exemplar.h"
 
+#include <lichen/lattice.h>
 #include <lichen/local_random_phase.h>
 #include <lichen/local_random_phase_evaluate.h>
+#include <lichen/structure_texel.h>
 
 #include <catch2/catch.hpp>
 
@@ -12,6 +14,7 @@
 #include <cmath>
 #include <local_random_phase/cosine.h>
 #include <local_random_phase/cosine_table.h>
+#include <local_random_phase/octave_lattice.h>
 #include <local_random_phase/structure.h>
 #include <local_random_phase/structure_tiles.h>
 #include <numbers>
@@ -60,20 +63,22 @@ MapSpectrum spectrumOfWaves() {
   return spectrum;
 }
 
-/// Evaluates the structure of all waves. Its list has the offset 0 only, three times, so that tiles
-/// and their mean agree.
+using Offsets = std::vector<std::array<double, 2>>;
+
+/// Evaluates the structure of all waves.
 class WaveStructure {
 public:
-  WaveStructure() {
+  /// With the offset 0 only, tiles and their mean agree.
+  explicit WaveStructure(const Offsets& offsets = Offsets(3), double turbulence = 0.0) {
     const MapSpectrum spectrum = spectrumOfWaves();
     const FrequencySet set = strongestFrequencies(powerPlane({spectrum}), 1.0);
     const std::array<int, 2> size = structureSize(set);
     shared_.texelsPerTileX = kWidth;
     shared_.texelsPerTileY = kHeight;
     shared_.cosines = {2};
-    shared_.structure = {size[0], size[1], 3, 0.0};
+    shared_.structure = {size[0], size[1], int(offsets.size()), turbulence};
     MapStructure structure;
-    structure.offsets.assign(3, {0.0, 0.0});
+    structure.offsets = offsets;
     structure.image = structureImage(spectrum, shared_.structure, {});
     structure.mean = structureImage(spectrum, shared_.structure, structure.offsets);
     Bundle bundle;
@@ -110,22 +115,20 @@ public:
     return 6.0 * double(tiles_->at(cell, material_, footprint).gaussian[0]);
   }
   /// Rounding of the texels.
-  [[nodiscard]] double quantum() const { return largest_ / kMostInteger; }
+  [[nodiscard]] double quantum() const { return largest_ / kMostStructureInteger; }
   [[nodiscard]] const CosineStructure& structure() const { return shared_.structure; }
 
+  [[nodiscard]] const LocalRandomPhaseNoise& shared() const { return shared_; }
+  [[nodiscard]] const shader::LichenMaterial& material() const { return material_; }
+
 private:
-  static constexpr double kMostInteger = 511.0;
   LocalRandomPhaseNoise shared_;
   shader::LichenMaterial material_{};
   std::unique_ptr<StructureTiles> tiles_;
   double largest_ = 0.0;
 };
 
-Bundle baked(const MapExemplar& map, double structure, double guide) {
-  LocalRandomPhaseOptions options;
-  options.structure = structure;
-  options.guide = guide;
-  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("example", {&map, 1}, options);
+Bundle bundleOf(Result<LocalRandomPhaseBake> bake) {
   REQUIRE(bake);
   Bundle bundle;
   bundle.tables = std::move(bake.value().tables);
@@ -192,10 +195,47 @@ TEST_CASE("a structure is the sum of its waves at every point, and fades with th
   CHECK(structure.at(0.3, 0.2, 64.0) == 0.0); // all is averaged out
 }
 
+TEST_CASE("tiles with offsets of a list are blended about their mean over it") {
+  const Offsets offsets{{0.0, 0.0}, {0.25, 0.125}, {-0.3125, 0.4375}, {0.5, -0.25}, {0.0625, 0.3}};
+  const WaveStructure structure(offsets);
+  const auto wave = [](double x, double y) {
+    return sumOfWaves(x, y, [](const Wave&) { return 1.0; });
+  };
+  const double columns = 4.0 * structure.shared().columns / 8.0; // of octave 2 in a tile
+  const double rows = 4.0 * structure.shared().rows / 8.0;
+  const std::uint32_t seed = pcg(structure.material().seedWord + 12u);
+  std::mt19937 generator(8u);
+  std::uniform_real_distribution<double> tiles(-3.0, 3.0);
+  for (int k = 0; k < 2000; ++k) {
+    const double x = tiles(generator), y = tiles(generator);
+    double mean = 0.0;
+    for (const auto& offset : offsets)
+      mean += wave(x + offset[0], y + offset[1]) / double(offsets.size());
+    const double row = y * rows, column = x * columns - 0.5 * row;
+    const auto i = std::int64_t(std::floor(column)), j = std::int64_t(std::floor(row));
+    const auto windows = windowsAt(column - double(i), row - double(j));
+    double expected = mean;
+    std::array<int, 3> seen{};
+    for (std::size_t v = 0; v < 3; ++v) {
+      const std::int64_t a = i + windows.corner[v][0], b = j + windows.corner[v][1];
+      const auto color = std::size_t(((a - b + 2) % 3 + 3) % 3); // 2^31 is 2 modulo 3
+      ++seen[color];
+      const std::uint32_t state = vertexHash(std::uint32_t(a), std::uint32_t(b), seed);
+      // Of the five offsets, colors 0 and 1 have two each, and color 2 has one.
+      const std::size_t own = color == 2 ? 2 : color + 3 * (state >> 31);
+      expected += windows.weight[v] * (wave(x + offsets[own][0], y + offsets[own][1]) - mean);
+    }
+    CHECK(seen == std::array{1, 1, 1});
+    // Positions in floats of up to 3 tiles are off by 2e-7, and waves rise by 2 pi 15 a tile.
+    CHECK(std::abs(structure.at(x, y, 0.01) - expected) < 3e-3 + 3.0 * structure.quantum());
+  }
+}
+
 TEST_CASE("magnified 32 times, a structure bends as its waves do, with no trace of texels") {
   const WaveStructure structure;
-  // Second differences over an eighth of a texel: of the B-spline they are as smooth as those of
-  // the waves; bilinear interpolation has them at texels only.
+  // Second differences over an eighth of a texel. Those of the B-spline are off by (pi f)^2 / 3 of
+  // a wave of f cycles a sample, 0.03 of the shortest here, whose curvature counts most. Bilinear
+  // interpolation has none but at texels, so all of the curvature is an error, and more.
   constexpr double kStep = 1.0 / (8.0 * 128.0);
   double squares = 0.0, errors = 0.0;
   for (int k = 0; k < 4096; ++k) {
@@ -210,13 +250,32 @@ TEST_CASE("magnified 32 times, a structure bends as its waves do, with no trace 
     errors += (found - exact) * (found - exact);
   }
   CHECK(errors < 0.04 * squares);
+  double ofBilinear = 0.0;
+  for (int k = 0; k < 4096; ++k) {
+    const double x = k * kStep, y = 0.37 + 0.11 * x;
+    const auto whole = [](const Wave&) { return 1.0; };
+    const auto bilinear = [&](double at) {
+      const double texel = std::floor(at * 128.0 - 0.5), share = at * 128.0 - 0.5 - texel;
+      return (1.0 - share) * sumOfWaves((texel + 0.5) / 128.0, y, whole) +
+             share * sumOfWaves((texel + 1.5) / 128.0, y, whole);
+    };
+    const auto exact = [&](double at) { return sumOfWaves(at, y, whole); };
+    const auto bend = [&](const auto& valueAt) {
+      return valueAt(x + kStep) - 2.0 * valueAt(x) + valueAt(x - kStep);
+    };
+    ofBilinear += std::pow(bend(bilinear) - bend(exact), 2.0);
+  }
+  CHECK(ofBilinear > squares);
 }
 
 TEST_CASE("structure and random part share the variance, and their sum has it everywhere") {
   constexpr int kTexels = 128, kSide = 192, kSeeds = 16;
   const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
   for (const double share : {0.3, 0.7, 1.0}) {
-    const Bundle bundle = baked(map, share, 0.0);
+    LocalRandomPhaseOptions options;
+    options.structure = share;
+    options.guide = 0.0;
+    const Bundle bundle = bundleOf(bakeLocalRandomPhase("example", {&map, 1}, options));
     const Noise& noise = bundle.noises[0];
     const auto& own = noise.maps[0].as<LocalRandomPhaseMap>();
     const auto& shared = noise.as<LocalRandomPhaseNoise>();
@@ -263,35 +322,34 @@ TEST_CASE("structure and random part share the variance, and their sum has it ev
   }
 }
 
-TEST_CASE("turbulence displaces by its deviation and goes back to the structure at none") {
-  const MapExemplar map = test::threeMaterials(64, 64, 3);
-  const auto evaluatorOf = [&](double turbulence) {
-    LocalRandomPhaseOptions options;
-    options.structure = 1.0;
-    options.guide = 0.0;
-    options.turbulence = turbulence;
-    Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("example", {&map, 1}, options);
-    REQUIRE(bake);
-    Bundle bundle;
-    bundle.tables = std::move(bake.value().tables);
-    bundle.noises = {std::move(bake.value().noise)};
-    const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
-    return std::pair(LocalRandomPhaseEvaluator::create(bundle, 0).value(), material);
-  };
-  const auto still = evaluatorOf(0.0), slight = evaluatorOf(1e-3), strong = evaluatorOf(0.25);
-  double bySlight = 0.0, byStrong = 0.0;
-  for (int k = 0; k < 2000; ++k) {
-    const TileFootprint at{{float(k) * 0.0137f, float(k) * 0.0071f}, {}, {}};
-    const auto value = still.first.gaussian(0, still.second, at);
-    const auto near = slight.first.gaussian(0, slight.second, at);
-    const auto far = strong.first.gaussian(0, strong.second, at);
-    bySlight += std::pow(double(near[0]) - double(value[0]), 2.0) / 2000.0;
-    byStrong += std::pow(double(far[0]) - double(value[0]), 2.0) / 2000.0;
+TEST_CASE("turbulence displaces a structure by its deviation, along both axes") {
+  constexpr double kTurbulence = 0.002;
+  const Offsets none(3);
+  const WaveStructure still(none), displaced(none, kTurbulence);
+  // The mean square of a change is that of the slope, times that of the displacement.
+  double slopes = 0.0;
+  for (const Wave& wave : kWaves)
+    slopes += 0.5 * std::pow(2.0 * std::numbers::pi * wave.amplitude, 2.0) *
+              (wave.u * wave.u + wave.v * wave.v);
+  double changes = 0.0;
+  constexpr int kPoints = 40000;
+  for (int k = 0; k < kPoints; ++k) {
+    const double x = k * 0.0137, y = k * 0.0871;
+    changes += std::pow(displaced.at(x, y, 0.01) - still.at(x, y, 0.01), 2.0) / kPoints;
   }
-  // A displacement far beyond the grain makes an independent value: twice the variance of 1 / 36.
-  CHECK(byStrong == Approx(2.0 / 36.0).epsilon(0.25));
-  CHECK(bySlight > 0.0);
-  CHECK(bySlight < 0.01 * byStrong);
+  // Four standard errors of the mean over the 40,000 x 0.0012 tiles, with 14 vertices a tile.
+  CHECK(std::sqrt(changes / slopes) == Approx(kTurbulence).epsilon(0.05));
+}
+
+TEST_CASE("the structure of a bake is what repeats, whatever its guide") {
+  const MapExemplar random = test::threeMaterials(64, 64, 3);
+  for (const double guide : {0.0, 0.03, 1.0}) {
+    LocalRandomPhaseOptions options;
+    options.guide = guide;
+    const Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("x", {&random, 1}, options);
+    REQUIRE(bake);
+    CHECK(bake.value().structure == 0.0);
+  }
 }
 
 TEST_CASE("near-periods are found where an exemplar repeats, and not in random fields") {

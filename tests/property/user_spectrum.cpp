@@ -110,6 +110,34 @@ TEST_CASE("a noise with a band as its spectrum has its power there, and the exem
     CHECK(found[c] == Approx(wanted[c]).margin(0.01));
 }
 
+TEST_CASE(
+    "maps of a set with a given spectrum do not correlate, and it must have power they can hold") {
+  std::vector<MapExemplar> maps(2, test::threeMaterials(kTexels, kTexels, 3));
+  maps[1].target = MapTarget::emissive;
+  LocalRandomPhaseOptions options;
+  options.spectrum = pictureOf([](int u, int v) { return std::hypot(u, v) < 30.0; });
+  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("example", maps, options);
+  REQUIRE(bake);
+  Bundle bundle;
+  bundle.tables = std::move(bake.value().tables);
+  bundle.noises = {std::move(bake.value().noise)};
+  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  double product = 0.0, squares = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    const TileFootprint at{{float(k) * 0.0137f, float(k) * 0.0871f}, {}, {}};
+    const double first = double(evaluator.gaussian(0, material, at)[0]) - 0.5;
+    product += first * (double(evaluator.gaussian(1, material, at)[0]) - 0.5);
+    squares += first * first;
+  }
+  CHECK(std::abs(product / squares) < 0.1); // 1 if both had the same phases
+
+  options.spectrum = SpectrumPicture{3, 3, {0, 0, 0, 0, 1, 0, 0, 0, 0}};
+  const Result<LocalRandomPhaseBake> empty = bakeLocalRandomPhase("example", maps, options);
+  REQUIRE_FALSE(empty);
+  CHECK(empty.error().kind == ErrorKind::badInput);
+}
+
 TEST_CASE("a spectrum of the user's own excludes a structure") {
   const MapExemplar map = test::threeMaterials(32, 32, 3);
   LocalRandomPhaseOptions options;

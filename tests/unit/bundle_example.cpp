@@ -3,7 +3,9 @@
 #include "bundle_example.h"
 
 #include <lichen/bfloat16_pair.h>
+#include <lichen/structure_texel.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -316,6 +318,31 @@ BundleFile smallestCosines() {
   }
   map.data = LocalRandomPhaseMap{addTable(file.bundle, std::move(table)), std::nullopt, 1, {}, {}};
   addNoise(file, std::move(noise), std::move(map));
+  return file;
+}
+
+BundleFile smallestStructure() {
+  BundleFile file = smallestCosines();
+  auto& shared = file.bundle.noises[0].as<LocalRandomPhaseNoise>();
+  shared.structure = {64, 64, 3, 0.25};
+  auto& map = file.bundle.noises[0].maps[0].as<LocalRandomPhaseMap>();
+  map.structureAmplitudes = {0.5};
+  map.structureDeviations = {0.8, 0.7, 0.6, 0.5, 0.3, 0.1};
+  Table& table = file.bundle.tables[map.cosines];
+  const std::vector<float> cosines = decodeLevel(table, 0);
+  const CosineImageLayout layout(shared);
+  std::vector<float> texels(4 * std::size_t(layout.width) * layout.height,
+                            structureTexel({1, 2, 3}));
+  for (std::size_t row = 0; row < layout.cosineRows; ++row)
+    std::copy_n(&cosines[4 * row * layout.cosineColumns], 4 * layout.cosineColumns,
+                &texels[4 * row * layout.width]);
+  constexpr std::array<float, 6> kOffsets{0.0f, 0.0f, 0.25f, -0.5f, 0.5f, 0.125f};
+  std::copy(kOffsets.begin(), kOffsets.end(),
+            &texels[4 * std::size_t(layout.offsetRow) * layout.width]);
+  table.width = layout.width;
+  table.height = layout.height;
+  table.texels.clear();
+  appendTexels(table.texels, table.format, texels);
   return file;
 }
 

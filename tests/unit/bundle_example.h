@@ -41,6 +41,8 @@ void setLosses(Table& gaussian, const std::vector<float>& losses);
 /// One height map as local random-phase noise: four cosines in octaves 0 and 2, with two variants
 /// each. About 2 KB as a GLB.
 [[nodiscard]] BundleFile smallestCosines();
+/// The same with a structure and a list of three offsets.
+[[nodiscard]] BundleFile smallestStructure();
 
 /// A valid PNG of 2 x 2 texels in one colour.
 [[nodiscard]] std::vector<std::byte> tinyPng();

@@ -26,34 +26,8 @@ const std::vector<std::byte>& soundFile() {
   return file;
 }
 
-/// The example with a structure and a list of three offsets.
-BundleFile structured() {
-  BundleFile file = example::smallestCosines();
-  auto& shared = file.bundle.noises[0].as<LocalRandomPhaseNoise>();
-  shared.structure = {64, 64, 3, 0.25};
-  auto& map = file.bundle.noises[0].maps[0].as<LocalRandomPhaseMap>();
-  map.structureAmplitudes = {0.5};
-  map.structureDeviations = {0.8, 0.7, 0.6, 0.5, 0.3, 0.1};
-  Table& table = file.bundle.tables[map.cosines];
-  const std::vector<float> cosines = decodeLevel(table, 0);
-  const CosineImageLayout layout(shared);
-  std::vector<float> texels(4 * std::size_t(layout.width) * layout.height,
-                            structureTexel({1, 2, 3}));
-  for (std::size_t row = 0; row < layout.cosineRows; ++row)
-    std::copy_n(&cosines[4 * row * layout.cosineColumns], 4 * layout.cosineColumns,
-                &texels[4 * row * layout.width]);
-  constexpr std::array<float, 6> kOffsets{0.0f, 0.0f, 0.25f, -0.5f, 0.5f, 0.125f};
-  std::copy(kOffsets.begin(), kOffsets.end(),
-            &texels[4 * std::size_t(layout.offsetRow) * layout.width]);
-  table.width = layout.width;
-  table.height = layout.height;
-  table.texels.clear();
-  appendTexels(table.texels, table.format, texels);
-  return file;
-}
-
 const std::vector<std::byte>& structuredFile() {
-  static const std::vector<std::byte> file = encodeGlb(structured()).value();
+  static const std::vector<std::byte> file = encodeGlb(example::smallestStructure()).value();
   return file;
 }
 
@@ -101,7 +75,7 @@ TEST_CASE("the example file of a structure has no faults, and is read as it was 
   CHECK(checkBundle(GlbParts(structuredFile()).join()).empty());
   const Bundle bundle = parseBundle(structuredFile(), "structure").value();
   REQUIRE(bundle.noises.size() == 1);
-  CHECK(bundle.noises[0] == structured().bundle.noises[0]);
+  CHECK(bundle.noises[0] == example::smallestStructure().bundle.noises[0]);
 }
 
 TEST_CASE("every fault of a structure is found") {
@@ -137,12 +111,14 @@ TEST_CASE("every fault of a structure is found") {
           {"a deviation above 1", "range", [&](GlbParts& p) { ownOf(p)["deviations"][0] = 1.5; }},
           {"five deviations", "structure-count",
            [&](GlbParts& p) { ownOf(p)["deviations"].erase(5); }},
+          {"deviations that increase", "structure-deviations",
+           [&](GlbParts& p) { ownOf(p)["deviations"][3] = 0.65; }},
           {"a long offset", "structure-offsets",
            [](GlbParts& p) {
              // The image ends the file: the second offset is in the first texel of the row after
              // that of the cosines.
              const std::size_t row = 64 * 4 * sizeof(float);
-             const std::size_t offset = p.binary.size() - row * (1 + 63) + 2 * sizeof(float);
+             const std::size_t offset = p.binary.size() - row * (1 + 48) + 2 * sizeof(float);
              p.binary[offset + 3] = std::byte{0x40}; // 2 and more
              p.binary[offset + 2] = std::byte{0x00};
            }},
@@ -240,7 +216,7 @@ TEST_CASE("the constants of a noise count the cosines of each octave") {
 }
 
 TEST_CASE("the constants of a noise hold the size of its structure and what its levels leave") {
-  Bundle bundle = structured().bundle;
+  Bundle bundle = example::smallestStructure().bundle;
   bundle.noises[0].as<LocalRandomPhaseNoise>().structure.rows = 128;
   CHECK(cosinesPart(shaderNoise(bundle, 0)).structure == 0x40000376u); // 0.25 of 65,535, 3, 7 and 6
   const shader::LichenMap map = shaderMap(bundle, bundle.noises[0], 0);

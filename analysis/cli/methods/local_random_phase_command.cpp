@@ -50,8 +50,12 @@ public:
         });
   }
 
-  /// As tiling needs, and the spectra of all channels.
-  [[nodiscard]] BakeMemory memory() const override { return {64.0, 160.0}; }
+  /// As tiling needs, and the spectra of all channels. A structure is at most four times as large
+  /// as its exemplar, with levels in floats and in texels, twice if there is a list.
+  [[nodiscard]] BakeMemory memory() const override {
+    const bool mayHaveStructure = structure != 0.0;
+    return {64.0, mayHaveStructure ? 460.0 : 160.0};
+  }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     LocalRandomPhaseOptions options;
@@ -60,7 +64,10 @@ public:
     options.guide = guide;
     options.turbulence = turbulence;
     if (spectrum) {
-      Result<SpectrumPicture> picture = spectrumPicture(*spectrum);
+      int most = 1; // what the largest map can hold
+      for (const MapExemplar& map : input.maps)
+        most = std::max(most, std::max(map.width, map.height) / 2);
+      Result<SpectrumPicture> picture = spectrumPicture(*spectrum, most);
       if (!picture)
         return picture.error();
       options.spectrum = std::move(picture).value();
@@ -178,8 +185,9 @@ int LocalRandomPhaseCommand::fetches(const Bundle&, const Noise& noise, const No
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   // Three by three texels hold the 16 that a spline needs, at two levels.
   constexpr int kPerTile = 2 * 9;
-  const int tiles = shared.structure.columns == 0 ? 0 : shared.structure.offsets > 0 ? 4 : 3;
-  return kPerCosine * shared.cosineCount() + kPerTile * tiles +
+  const bool hasList = shared.structure.offsets > 0; // with its mean, and three look-ups
+  const int tiles = shared.structure.columns == 0 ? 0 : hasList ? 4 : 3;
+  return kPerCosine * shared.cosineCount() + kPerTile * tiles + (hasList ? 3 : 0) +
          (map.as<LocalRandomPhaseMap>().inverseTable ? 1 : 0);
 }
 

@@ -68,19 +68,10 @@ bool holds(const SpectrumBand& band, double u, double v) {
   return u >= band.left && u <= band.right && v >= band.top && v <= band.bottom;
 }
 
-double largestCycles(const SpectrumRing& ring) { return ring.to; }
-double largestCycles(const SpectrumBand& band) {
-  return std::max({-band.left, band.right, -band.top, band.bottom});
-}
-
-SpectrumPicture pictureOf(const std::vector<SpectrumPart>& parts) {
-  double most = 1.0;
-  for (const SpectrumPart& part : parts)
-    most = std::max(most, std::visit([](const auto& own) { return largestCycles(own); }, part));
-  const int half = int(std::ceil(most));
-  SpectrumPicture picture{2 * half + 1, 2 * half + 1, {}};
-  for (int v = -half; v <= half; ++v)
-    for (int u = -half; u <= half; ++u) {
+SpectrumPicture pictureOf(const std::vector<SpectrumPart>& parts, int most) {
+  SpectrumPicture picture{2 * most + 1, 2 * most + 1, {}};
+  for (int v = -most; v <= most; ++v)
+    for (int u = -most; u <= most; ++u) {
       const auto isIn = [&](const SpectrumPart& part) {
         return std::visit([&](const auto& own) { return holds(own, u, v) || holds(own, -u, -v); },
                           part);
@@ -105,9 +96,9 @@ Accepted<std::optional<SpectrumChoice>> spectrumChoice() {
           "a picture, or parts such as ring:8:12 or band:0:2:20:40 with commas between them", read};
 }
 
-Result<SpectrumPicture> spectrumPicture(const SpectrumChoice& choice) {
+Result<SpectrumPicture> spectrumPicture(const SpectrumChoice& choice, int most) {
   if (const auto* parts = std::get_if<std::vector<SpectrumPart>>(&choice))
-    return pictureOf(*parts);
+    return pictureOf(*parts, most);
   const auto& path = std::get<std::filesystem::path>(choice);
   Result<ImageFile> file = readImage(path);
   if (!file)

@@ -30,9 +30,9 @@ using SpectrumChoice = std::variant<std::vector<SpectrumPart>, std::filesystem::
 /// "ring:8:12,band:0:2:20:40", or the name of a file.
 [[nodiscard]] Accepted<std::optional<SpectrumChoice>> spectrumChoice();
 
-/// The amplitudes: 1 at the frequencies of the parts, or the luminance codes of the picture, whose
-/// middle is the frequency 0. Errors: as readImage(); badInput for a picture without a value above
-/// 0, but for its middle.
-[[nodiscard]] Result<SpectrumPicture> spectrumPicture(const SpectrumChoice& choice);
+/// The amplitudes: 1 at the frequencies of the parts, as far as `most` cycles per tile, or the
+/// luminance codes of the picture, whose middle is the frequency 0. Errors: as readImage();
+/// badInput for a picture without a value above 0, but for its middle.
+[[nodiscard]] Result<SpectrumPicture> spectrumPicture(const SpectrumChoice& choice, int most);
 
 } // namespace lichen::cli

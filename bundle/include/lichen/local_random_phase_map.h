@@ -113,17 +113,17 @@ struct CosineImageLayout {
   /// The row of the list of offsets, two in a texel as (x0, y0, x1, y1) [tiles]. It follows the
   /// cosines, and the levels follow it.
   std::uint32_t offsetRow = 0;
-  /// Columns between a level and the mean of its tiles over the offsets, which lies at its right.
-  std::uint32_t meanColumn = 0;
+  std::uint32_t meanColumn = 0; ///< the first of the means over the offsets, right of the levels
 
   explicit CosineImageLayout(const LocalRandomPhaseNoise& shared);
 
-  /// The first row of level `level` of a structure. Level l has its columns and rows divided by
-  /// 2^l, and four texels, two columns of two rows, share one of the image.
-  [[nodiscard]] std::uint32_t levelRow(int level) const;
+  /// The first column and row of level `level` of a structure, level 1 below level 0 and each of
+  /// the others on the right of the one before. Level l has the structure's columns and rows
+  /// divided by 2^l, and four texels, two columns of two rows, share one of the image.
+  [[nodiscard]] std::array<std::uint32_t, 2> levelCorner(int level) const;
 
 private:
-  std::uint32_t firstLevelRow_ = 0, structureRows_ = 0;
+  std::uint32_t firstLevelRow_ = 0, structureColumns_ = 0, structureRows_ = 0;
 };
 
 /// A cosine's part of a texel: its rectangle or one of its vectors, in the order above.

@@ -71,16 +71,19 @@ CosineImageLayout::CosineImageLayout(const LocalRandomPhaseNoise& shared)
     : cosineColumns(kCosineColumns + std::uint32_t(shared.variants)),
       cosineRows(std::uint32_t(shared.cosineCount()) / kRowCosines), offsetRow(cosineRows),
       meanColumn(std::uint32_t(shared.structure.columns) / 2u),
+      structureColumns_(std::uint32_t(shared.structure.columns)),
       structureRows_(std::uint32_t(shared.structure.rows)) {
   const bool hasMean = shared.structure.offsets > 0;
   firstLevelRow_ = offsetRow + (hasMean ? 1u : 0u);
   width = std::max(cosineColumns, hasMean ? 2u * meanColumn : meanColumn);
-  height = levelRow(structureLevels(shared.structure));
+  height = firstLevelRow_ + structureRows_ / 2u + structureRows_ / 4u;
 }
 
-std::uint32_t CosineImageLayout::levelRow(int level) const {
-  // Half of the rows of each level above it.
-  return firstLevelRow_ + structureRows_ - (structureRows_ >> level);
+std::array<std::uint32_t, 2> CosineImageLayout::levelCorner(int level) const {
+  if (level == 0)
+    return {0, firstLevelRow_};
+  return {structureColumns_ / 2u - (structureColumns_ >> level),
+          firstLevelRow_ + structureRows_ / 2u};
 }
 
 std::vector<std::array<CosineTexel, kRowCosines>> cosineTexels(const std::vector<float>& image,

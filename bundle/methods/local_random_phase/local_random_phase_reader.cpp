@@ -108,6 +108,9 @@ void readStructure(ObjectReader& parent, const CosineStructure& structure, Findi
   }
   if (deviations) {
     checkCount("deviations", *deviations, structureLevels(structure));
+    if (!std::is_sorted(deviations->rbegin(), deviations->rend()))
+      reader.error("structure-deviations", "deviations",
+                   "a level has a larger one than the level before; expected none");
     map.structureDeviations = *deviations;
   }
 }
