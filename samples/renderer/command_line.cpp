@@ -18,6 +18,7 @@ namespace {
 constexpr int kMaxSide = 16384;
 constexpr int kMaxFrames = 4096;
 constexpr double kMaxExposure = 20.0;
+constexpr double kMaxDepth = 1e6; // metres, as the largest tile
 
 constexpr const char* kProgram = "lichen-render";
 
@@ -51,6 +52,11 @@ void addOptions(CLI::App& app, Command& command) {
            "Exposure in stops, -20 to 20");
   addValue(app, "--frames", command.frames, wholeNumber(1, kMaxFrames), "16",
            "Frames to average, 1 to 4096: more frames smooth edges, penumbrae and sky light");
+  addValue(app, "--displace", command.depth, number({0.0, kMaxDepth}), "0",
+           "Move surfaces out along their normals by the height of their noise times so many "
+           "metres");
+  addFlag(app, "--no-tessellation", command.noTessellation,
+          "With --displace: refine the mesh on the CPU even if the device can tessellate");
   Choices<std::string> views;
   for (const std::string_view name : debugViewNames())
     views.emplace_back(name, name);

@@ -19,6 +19,8 @@ struct Command {
   std::string environment; ///< empty for the built-in sky
   double exposureEv = 0.0;
   int frames = 0;
+  double depth = 0.0; ///< of displacement, in metres
+  bool noTessellation = false;
   std::string debugView;
   std::string device;
   bool listDevices = false;

@@ -44,6 +44,10 @@ struct Box {
     low = glm::min(low, box.low);
     high = glm::max(high, box.high);
   }
+  void grow(float by) {
+    low -= double(by);
+    high += double(by);
+  }
   [[nodiscard]] bool empty() const { return low.x > high.x; }
   [[nodiscard]] glm::vec3 size() const { return {high - low}; }
   [[nodiscard]] float longest() const { return std::max(size().x, std::max(size().y, size().z)); }
@@ -57,6 +61,11 @@ Box boxOf(const Scene& scene, const Instance& instance) {
   for (const Vertex& vertex : scene.primitives[instance.primitive].vertices)
     box.add(glm::dvec3(instance.worldFromObject * glm::dvec4(vertex.position, 1.0)));
   return box;
+}
+
+/// How far the instance's surface may leave its triangles.
+float displacementOf(const Scene& scene, const Instance& instance) {
+  return scene.materials[scene.primitives[instance.primitive].material].displacement;
 }
 
 std::array<glm::dvec3, 8> cornersOf(const Box& box) {
@@ -99,6 +108,14 @@ public:
     lowest_ = glm::min(lowest_, glm::dvec2(p) - slopes_ * p.z);
     highest_ = glm::max(highest_, glm::dvec2(p) + slopes_ * p.z);
     front_ = std::max(front_, p.z);
+  }
+
+  /// Replaces the points by balls of this radius.
+  void grow(double radius) {
+    const glm::dvec2 along = radius * glm::sqrt(1.0 + slopes_ * slopes_);
+    lowest_ -= along;
+    highest_ += along;
+    front_ += radius;
   }
 
   [[nodiscard]] double front() const { return front_; }
@@ -165,6 +182,14 @@ std::vector<glm::dvec3> subjectPoints(const Scene& scene) {
   return points;
 }
 
+/// The farthest that any surface of the scene may leave its triangles.
+double displacementOf(const Scene& scene) {
+  float most = 0.0f;
+  for (const Instance& instance : scene.instances)
+    most = std::max(most, displacementOf(scene, instance));
+  return double(most);
+}
+
 Camera autoCamera(const Scene& scene, const Sphere& subject, float aspect) {
   const glm::dvec3 z = glm::normalize(glm::dvec3(kAutoDirection));
   const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
@@ -173,6 +198,7 @@ Camera autoCamera(const Scene& scene, const Sphere& subject, float aspect) {
   ClosestView view({slope * double(aspect), slope});
   for (const glm::dvec3& p : subjectPoints(scene))
     view.add((p - subject.center) * axes); // row times matrix: coordinates along the axes
+  view.grow(displacementOf(scene));
   const glm::dvec3 eye = view.eye(kAutoLeastDistance * double(subject.radius));
   constexpr double kNearShare = 0.02;
   Camera camera;
@@ -192,8 +218,11 @@ Result<Sphere> subjectOf(const Scene& scene) {
   for (const Box& box : boxes)
     all.add(box);
   Box subject;
-  for (const std::size_t i : subjectInstances(boxes))
-    subject.add(boxes[i]);
+  for (const std::size_t i : subjectInstances(boxes)) {
+    Box box = boxes[i];
+    box.grow(displacementOf(scene, scene.instances[i]));
+    subject.add(box);
+  }
   const double extent = std::max(glm::length(all.low), glm::length(all.high));
   if (!(extent < double(kMaxSceneReach)))
     return Error{ErrorKind::badInput,
@@ -212,7 +241,9 @@ glm::dvec3 centerOf(const Scene& scene, const Instance& instance) {
 double depthOf(const Scene& scene, const Instance& instance, const Camera& camera) {
   const auto forward = -glm::normalize(glm::dvec3(camera.worldFromCamera[2]));
   double least = std::numeric_limits<double>::max();
-  for (const glm::dvec3& corner : cornersOf(boxOf(scene, instance)))
+  Box box = boxOf(scene, instance);
+  box.grow(displacementOf(scene, instance));
+  for (const glm::dvec3& corner : cornersOf(box))
     least = std::min(least, glm::dot(corner - eyeOf(camera), forward));
   return least;
 }
@@ -286,6 +317,15 @@ glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float as
   glm::dmat4 pose = camera.worldFromCamera;
   pose[3] -= glm::dvec4(origin, 0.0);
   return glm::mat4(glm::dmat4(projection) * glm::inverse(pose));
+}
+
+float pixelsPerUnit(const glm::mat4& clipFromWorld, glm::vec2 size) {
+  // At w = 1 the rows of the derivative of a pixel's position are size.x / 2 (row 0 - x row 3) and
+  // size.y / 2 (row 1 - y row 3) for x, y in [-1, 1]; rows 0, 1 and 3 are orthogonal.
+  const glm::mat4 rows = glm::transpose(clipFromWorld);
+  const auto lengthOf = [&](int row) { return glm::length(glm::vec3(rows[row])); };
+  const float middle = std::max(size.x * lengthOf(0), size.y * lengthOf(1)) / 2;
+  return std::hypot(middle, lengthOf(3) * glm::length(size) / 2);
 }
 
 glm::mat4 clipFromWorldAlong(glm::vec3 toward, const Sphere& subject, const glm::dvec3& origin) {

@@ -52,6 +52,10 @@ struct Sphere {
 [[nodiscard]] glm::mat4 clipFromWorld(const Camera& camera, const glm::dvec3& origin, float aspect,
                                       glm::vec2 jitterClip);
 
+/// How many pixels of a picture of this size a unit of length covers at clip w 1, at most: of a
+/// perspective camera in a corner of the picture. At clip w it covers 1 / w as many.
+[[nodiscard]] float pixelsPerUnit(const glm::mat4& clipFromWorld, glm::vec2 size);
+
 /// From positions relative to `origin` to the clip space of parallel light from the unit vector
 /// `toward` (toward the light). The cross-section is square; cross-section and depth enclose
 /// `subject`. Depth 0 is nearest to the light.

@@ -19,18 +19,27 @@ namespace {
 
 void uploadGeometry(VulkanDevice& device, const Scene& scene, GpuScene& gpu) {
   std::vector<Vertex> vertices;
+  std::vector<VertexDisplacement> displacements;
   std::vector<std::uint32_t> indices;
   for (const Primitive& primitive : scene.primitives) {
     gpu.primitives.push_back(
         {std::uint32_t(indices.size()), std::uint32_t(primitive.indices.size()),
          std::int32_t(vertices.size()),
          primitive.undeformed.empty() ? 0 : primitive.vertices.size() * sizeof(Vertex)});
+    if (!primitive.displacement.empty()) { // the same indices select both
+      displacements.resize(vertices.size());
+      displacements.insert(displacements.end(), primitive.displacement.begin(),
+                           primitive.displacement.end());
+    }
     vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
     vertices.insert(vertices.end(), primitive.undeformed.begin(), primitive.undeformed.end());
     indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
   }
   gpu.vertices =
       uploadBuffer(device, std::as_bytes(std::span(vertices)), VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
+  if (!displacements.empty())
+    gpu.displacements = uploadBuffer(device, std::as_bytes(std::span(displacements)),
+                                     VK_BUFFER_USAGE_VERTEX_BUFFER_BIT);
   gpu.indices =
       uploadBuffer(device, std::as_bytes(std::span(indices)), VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
 }
@@ -142,7 +151,7 @@ shader::MaterialData materialData(const Material& material, const NoiseUse& nois
                     : material.mixColorSet    ? MIX_FROM_VERTICES
                                               : MIX_FROM_BLOCK,
                     material.mixTexture.texCoord, material.mixChannel, noise.inObjectSpace ? 1 : 0};
-  data.fromTileOrigin = glm::vec4(noise.fromTileOrigin, 0.0f);
+  data.fromTileOrigin = glm::vec4(noise.fromTileOrigin, material.displacement);
   for (std::size_t k = 0; k < MATERIAL_TEXTURES; ++k) {
     // KHR_texture_transform: translation * rotation * scale.
     const TextureSlot& slot = *slots[k];
@@ -159,7 +168,8 @@ void createMaterials(VulkanDevice& device, ObjectOwner& objects, const Scene& sc
   std::array<VkDescriptorType, 1 + MATERIAL_TEXTURES> types{};
   types.fill(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
   types[BINDING_MATERIAL] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
-  gpu.materialLayout = objects.setLayout(types, VK_SHADER_STAGE_FRAGMENT_BIT);
+  // Displaced vertices read the material too.
+  gpu.materialLayout = objects.setLayout(types, VK_SHADER_STAGE_ALL_GRAPHICS);
   const std::size_t count = scene.materials.size();
   const VkDescriptorPool pool = objects.pool(count, types);
   gpu.materialData = UniformBlocks(device, count, sizeof(shader::MaterialData));

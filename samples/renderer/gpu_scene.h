@@ -21,7 +21,8 @@ struct GpuPrimitive {
 
 struct GpuScene {
   DeviceBuffer vertices;
-  DeviceBuffer indices; ///< 32 bit
+  DeviceBuffer displacements; ///< by vertex; null if no primitive is displaced
+  DeviceBuffer indices;       ///< 32 bit
   std::vector<GpuPrimitive> primitives;
   std::vector<DeviceImage> images; ///< an image used as both colour and data appears twice
   UniformBlocks materialData;      ///< one block per element of Scene::materials

@@ -93,19 +93,6 @@ bool hasMapping(const tinygltf::Value& use, Mapping expected) {
   return mapping.IsString() && mapping.Get<std::string>() == nameOf(expected);
 }
 
-/// The texture coordinate set of a noise with normals; nullopt without normals.
-std::optional<int> normalTexCoord(const tinygltf::Value& noise, const tinygltf::Value& use) {
-  const tinygltf::Value& maps = at(noise, "maps");
-  for (int m = 0; m < int(maps.ArrayLen()); ++m) {
-    const tinygltf::Value& target = at(at(maps, m), "target");
-    if (target.IsString() && target.Get<std::string>() == nameOf(MapTarget::normal)) {
-      const tinygltf::Value& texCoord = at(use, "texCoord");
-      return texCoord.IsInt() ? texCoord.GetNumberAsInt() : 0;
-    }
-  }
-  return std::nullopt;
-}
-
 /// Reads the source of a mix's weight, if that is a texture or vertex colours.
 void readMix(const tinygltf::Model& model, const tinygltf::Value& use, Material& result) {
   const tinygltf::Value& mix = at(use, "mix");
@@ -220,10 +207,15 @@ Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& so
   if (const tinygltf::Value* use = extension(source.extensions, kExtensionName.data())) {
     result.hasNoise = true;
     const tinygltf::Value& noise = noiseOf(model, *use);
-    if (hasMapping(*use, Mapping::surface))
+    result.noiseHasHeight = brings(noise, MapTarget::height, {MapChannel::height});
+    if (hasMapping(*use, Mapping::surface)) {
       result.noiseNeedsTangents = noise.IsObject();
-    else if (!hasMapping(*use, Mapping::triplanar)) // triplanar slopes are 3-D gradients
-      result.noiseNormalTexCoord = normalTexCoord(noise, *use);
+    } else if (!hasMapping(*use, Mapping::triplanar)) { // triplanar slopes are 3-D gradients
+      const tinygltf::Value& texCoord = at(*use, "texCoord");
+      result.noiseTexCoord = texCoord.IsInt() ? texCoord.GetNumberAsInt() : 0;
+      if (brings(noise, MapTarget::normal, {}))
+        result.noiseNormalTexCoord = result.noiseTexCoord;
+    }
     readMix(model, *use, result);
   }
   return result;

@@ -60,7 +60,7 @@ NoiseContext::NoiseContext(VulkanDevice& device) {
   info.device = device.device();
   info.getInstanceProcAddr = vkGetInstanceProcAddr;
   info.instance = device.instance();
-  info.stages = VK_SHADER_STAGE_FRAGMENT_BIT;
+  info.stages = VK_SHADER_STAGE_ALL_GRAPHICS; // displaced vertices read the height
   LichenVulkanContext context = nullptr;
   checkLichen(lichenVulkanCreateContext(&info, &context, &diagnostic), diagnostic);
   context_.reset(context);

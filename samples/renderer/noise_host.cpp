@@ -32,8 +32,10 @@ LichenMapping codeOf(NoiseMapping mapping) {
 NoiseHost::NoiseHost(VulkanDevice& device, ObjectOwner& objects, const NoiseContext& context,
                      const Scene& scene)
     : materials_(scene.materials.size()) {
-  for (MaterialState& material : materials_)
-    material.own.noise = material.parameters.noise = LICHEN_NO_NOISE;
+  for (std::size_t m = 0; m < materials_.size(); ++m) {
+    materials_[m].own.noise = materials_[m].parameters.noise = LICHEN_NO_NOISE;
+    materials_[m].displaces = scene.materials[m].displacement > 0.0f;
+  }
   if (scene.noiseBundle.empty())
     return;
   loadBundle(device, context, scene);
@@ -193,9 +195,9 @@ void NoiseHost::readUse(MaterialState& material) {
                                                         map.tableKind == LICHEN_TABLE_NONE);
     if (map.target == LICHEN_TARGET_BASE_COLOR)
       use.hasBaseColor = true;
-    if (map.target == LICHEN_TARGET_HEIGHT)
+    if (map.target == LICHEN_TARGET_HEIGHT && !material.displaces)
       changeNotes_.insert("the height map of the noise " + printable(noise.name) +
-                          " is ignored: this renderer does not displace surfaces");
+                          " is ignored; lichen-render --displace METRES shows it");
   }
 }
 

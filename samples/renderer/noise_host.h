@@ -94,6 +94,7 @@ private:
     LichenMaterialParameters parameters{}; ///< with the changes
     LichenPlacement placement{};
     NoiseUse use;
+    bool displaces = false; ///< the surface
   };
 
   void loadBundle(VulkanDevice& device, const NoiseContext& context, const Scene& scene);

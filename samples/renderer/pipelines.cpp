@@ -7,6 +7,7 @@
 #include "shaders/scene_interface.h"
 
 #include <accumulate.comp.h>
+#include <algorithm>
 #include <cstddef>
 #include <depth.frag.bare.h>
 #include <depth.frag.cosines.h>
@@ -17,7 +18,11 @@
 #include <depth.frag.tiling.h>
 #include <depth.frag.triplanar_tiling.h>
 #include <depth.vert.h>
+#include <displaced.vert.h>
 #include <optional>
+#include <patch.tesc.h>
+#include <patch.tese.h>
+#include <patch.vert.h>
 #include <scene.frag.bare.h>
 #include <scene.frag.cosines.h>
 #include <scene.frag.h>
@@ -30,6 +35,8 @@
 #include <sky.frag.h>
 #include <sky.vert.h>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace lichen::renderer {
 namespace {
@@ -40,6 +47,8 @@ constexpr float kSlopeBias = 2.0f;
 struct Description {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkShaderModule vertex = VK_NULL_HANDLE;
+  VkShaderModule control = VK_NULL_HANDLE; ///< of tessellation; null without it
+  VkShaderModule evaluation = VK_NULL_HANDLE;
   VkShaderModule fragment = VK_NULL_HANDLE; ///< null for depth-only passes
   const VkSpecializationInfo* specialization = nullptr;
   std::span<const VkVertexInputAttributeDescription> attributes;
@@ -77,6 +86,20 @@ constexpr std::array kAttributes{
     at(8, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal), kUndeformed),
     at(9, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent), kUndeformed)};
 
+constexpr std::uint32_t kDisplacement = 2; // binding of VertexDisplacement
+
+/// kAttributes and those of displacement.
+constexpr auto kDisplacedAttributes = [] {
+  std::array<VkVertexInputAttributeDescription, kAttributes.size() + 2> all{};
+  std::copy(kAttributes.begin(), kAttributes.end(), all.begin());
+  static_assert(offsetof(VertexDisplacement, weight) == sizeof(glm::vec3)); // w of the direction
+  all[kAttributes.size()] =
+      at(10, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexDisplacement, direction), kDisplacement);
+  all[kAttributes.size() + 1] =
+      at(11, VK_FORMAT_R32_SFLOAT, offsetof(VertexDisplacement, texCoordsPerUnit), kDisplacement);
+  return all;
+}();
+
 VkPipelineColorBlendAttachmentState blending(bool enabled) {
   VkPipelineColorBlendAttachmentState state{};
   state.blendEnable = enabled;
@@ -90,21 +113,39 @@ VkPipelineColorBlendAttachmentState blending(bool enabled) {
 }
 
 VkPipeline graphics(ObjectOwner& objects, const Description& d) {
-  std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, d.vertex),
-                    stage(VK_SHADER_STAGE_FRAGMENT_BIT, d.fragment)};
-  stages[0].pSpecializationInfo = stages[1].pSpecializationInfo = d.specialization;
+  std::vector<VkPipelineShaderStageCreateInfo> stages;
+  for (const auto& [which, module] : {std::pair{VK_SHADER_STAGE_VERTEX_BIT, d.vertex},
+                                      {VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT, d.control},
+                                      {VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT, d.evaluation},
+                                      {VK_SHADER_STAGE_FRAGMENT_BIT, d.fragment}})
+    if (module != VK_NULL_HANDLE) {
+      stages.push_back(stage(which, module));
+      stages.back().pSpecializationInfo = d.specialization;
+    }
   constexpr std::array kBindings{
       VkVertexInputBindingDescription{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
-      VkVertexInputBindingDescription{kUndeformed, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX}};
+      VkVertexInputBindingDescription{kUndeformed, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
+      VkVertexInputBindingDescription{kDisplacement, sizeof(VertexDisplacement),
+                                      VK_VERTEX_INPUT_RATE_VERTEX}};
   VkPipelineVertexInputStateCreateInfo input{
       VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
-  input.vertexBindingDescriptionCount = d.attributes.empty() ? 0 : std::uint32_t(kBindings.size());
+  input.vertexBindingDescriptionCount = d.attributes.empty() ? 0 : d.attributes.back().binding + 1;
   input.pVertexBindingDescriptions = kBindings.data();
   input.vertexAttributeDescriptionCount = std::uint32_t(d.attributes.size());
   input.pVertexAttributeDescriptions = d.attributes.data();
   VkPipelineInputAssemblyStateCreateInfo assembly{
       VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  const bool tessellates = d.control != VK_NULL_HANDLE;
+  assembly.topology =
+      tessellates ? VK_PRIMITIVE_TOPOLOGY_PATCH_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  // Triangles keep the winding of their patch.
+  VkPipelineTessellationDomainOriginStateCreateInfo domain{
+      VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_DOMAIN_ORIGIN_STATE_CREATE_INFO};
+  domain.domainOrigin = VK_TESSELLATION_DOMAIN_ORIGIN_LOWER_LEFT;
+  VkPipelineTessellationStateCreateInfo tessellation{
+      VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO};
+  tessellation.pNext = &domain;
+  tessellation.patchControlPoints = 3;
   VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
   viewport.viewportCount = viewport.scissorCount = 1;
   VkPipelineRasterizationStateCreateInfo raster{
@@ -136,10 +177,11 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   rendering.depthAttachmentFormat = kDepthFormat;
   VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
   info.pNext = &rendering;
-  info.stageCount = d.fragment != VK_NULL_HANDLE ? 2 : 1;
+  info.stageCount = std::uint32_t(stages.size());
   info.pStages = stages.data();
   info.pVertexInputState = &input;
   info.pInputAssemblyState = &assembly;
+  info.pTessellationState = tessellates ? &tessellation : nullptr;
   info.pViewportState = &viewport;
   info.pRasterizationState = &raster;
   info.pMultisampleState = &samples;
@@ -150,12 +192,10 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   return objects.graphicsPipeline(info);
 }
 
-/// Of opaque surfaces, which need no fragment shader.
-Description depthDescription(VkPipelineLayout layout, VkShaderModule vertex) {
+/// Of opaque surfaces, which need no fragment shader. The caller adds the stages before it.
+Description depthDescription(VkPipelineLayout layout) {
   Description d;
   d.layout = layout;
-  d.vertex = vertex;
-  d.attributes = kAttributes;
   d.color = false;
   d.slopeBias = true;
   d.compare = VK_COMPARE_OP_LESS_OR_EQUAL;
@@ -226,6 +266,25 @@ Constants constantsOf(const SurfaceConstants& shared) {
           .tileRotation = noises.tileRotation};
 }
 
+/// Sets the stages before the fragment shader, with this vertex shader for surfaces that are not
+/// displaced.
+void setStages(ObjectOwner& objects, bool displaces, bool tessellates,
+               std::span<const std::uint32_t> vertex, Description& d) {
+  if (!displaces) {
+    d.attributes = kAttributes;
+    d.vertex = objects.shader(vertex);
+    return;
+  }
+  d.attributes = kDisplacedAttributes;
+  if (!tessellates) {
+    d.vertex = objects.shader(displaced_vert);
+    return;
+  }
+  d.vertex = objects.shader(patch_vert);
+  d.control = objects.shader(patch_tesc);
+  d.evaluation = objects.shader(patch_tese);
+}
+
 /// The pipeline of that key in `stored`, which `create` makes the first time.
 template <class Stored, class Create>
 VkPipeline found(std::vector<Stored>& stored, const SurfaceConstants& constants, std::size_t kind,
@@ -246,8 +305,7 @@ VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d;
     d.layout = shared_.sceneLayout;
-    d.attributes = kAttributes;
-    d.vertex = objects_.shader(scene_vert);
+    setStages(objects_, (kind & 8) != 0, constants.tessellates, scene_vert, d);
     d.fragment = objects_.shader(fragmentCodeFor(constants.noises, (kind & 4) != 0).surface);
     d.specialization = &specialization;
     d.blends = (kind & 1) != 0;
@@ -256,12 +314,14 @@ VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t
   });
 }
 
-VkPipeline PipelineStore::depthWithGaps(const SurfaceConstants& constants, bool hasNoise) {
-  return found(depths_, constants, hasNoise ? 1 : 0, [&] {
+VkPipeline PipelineStore::depth(const SurfaceConstants& constants, std::size_t kind) {
+  return found(depths_, constants, kind, [&] {
     const Constants values = constantsOf(constants);
     const VkSpecializationInfo specialization = specializationOf(values);
-    Description d = depthDescription(shared_.depthLayout, objects_.shader(depth_vert));
-    d.fragment = objects_.shader(fragmentCodeFor(constants.noises, hasNoise).depth);
+    Description d = depthDescription(shared_.sceneLayout);
+    setStages(objects_, (kind & 4) != 0, constants.tessellates, depth_vert, d);
+    if ((kind & 1) != 0)
+      d.fragment = objects_.shader(fragmentCodeFor(constants.noises, (kind & 2) != 0).depth);
     d.specialization = &specialization;
     return graphics(objects_, d);
   });
@@ -270,14 +330,9 @@ VkPipeline PipelineStore::depthWithGaps(const SurfaceConstants& constants, bool 
 void PipelineStore::createShared(const PipelineLayouts& layouts) {
   Pipelines made;
   const std::array sceneSets{layouts.frame, layouts.material, noises_.setLayout()};
-  made.sceneLayout =
-      objects_.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DrawData));
-  made.depthLayout =
-      objects_.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, sizeof(shader::DepthData));
+  made.sceneLayout = objects_.pipelineLayout(sceneSets, kDrawStages, kDrawBytes);
   made.accumulateLayout = objects_.pipelineLayout(
       std::span(&layouts.accumulate, 1), VK_SHADER_STAGE_COMPUTE_BIT, sizeof(AccumulateSettings));
-  made.depthOpaque =
-      graphics(objects_, depthDescription(made.depthLayout, objects_.shader(depth_vert)));
 
   Description sky;
   sky.layout = made.sceneLayout;
@@ -304,11 +359,11 @@ Pipelines PipelineStore::pipelinesFor(const PipelineLayouts& layouts,
   for (std::size_t kind = 0; kind < pipelines.surfaces.size(); ++kind)
     if (used.surfaces[kind])
       pipelines.surfaces[kind] = surface((kind & 4) != 0 ? constants : bare, kind);
-  for (const bool hasNoise : {false, true})
-    if (used.depthWithGaps[hasNoise]) {
-      SurfaceConstants seen = hasNoise ? constants : bare;
+  for (std::size_t kind = 0; kind < pipelines.depths.size(); ++kind)
+    if (used.depths[kind]) {
+      SurfaceConstants seen = (kind & 2) != 0 ? constants : bare;
       seen.debugView = DEBUG_NONE; // a depth is the same in every view
-      pipelines.depthWithGaps[hasNoise] = depthWithGaps(seen, hasNoise);
+      pipelines.depths[kind] = depth(seen, kind);
     }
   return pipelines;
 }

@@ -15,6 +15,12 @@ inline constexpr VkFormat kColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kSumFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
+/// Push constants of surfaces: one of the structs of scene_interface.h, for the stages that draw.
+inline constexpr VkShaderStageFlags kDrawStages = VK_SHADER_STAGE_VERTEX_BIT |
+                                                  VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT |
+                                                  VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT;
+inline constexpr std::uint32_t kDrawBytes = 128; // as many as every device has
+
 /// Push constants of accumulate.comp.
 struct AccumulateSettings {
   float exposure = 1.0f;
@@ -26,30 +32,41 @@ struct SurfaceKind {
   bool hasNoise = false;
   bool hasNormalMap = false;
   bool blends = false;
+  bool displaces = false;
 
   [[nodiscard]] std::size_t index() const {
-    return std::size_t(hasNoise) * 4 + std::size_t(hasNormalMap) * 2 + std::size_t(blends);
+    return std::size_t(displaces) * 8 + std::size_t(hasNoise) * 4 + std::size_t(hasNormalMap) * 2 +
+           std::size_t(blends);
+  }
+};
+
+/// Of a surface in a depth map.
+struct DepthKind {
+  bool hasGaps = false;  ///< masked or blended
+  bool hasNoise = false; ///< only if it has gaps or is displaced: others read no set
+  bool displaces = false;
+
+  [[nodiscard]] std::size_t index() const {
+    return std::size_t(displaces) * 4 + std::size_t(hasNoise) * 2 + std::size_t(hasGaps);
   }
 };
 
 /// Which of the pipelines that vary by material a scene draws with.
 struct PipelinesUsed {
-  std::array<bool, 8> surfaces{};      ///< by SurfaceKind::index()
-  std::array<bool, 2> depthWithGaps{}; ///< as Pipelines::depthWithGaps
+  std::array<bool, 16> surfaces{}; ///< by SurfaceKind::index()
+  std::array<bool, 8> depths{};    ///< by DepthKind::index()
 };
 
 struct Pipelines {
-  VkPipelineLayout sceneLayout = VK_NULL_HANDLE; ///< sets: frame, material, noise
-  VkPipelineLayout depthLayout = VK_NULL_HANDLE; ///< sets: frame (unused), material, noise
+  VkPipelineLayout sceneLayout = VK_NULL_HANDLE; ///< sets: frame (not of depths), material, noise
   VkPipelineLayout accumulateLayout = VK_NULL_HANDLE;
-  VkPipeline depthOpaque = VK_NULL_HANDLE; ///< reads no set
-  /// for masked and blended materials; [0] without noise, [1] with noise
-  std::array<VkPipeline, 2> depthWithGaps{};
   VkPipeline sky = VK_NULL_HANDLE;
   VkPipeline accumulate = VK_NULL_HANDLE;
-  std::array<VkPipeline, 8> surfaces{}; ///< by SurfaceKind::index(); null if unused
+  std::array<VkPipeline, 16> surfaces{}; ///< by SurfaceKind::index(); null if unused
+  std::array<VkPipeline, 8> depths{};    ///< by DepthKind::index(); null if unused
 
   [[nodiscard]] VkPipeline surface(const SurfaceKind& kind) const { return surfaces[kind.index()]; }
+  [[nodiscard]] VkPipeline depth(const DepthKind& kind) const { return depths[kind.index()]; }
 };
 
 struct PipelineLayouts {
@@ -62,6 +79,7 @@ struct PipelineLayouts {
 struct SurfaceConstants {
   int debugView = 0; ///< one of the shaders' DEBUG_ constants
   NoiseFeatures noises;
+  bool tessellates = false; ///< displaced surfaces
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 
@@ -85,13 +103,13 @@ public:
 private:
   struct Stored {
     SurfaceConstants constants;
-    std::size_t kind = 0; ///< SurfaceKind::index(), or 1 for depth with a noise
+    std::size_t kind = 0; ///< SurfaceKind::index() or DepthKind::index()
     VkPipeline pipeline = VK_NULL_HANDLE;
   };
 
   void createShared(const PipelineLayouts& layouts);
   [[nodiscard]] VkPipeline surface(const SurfaceConstants& constants, std::size_t kind);
-  [[nodiscard]] VkPipeline depthWithGaps(const SurfaceConstants& constants, bool hasNoise);
+  [[nodiscard]] VkPipeline depth(const SurfaceConstants& constants, std::size_t kind);
 
   NoiseContext noises_;
   ObjectOwner objects_;

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <new>
+#include <optional>
 
 namespace lichen::renderer {
 namespace {
@@ -24,9 +26,18 @@ Result<Picture> renderScene(VulkanDevice& device, const Scene& scene,
                             const RenderSettings& settings) {
   try {
     const Clock::time_point start = Clock::now();
-    SceneRenderer renderer(device, scene, settings);
+    std::optional<Scene> displaced;
+    if (settings.displacement.depth > 0.0f)
+      displaced = take(displacedScene(scene, settings.displacement,
+                                      {settings.camera, settings.width, settings.height},
+                                      settings.displacement.tessellates && device.tessellates()));
+    SceneRenderer renderer(device, displaced ? *displaced : scene, settings);
     Picture picture;
     picture.notes = renderer.notes();
+    if (displaced)
+      picture.notes.insert(picture.notes.end(),
+                           displaced->notes.begin() + std::ptrdiff_t(scene.notes.size()),
+                           displaced->notes.end());
     picture.setupSeconds = secondsSince(start);
     std::vector<double> seconds;
     for (std::uint32_t frame = 0; frame < settings.frames; ++frame) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "debug_views.h"
+#include "displacement.h"
 #include "framing.h"
 #include "scene.h"
 #include "sky_cache.h"
@@ -29,6 +30,7 @@ struct RenderSettings {
   float exposureEv = 0.0f;   ///< stops
   bool toneMap = true;       ///< false: linear light, for EXR
   std::string debugView;     ///< empty, or one of debugViewNames(), which are never tone-mapped
+  Displacement displacement;
   std::optional<LinearImage> environment; ///< latitude-longitude; replaces the built-in sky
   SkyCache* skies = nullptr; ///< shared between several pictures; null: the renderer uses its own
   PipelineStore* pipelines = nullptr; ///< likewise, of the same device

@@ -29,6 +29,16 @@ struct Vertex {
   std::uint32_t stored = 0; ///< index of the vertex in the file's accessors
 };
 
+/// How displacement moves a vertex. Coincident vertices of a primitive have the same values, so
+/// that the displaced surface has no cracks.
+struct VertexDisplacement {
+  glm::vec3 direction{0.0f}; ///< unit vector: the mean of the coincident vertices' normals
+  /// 1, or 0 where the coincident vertices take the height at different places of the noise: there
+  /// the surface has the mean height.
+  float weight = 1.0f;
+  float texCoordsPerUnit = 0.0f; ///< of the noise, per unit of the mesh's space; 0 without them
+};
+
 /// Triangles of one material. Never empty; every index is below vertices.size().
 struct Primitive {
   std::vector<Vertex> vertices;
@@ -36,8 +46,9 @@ struct Primitive {
   /// material has a noise. The length of a normal is the factor by which the skin stretches space
   /// along it.
   std::vector<Vertex> undeformed;
-  std::vector<std::uint32_t> indices; ///< three per triangle
-  std::size_t material = 0;           ///< into Scene::materials
+  std::vector<VertexDisplacement> displacement; ///< by vertex; empty unless the material displaces
+  std::vector<std::uint32_t> indices;           ///< three per triangle
+  std::size_t material = 0;                     ///< into Scene::materials
 };
 
 /// A primitive placed in the world.
@@ -106,6 +117,10 @@ struct Material {
   /// Texture coordinate set of the noise, if the noise has normals and uses uv mapping.
   std::optional<int> noiseNormalTexCoord;
   bool noiseNeedsTangents = false; ///< surface mapping, which follows the mesh's tangents
+  bool noiseHasHeight = false;
+  std::optional<int> noiseTexCoord; ///< set of texture coordinates of a noise with uv mapping
+  /// World units by which the height 1 of the noise moves the surface; see displacedScene().
+  float displacement = 0.0f;
 };
 
 enum class LightKind { directional, point, spot };

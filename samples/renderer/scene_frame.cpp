@@ -5,6 +5,7 @@
 #include "relative_to.h"
 #include "scene_renderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -12,6 +13,13 @@ namespace lichen::renderer {
 namespace {
 
 constexpr std::uint32_t kAccumulateGroup = 8; // local size in accumulate.comp
+
+// A patch has up to 2,145 vertices. Behind the tessellator lavapipe (Mesa 22.3) numbers the
+// vertices of a draw in 16 bits, and takes time in proportion to their square.
+constexpr std::uint32_t kPatchesPerDraw = 4;
+
+// Least distance of displaced vertices in a depth map, in texels: a shadow's filter is wider.
+constexpr float kDepthSpacing = 2.0f;
 
 void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView color,
                     VkImageView depth, float depthClear) {
@@ -49,7 +57,7 @@ void SceneRenderer::recordFrame(const FrameCommands& frame, std::uint32_t index)
   writeMaterials(scene_, noises_, gpu_, frame.slot);
   noises_.fillBlocks(frame.slot);
   recordDepthMaps(frame, view);
-  recordSurfaces(frame);
+  recordSurfaces(frame, view);
   recordAccumulate(frame.buffer, index);
 }
 
@@ -73,23 +81,54 @@ LinearImage SceneRenderer::average(std::uint32_t frames) {
 void SceneRenderer::bindGeometry(VkCommandBuffer commands) const {
   const VkDeviceSize zero = 0;
   vkCmdBindVertexBuffers(commands, 0, 1, &gpu_.vertices.handle, &zero);
+  if (gpu_.displacements.handle != VK_NULL_HANDLE)
+    vkCmdBindVertexBuffers(commands, 2, 1, &gpu_.displacements.handle, &zero);
   vkCmdBindIndexBuffer(commands, gpu_.indices.handle, 0, VK_INDEX_TYPE_UINT32);
 }
 
 void SceneRenderer::drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const {
   const GpuPrimitive& range = gpu_.primitives[primitive];
   vkCmdBindVertexBuffers(commands, 1, 1, &gpu_.vertices.handle, &range.undeformedBytes);
-  vkCmdDrawIndexed(commands, range.indexCount, 1, range.firstIndex, range.vertexOffset, 0);
+  std::uint32_t most = range.indexCount; // indices of a draw
+  if (tessellates_ && !scene_.primitives[primitive].displacement.empty())
+    most = 3 * kPatchesPerDraw;
+  for (std::uint32_t first = 0; first < range.indexCount; first += most)
+    vkCmdDrawIndexed(commands, std::min(most, range.indexCount - first), 1,
+                     range.firstIndex + first, range.vertexOffset, 0);
 }
 
 const Material& SceneRenderer::materialOf(const Instance& instance) const {
   return scene_.materials[scene_.primitives[instance.primitive].material];
 }
 
+bool SceneRenderer::displaces(std::size_t material) const {
+  return noises_.hasNoise(material) && scene_.materials[material].displacement > 0.0f;
+}
+
 SurfaceKind SceneRenderer::kindOf(std::size_t material) const {
   const Material& properties = scene_.materials[material];
   return {noises_.hasNoise(material), properties.normalTexture.image.has_value(),
-          properties.alphaMode == AlphaMode::blend};
+          properties.alphaMode == AlphaMode::blend, displaces(material)};
+}
+
+DepthKind SceneRenderer::depthKindOf(std::size_t material) const {
+  const bool hasGaps = scene_.materials[material].alphaMode != AlphaMode::opaque;
+  const bool moves = displaces(material);
+  return {hasGaps, (hasGaps || moves) && noises_.hasNoise(material), moves};
+}
+
+/// Pushes what a displaced surface in a view of `size` pixels needs.
+void SceneRenderer::pushDisplaced(VkCommandBuffer commands, const glm::mat4& clipFromWorld,
+                                  glm::vec2 size, const VertexPixels& vertices,
+                                  const glm::mat4& worldFromObject) const {
+  const glm::mat4 rows = glm::transpose(worldFromObject);
+  const float pixels = pixelsPerUnit(clipFromWorld, size);
+  const shader::DisplacedData draw{
+      clipFromWorld,
+      {rows[0], rows[1], rows[2]},
+      {pixels / vertices.spacing, vertices.footprint / pixels, 0.0f, 0.0f}};
+  static_assert(sizeof draw == kDrawBytes);
+  vkCmdPushConstants(commands, pipelines_.sceneLayout, kDrawStages, 0, sizeof draw, &draw);
 }
 
 void SceneRenderer::bindMaterial(const FrameCommands& frame, VkPipelineLayout layout,
@@ -105,23 +144,37 @@ void SceneRenderer::bindMaterial(const FrameCommands& frame, VkPipelineLayout la
                           &noise, 1, &block);
 }
 
+/// The distance of displaced vertices where the subject is nearest to the camera, in world units.
+float SceneRenderer::spacingOfSubject(const FrameView& view) const {
+  const glm::mat4& clip = view.data.clipFromWorld;
+  const glm::vec4 depth = glm::transpose(clip)[3];
+  const glm::vec4 center(relativeTo(inputs_.origin, inputs_.subject.center), 1.0f);
+  const float nearest =
+      glm::dot(depth, center) - glm::length(glm::vec3(depth)) * inputs_.subject.radius;
+  return std::max(nearest, 0.0f) * vertices_.spacing /
+         pixelsPerUnit(clip, {inputs_.width, inputs_.height});
+}
+
 void SceneRenderer::recordDepthMap(const FrameCommands& frame, VkImageView view, std::uint32_t side,
-                                   const glm::mat4& clipFromWorld) const {
+                                   const glm::mat4& clipFromWorld, float spacing) const {
+  const float texel = 2.0f * inputs_.subject.radius / float(side); // in world units
+  const float texels = std::max(spacing / texel, kDepthSpacing);
   beginRendering(frame.buffer, {side, side}, VK_NULL_HANDLE, view, 1.0f);
   bindGeometry(frame.buffer);
   for (const Instance& instance : scene_.instances) {
-    const Material& material = materialOf(instance);
+    if (debugView_ != DEBUG_NONE)
+      break; // other views have no shadows
     const std::size_t m = scene_.primitives[instance.primitive].material;
-    const bool hasGaps = material.alphaMode != AlphaMode::opaque;
-    vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS,
-                      hasGaps ? pipelines_.depthWithGaps[noises_.hasNoise(m) ? 1 : 0]
-                              : pipelines_.depthOpaque);
-    if (hasGaps)
-      bindMaterial(frame, pipelines_.depthLayout, m);
+    const DepthKind kind = depthKindOf(m);
+    vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.depth(kind));
+    if (kind.hasGaps || kind.displaces)
+      bindMaterial(frame, pipelines_.sceneLayout, m);
     const glm::mat4 placed = relativeTo(inputs_.origin, instance.worldFromObject);
     const shader::DepthData draw{clipFromWorld * placed, placed};
-    vkCmdPushConstants(frame.buffer, pipelines_.depthLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
-                       sizeof draw, &draw);
+    if (kind.displaces)
+      pushDisplaced(frame.buffer, clipFromWorld, glm::vec2(float(side)), {texels, texels}, placed);
+    else
+      vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, kDrawStages, 0, sizeof draw, &draw);
     drawPrimitive(frame.buffer, instance.primitive);
   }
   vkCmdEndRendering(frame.buffer);
@@ -130,15 +183,17 @@ void SceneRenderer::recordDepthMap(const FrameCommands& frame, VkImageView view,
 void SceneRenderer::recordDepthMaps(const FrameCommands& frame, const FrameView& view) const {
   transition(frame.buffer, lightMaps_.sunDepth, discarded(kSampled), kDepthTarget);
   transition(frame.buffer, lightMaps_.skyDepth, discarded(kSampled), kDepthTarget);
-  recordDepthMap(frame, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun);
+  const float spacing = spacingOfSubject(view); // shadows need no finer vertices
+  recordDepthMap(frame, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun, spacing);
   for (std::size_t k = 0; k < std::size_t(view.data.counts.y); ++k)
-    recordDepthMap(frame, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k]);
+    recordDepthMap(frame, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k],
+                   spacing);
   transition(frame.buffer, lightMaps_.sunDepth, kDepthTarget, kSampled);
   transition(frame.buffer, lightMaps_.skyDepth, kDepthTarget, kSampled);
 }
 
-void SceneRenderer::drawSurface(const FrameCommands& frame, const Instance& instance,
-                                VkCullModeFlags cull) const {
+void SceneRenderer::drawSurface(const FrameCommands& frame, const FrameView& view,
+                                const Instance& instance, VkCullModeFlags cull) const {
   const std::size_t m = scene_.primitives[instance.primitive].material;
   vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
   bindMaterial(frame, pipelines_.sceneLayout, m);
@@ -147,24 +202,29 @@ void SceneRenderer::drawSurface(const FrameCommands& frame, const Instance& inst
   vkCmdSetCullMode(frame.buffer, cull);
   vkCmdSetFrontFace(frame.buffer,
                     mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
-  vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
-                     sizeof draw, &draw);
+  if (displaces(m))
+    pushDisplaced(frame.buffer, view.data.clipFromWorld, {inputs_.width, inputs_.height}, vertices_,
+                  draw.worldFromObject);
+  else
+    vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, kDrawStages, 0, sizeof draw, &draw);
   drawPrimitive(frame.buffer, instance.primitive);
 }
 
-void SceneRenderer::drawOpaque(const FrameCommands& frame, const Instance& instance) const {
+void SceneRenderer::drawOpaque(const FrameCommands& frame, const FrameView& view,
+                               const Instance& instance) const {
   const bool twoSided = materialOf(instance).doubleSided;
-  drawSurface(frame, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+  drawSurface(frame, view, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
 }
 
 /// Draws the back faces of a double-sided material first: on a convex body they are farther away.
-void SceneRenderer::drawBlended(const FrameCommands& frame, const Instance& instance) const {
+void SceneRenderer::drawBlended(const FrameCommands& frame, const FrameView& view,
+                                const Instance& instance) const {
   if (materialOf(instance).doubleSided)
-    drawSurface(frame, instance, VK_CULL_MODE_FRONT_BIT);
-  drawSurface(frame, instance, VK_CULL_MODE_BACK_BIT);
+    drawSurface(frame, view, instance, VK_CULL_MODE_FRONT_BIT);
+  drawSurface(frame, view, instance, VK_CULL_MODE_BACK_BIT);
 }
 
-void SceneRenderer::recordSurfaces(const FrameCommands& frame) const {
+void SceneRenderer::recordSurfaces(const FrameCommands& frame, const FrameView& view) const {
   transition(frame.buffer, targets_.color, discarded(kSampled), kColorTarget);
   transition(frame.buffer, targets_.depth, discarded(kDepthTarget), kDepthTarget);
   const std::uint32_t frameData = frameData_.offset(frame.slot);
@@ -175,14 +235,14 @@ void SceneRenderer::recordSurfaces(const FrameCommands& frame) const {
   bindGeometry(frame.buffer);
   for (const Instance& instance : scene_.instances)
     if (materialOf(instance).alphaMode != AlphaMode::blend)
-      drawOpaque(frame, instance);
+      drawOpaque(frame, view, instance);
   if (debugView_ == DEBUG_NONE) {
     vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sky);
     vkCmdSetCullMode(frame.buffer, VK_CULL_MODE_NONE);
     vkCmdDraw(frame.buffer, 3, 1, 0, 0);
   }
   for (const std::size_t instance : blendedOrder_)
-    drawBlended(frame, scene_.instances[instance]);
+    drawBlended(frame, view, scene_.instances[instance]);
   vkCmdEndRendering(frame.buffer);
   transition(frame.buffer, targets_.color, kColorTarget, kSampled);
 }

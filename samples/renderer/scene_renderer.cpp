@@ -25,7 +25,9 @@ constexpr float kHazeDistance = 80.0f;
 SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
                              const RenderSettings& settings)
     : device_(device), scene_(scene), exposureEv_(settings.exposureEv), toneMap_(settings.toneMap),
-      debugView_(take(debugViewValue(settings.debugView))), objects_(device.device()),
+      debugView_(take(debugViewValue(settings.debugView))),
+      tessellates_(settings.displacement.tessellates && device.tessellates()),
+      vertices_{settings.displacement.spacing, kVertexSpacing}, objects_(device.device()),
       store_(settings.pipelines ? *settings.pipelines : ownStore_.emplace(device)),
       noises_(device, objects_, store_.noiseContext(), scene),
       gpu_(uploadScene(device, objects_, scene)) {
@@ -120,15 +122,15 @@ PipelinesUsed SceneRenderer::pipelinesUsed() const {
   for (const Instance& instance : scene_.instances) {
     const std::size_t m = scene_.primitives[instance.primitive].material;
     used.surfaces[kindOf(m).index()] = true;
-    if (scene_.materials[m].alphaMode != AlphaMode::opaque)
-      used.depthWithGaps[noises_.hasNoise(m) ? 1 : 0] = true;
+    used.depths[depthKindOf(m).index()] = true;
   }
   return used;
 }
 
 void SceneRenderer::choosePipelines() {
+  const bool tessellates = tessellates_ && gpu_.displacements.handle != VK_NULL_HANDLE;
   pipelines_ = store_.pipelinesFor({frameLayout_, gpu_.materialLayout, accumulateLayout_},
-                                   {debugView_, noises_.features()}, pipelinesUsed());
+                                   {debugView_, noises_.features(), tessellates}, pipelinesUsed());
 }
 
 void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {

@@ -21,6 +21,12 @@
 
 namespace lichen::renderer {
 
+/// Of a displaced surface, in pixels: the distance of vertices, and the footprint of their heights.
+struct VertexPixels {
+  float spacing = kVertexSpacing;
+  float footprint = kVertexSpacing;
+};
+
 /// Every non-const function may throw a Failure with the errors of renderScene(); after that the
 /// object may only be destroyed. Not thread-safe. What a recorded frame reads is its slot's or does
 /// not change, so all but setSize() and drawFrame() may be called while frames are in flight.
@@ -71,21 +77,28 @@ private:
   void choosePipelines();
 
   [[nodiscard]] const Material& materialOf(const Instance& instance) const;
+  [[nodiscard]] bool displaces(std::size_t material) const;
   [[nodiscard]] SurfaceKind kindOf(std::size_t material) const;
+  [[nodiscard]] DepthKind depthKindOf(std::size_t material) const;
   [[nodiscard]] std::vector<std::size_t> blendedOrder() const;
 
   void bindGeometry(VkCommandBuffer commands) const;
   void bindMaterial(const FrameCommands& frame, VkPipelineLayout layout,
                     std::size_t material) const;
   void drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const;
-  void drawSurface(const FrameCommands& frame, const Instance& instance,
+  void pushDisplaced(VkCommandBuffer commands, const glm::mat4& clipFromWorld, glm::vec2 size,
+                     const VertexPixels& vertices, const glm::mat4& worldFromObject) const;
+  void drawSurface(const FrameCommands& frame, const FrameView& view, const Instance& instance,
                    VkCullModeFlags cull) const;
-  void drawOpaque(const FrameCommands& frame, const Instance& instance) const;
-  void drawBlended(const FrameCommands& frame, const Instance& instance) const;
+  void drawOpaque(const FrameCommands& frame, const FrameView& view,
+                  const Instance& instance) const;
+  void drawBlended(const FrameCommands& frame, const FrameView& view,
+                   const Instance& instance) const;
+  [[nodiscard]] float spacingOfSubject(const FrameView& view) const;
   void recordDepthMap(const FrameCommands& frame, VkImageView view, std::uint32_t side,
-                      const glm::mat4& clipFromWorld) const;
+                      const glm::mat4& clipFromWorld, float spacing) const;
   void recordDepthMaps(const FrameCommands& frame, const FrameView& view) const;
-  void recordSurfaces(const FrameCommands& frame) const;
+  void recordSurfaces(const FrameCommands& frame, const FrameView& view) const;
   void recordAccumulate(VkCommandBuffer commands, std::uint32_t index) const;
 
   VulkanDevice& device_;
@@ -93,6 +106,8 @@ private:
   float exposureEv_;
   bool toneMap_;
   int debugView_;
+  bool tessellates_;      ///< displaced surfaces
+  VertexPixels vertices_; ///< of displaced surfaces in the picture
   ObjectOwner objects_;
   std::optional<PipelineStore> ownStore_; ///< unless the settings have one
   PipelineStore& store_;

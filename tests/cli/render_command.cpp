@@ -136,6 +136,30 @@ TEST_CASE("a fault in a noise is bad input, and the error states its JSON pointe
   CHECK(outcome.output.find("/noises/0/maps/0/gaussian") != std::string::npos);
 }
 
+TEST_CASE("displacement needs a height map, and works with and without a tessellator") {
+  if (!hasDevice())
+    return;
+  const TemporaryFolder folder;
+  const auto bytes = readFile(sourcePath("docs/gltf_extension/examples/dune.glb")).value();
+  GltfScene dune(bytes); // a height map
+  dune.addBall(0);
+  const std::string path = writeInto(folder, "dune.glb", dune.glb()).string();
+  const std::string picture = (folder.path() / "o.png").string();
+  const std::string small = " --size 16 --frames 1 --validate -o " + picture;
+  for (const char* how : {" --displace 0.1", " --displace 0.1 --no-tessellation"}) {
+    const Outcome outcome = run(path + how + small);
+    INFO(outcome.output);
+    CHECK(outcome.exitCode == 0);
+    CHECK(isOneLine(outcome.output)); // no note
+  }
+  const std::string flat = writeInto(folder, "flat.glb", triangleScene().glb()).string();
+  const Outcome refused = run(flat + " --displace 0.1" + small);
+  CHECK(refused.exitCode == 3);
+  CHECK(isOneLine(refused.output));
+  CHECK(refused.output.find(flat + ": no mesh has a noise with a height map") != std::string::npos);
+  CHECK(run(path + " --displace -1" + small).exitCode == 2);
+}
+
 TEST_CASE("without a Vulkan device the error says what to install") {
   const TemporaryFolder folder;
   const std::string scene = writeInto(folder, "s.glb", triangleScene().glb()).string();

@@ -286,7 +286,7 @@ TEST_CASE("a note names each ignored map of a noise once") {
   const GltfScene scene = ballOf(encodeGlb(file).value());
   const auto notes = renderPicture(scene.glb(), settingsOf(16, 16, 1)).notes;
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "the height map of the noise synthetic is ignored: this renderer does not "
-                    "displace surfaces");
+  CHECK(notes[0] == "the height map of the noise synthetic is ignored; lichen-render --displace "
+                    "METRES shows it");
   CHECK(renderPicture(noiseBall({kBaseColor}).glb(), settingsOf(16, 16, 1)).notes.empty());
 }

@@ -5,11 +5,11 @@
 // blended surfaces with alpha below 1/2, because depth cannot store partial coverage.
 #include "surface.glsl"
 
-layout(location = 0) in vec4 texCoords;
-layout(location = 1) in float vertexAlpha;
-layout(location = 2) in vec3 worldPosition;
-layout(location = 3) in vec3 worldNormal;
-layout(location = 4) in vec4 worldTangent;
+layout(location = 0) in vec3 worldPosition;
+layout(location = 1) in vec3 worldNormal;
+layout(location = 2) in vec4 worldTangent;
+layout(location = 3) in vec4 texCoords;
+layout(location = 4) in vec4 vertexColor;
 layout(location = 5) in float mixWeight;
 layout(location = 6) in vec3 objectPosition;
 layout(location = 7) in vec3 objectNormal;
@@ -30,6 +30,6 @@ void main() {
   if (NOISE_HAS(LICHEN_OPACITY)) // only opacity needs it here
     shading = noisePoint(footprint);
   float cutoff = material.flags.y == ALPHA_BLEND ? kBlendedCutoff : material.emissive.w;
-  if (material.baseColor.a * vertexAlpha * alphaAt(footprint, shading) < cutoff)
+  if (material.baseColor.a * vertexColor.a * alphaAt(footprint, shading) < cutoff)
     discard;
 }

@@ -18,11 +18,12 @@ layout(location = 7) in vec3 undeformedPosition;
 layout(location = 8) in vec3 undeformedNormal;
 layout(location = 9) in vec4 undeformedTangent;
 
-layout(location = 0) out vec4 texCoords;
-layout(location = 1) out float vertexAlpha;
-layout(location = 2) out vec3 worldPosition;
-layout(location = 3) out vec3 worldNormal;
-layout(location = 4) out vec4 worldTangent;
+// As in scene.vert.
+layout(location = 0) out vec3 worldPosition;
+layout(location = 1) out vec3 worldNormal;
+layout(location = 2) out vec4 worldTangent;
+layout(location = 3) out vec4 texCoords;
+layout(location = 4) out vec4 vertexColor;
 layout(location = 5) out float mixWeight;
 layout(location = 6) out vec3 objectPosition;
 layout(location = 7) out vec3 objectNormal;
@@ -30,7 +31,7 @@ layout(location = 8) out vec4 objectTangent;
 
 void main() {
   texCoords = vec4(texCoord0, texCoord1);
-  vertexAlpha = color.a;
+  vertexColor = color;
   mixWeight = vertexMixWeight;
   worldPosition = (draw.worldFromObject * vec4(position, 1.0)).xyz;
   toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);

@@ -19,9 +19,27 @@ layout(location = 6) in vec3 objectPosition;
 layout(location = 7) in vec3 objectNormal;
 layout(location = 8) in vec4 objectTangent;
 layout(location = 9) in vec3 worldOutward;
+layout(location = 10) in vec3 displacedPosition; // that of the noise is worldPosition
 layout(location = 0) out vec4 color;
 
-vec3 shadingNormal(vec3 n, Surface surface) {
+/// Whether the surface is displaced, but no map has the slopes of its relief.
+bool needsSlopes() {
+  return kHasNoise && !kHasNormalMap && material.fromTileOrigin.w > 0.0 &&
+         !NOISE_HAS(LICHEN_NORMAL);
+}
+
+/// The normal of the displaced triangle, or `n` if that is too small for floats.
+vec3 triangleNormal(vec3 n, vec3 view) {
+  vec3 normal = cross(dFdx(displacedPosition), dFdy(displacedPosition));
+  float length2 = dot(normal, normal);
+  if (length2 <= 0.0)
+    return n;
+  return normal * (dot(normal, view) < 0.0 ? -inversesqrt(length2) : inversesqrt(length2));
+}
+
+vec3 shadingNormal(vec3 n, vec3 view, Surface surface) {
+  if (needsSlopes())
+    return triangleNormal(n, view);
   if (!kHasNormalMap && !kHasNoise)
     return n;
   if (kHasNoise && surface.gradient != vec3(0.0))
@@ -40,11 +58,11 @@ vec3 shadingNormal(vec3 n, Surface surface) {
 
 Shading prepare(Surface surface, vec3 geometricNormal) {
   Shading s;
-  s.position = worldPosition;
+  s.position = displacedPosition;
   s.geometricNormal = geometricNormal;
-  s.view = frame.cameraPosition.w != 0.0 ? normalize(frame.cameraPosition.xyz - worldPosition)
+  s.view = frame.cameraPosition.w != 0.0 ? normalize(frame.cameraPosition.xyz - s.position)
                                          : -frame.cameraForward.xyz;
-  s.normal = shadingNormal(geometricNormal, surface);
+  s.normal = shadingNormal(geometricNormal, s.view, surface);
   // A normal map may tilt the normal away from the camera.
   s.nDotV = clamp(dot(s.normal, s.view), kLeastNDotV, 1.0);
   setSpread(s, surface.slopeVariance);

@@ -29,13 +29,14 @@ layout(location = 6) out vec3 objectPosition;
 layout(location = 7) out vec3 objectNormal;
 layout(location = 8) out vec4 objectTangent;
 layout(location = 9) out vec3 worldOutward;
+layout(location = 10) out vec3 displacedPosition;
 
 void main() {
   vec4 world = draw.worldFromObject * vec4(position, 1.0);
   toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);
   inObject(undeformedPosition, undeformedNormal, undeformedTangent, normal, draw.worldFromObject,
            objectPosition, objectNormal, objectTangent, worldOutward);
-  worldPosition = world.xyz;
+  worldPosition = displacedPosition = world.xyz;
   texCoords = vec4(texCoord0, texCoord1);
   vertexColor = color;
   mixWeight = vertexMixWeight;

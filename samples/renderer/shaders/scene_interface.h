@@ -97,7 +97,8 @@ struct MaterialData {
   ivec4 flags;     // x texCoord of texture 4, y ALPHA_*, z unused, w texCoord of the noise
   ivec4 mixSource; // x MIX_*, y texCoord of the mask, z its channel;
                    // w 1 for a noise in the space of the object, 0 in the world
-  // offset from the renderer's origin to the noise's tile origin, added to positions; w unused
+  // offset from the renderer's origin to the noise's tile origin, added to positions; w world units
+  // by which the height 1 of the noise moves the surface, 0 without displacement
   vec4 fromTileOrigin;
   vec4 transformRows[2 * MATERIAL_TEXTURES]; // of KHR_texture_transform: uv' = rows * (u, v, 1)
 };
@@ -109,6 +110,14 @@ struct DrawData {
 struct DepthData {
   mat4 clipFromObject;
   mat4 worldFromObject;
+};
+
+struct DisplacedData {
+  mat4 clipFromWorld;
+  vec4 worldRows[3]; // of worldFromObject
+  // At clip w 1: x parts into which an edge of one world unit is divided; y world units that the
+  // footprint of a height measures; zw unused.
+  vec4 pixels;
 };
 
 #ifdef __cplusplus

@@ -5,43 +5,9 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-// Whether any map of a noise but textons has no table; bits of the methods that noises have.
-layout(constant_id = 3) const bool kGaussianOnly = true;
-layout(constant_id = 4) const int kMethods = 7;
-layout(constant_id = 5) const bool kMixedTextons = true; // whether any is a mix
-layout(constant_id = 6) const bool kTriplanar = true; // whether any uses triplanar mapping
-layout(constant_id = 7) const bool kOtherMappings = true; // whether any uses another mapping
-layout(constant_id = 8) const bool kObjectSpaces = true; // whether any is in object space
-layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates its tiles
-#define LICHEN_USED_METHODS kMethods
-#ifndef LICHEN_OMIT_TRIPLANAR
-#define LICHEN_TRIPLANAR kTriplanar
-#define LICHEN_OTHER_MAPPINGS kOtherMappings
-#endif
-#define LICHEN_MIXED_TEXTONS kMixedTextons
-#define LICHEN_TILE_ROTATION kTileRotation
-#define LICHEN_GAUSSIAN_ONLY kGaussianOnly
-#include "scene_interface.h"
-// WITHOUT_NOISE: the material has none, and nothing is bound to the set.
-#ifdef WITHOUT_NOISE
-const bool kHasNoise = false;
-#define NOISE_HAS(role) false
-#define NOISE_VALUE(role, shading) vec4(0.0)
-#define NOISE_ORM(shading, absent) absent
-#include "lichen.glsl"
-#else
-const bool kHasNoise = true;
-#define NOISE_HAS(role) LICHEN_HAS(role)
-#define NOISE_VALUE(role, shading) LICHEN_VALUE(role, shading)
-#define NOISE_ORM(shading, absent) LICHEN_ORM(shading, absent)
-#define LICHEN_SET SET_NOISE
-#define LICHEN_ROLES 47 // all but height: this renderer does not displace surfaces
-#include "lichen.glsl"
-#endif
+#define NOISE_ROLES 47 // all but height, which moves vertices
+#include "noise_point.glsl"
 
-layout(std140, set = SET_MATERIAL, binding = BINDING_MATERIAL) uniform MaterialBlock {
-  MaterialData material;
-};
 layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_BASE_COLOR)
     uniform sampler2D baseColorTexture;
 layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_METALLIC_ROUGHNESS)
@@ -52,8 +18,6 @@ layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_OCCLUSION)
     uniform sampler2D occlusionTexture;
 layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_EMISSIVE)
     uniform sampler2D emissiveTexture;
-layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_MIX)
-    uniform sampler2D mixTexture;
 
 // Whether this pipeline's materials have a normal texture.
 layout(constant_id = 1) const bool kHasNormalMap = false;
@@ -69,123 +33,9 @@ struct Surface {
   vec3 gradient; // gradient of triplanar slopes, in the world; tangentNormal is then (0, 0, 1)
 };
 
-/// A surface point in world or object space.
-struct Spot {
-  vec3 position;
-  vec3 dx, dy; // screen-space derivatives of position, scaled for averaging frames
-  vec3 normal; // of the front face, not normalised
-  vec4 tangent;
-};
-
-struct Footprint {
-  vec4 texCoords; // two sets
-  vec4 dx; // screen-space derivatives, scaled likewise
-  vec4 dy;
-  Spot world;
-  Spot object; // unset if kObjectSpaces is false, like worldOutward
-  vec3 worldOutward; // a unit step along the object's normal, in the world
-  float mixWeight; // from the vertices
-};
-
-/// A texture's transformed coordinates and, as columns, their gradients.
-struct TexturePoint {
-  vec2 uv;
-  mat2 gradients;
-};
-
-TexturePoint texturePoint(int slot, int set, Footprint f) {
-  vec2 uv = set == 0 ? f.texCoords.xy : f.texCoords.zw;
-  vec2 dx = set == 0 ? f.dx.xy : f.dx.zw;
-  vec2 dy = set == 0 ? f.dy.xy : f.dy.zw;
-  vec3 row0 = material.transformRows[2 * slot].xyz;
-  vec3 row1 = material.transformRows[2 * slot + 1].xyz;
-  mat2 linear = mat2(row0.x, row1.x, row0.y, row1.y);
-  return TexturePoint(linear * uv + vec2(row0.z, row1.z), linear * mat2(dx, dy));
-}
-
 vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
   TexturePoint point = texturePoint(slot, set, f);
   return textureGrad(image, point.uv, point.gradients[0], point.gradients[1]);
-}
-
-#ifndef WITHOUT_NOISE
-/// The weight in a mask, at an offset from a point.
-float mixMask(TexturePoint point, vec2 offset) {
-  vec4 value =
-      textureGrad(mixTexture, point.uv + offset, point.gradients[0], point.gradients[1]);
-  return value[material.mixSource.z];
-}
-
-/// Sets the weight of a mix whose source is not the uniform block. The gradients of the tile
-/// coordinate are 0 if there is none: with surface mapping, all impacts use the weight at the
-/// point.
-void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
-  if (material.mixSource.x == MIX_FROM_VERTICES)
-    lichenSetMix(impacts, f.mixWeight, vec2(0.0));
-  if (material.mixSource.x != MIX_FROM_MASK)
-    return;
-  TexturePoint mask = texturePoint(TEXTURE_MIX, material.mixSource.y, f);
-  mat2 reach = lichenMaskReach(mask.gradients, tileGradients, lichenNoise);
-  vec2 differences = vec2(mixMask(mask, reach[0]) - mixMask(mask, -reach[0]),
-                          mixMask(mask, reach[1]) - mixMask(mask, -reach[1]));
-  lichenMixByMask(impacts, mixMask(mask, vec2(0.0)), differences, lichenNoise);
-}
-
-/// Sets the weight of a mix for triplanar and surface mapping, which may still be mixed by texture
-/// coordinates.
-void setMixInSpace(inout LichenPoint point, Footprint f, vec2 uv) {
-#ifdef LICHEN_HAS_TEXTONS
-  if (!lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) || !lichenIsMix(lichenNoise))
-    return;
-  // For the sources direction and constant.
-  lichenSetMix(point.texton, lichenMixWeight(uv, lichenMaterial), vec2(0.0));
-  setMix(point.texton, f, mat2(0.0));
-#endif
-}
-#endif
-
-bool isInObject() { return kObjectSpaces && material.mixSource.w != 0; }
-
-/// Where to evaluate the noise; shared by all its maps.
-LichenShadingPoint noisePoint(Footprint f) {
-#ifdef WITHOUT_NOISE
-  LichenShadingPoint nowhere;
-  return nowhere;
-#else
-  bool second = material.flags.w != 0;
-  vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
-#if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE_TEXTONS)
-  Spot spot = f.world;
-  if (isInObject())
-    spot = f.object;
-  spot.position += material.fromTileOrigin.xyz; // 0 in object space
-#endif
-#ifndef LICHEN_OMIT_TRIPLANAR
-  if (lichenIsTriplanar(lichenMaterial)) {
-    LichenShadingPoint shading =
-        LICHEN_POINT_TRIPLANAR(spot.position, spot.dx, spot.dy, spot.normal);
-    setMixInSpace(shading.point, f, uv);
-    return shading;
-  }
-#endif
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsSurface(lichenMaterial)) {
-    LichenShadingPoint shading =
-        LICHEN_POINT_SURFACE(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent);
-    setMixInSpace(shading.point, f, uv);
-    return shading;
-  }
-#endif
-  vec2 dx = second ? f.dx.zw : f.dx.xy;
-  vec2 dy = second ? f.dy.zw : f.dy.xy;
-  LichenShadingPoint shading = LICHEN_POINT(uv, dx, dy);
-#ifdef LICHEN_HAS_TEXTONS
-  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsMix(lichenNoise))
-    setMix(shading.point.texton, f,
-           mat2(lichenUvToTile(dx, lichenMaterial), lichenUvToTile(dy, lichenMaterial)));
-#endif
-  return shading;
-#endif
 }
 
 /// The noise's opacity or the texture's alpha, without the factor.

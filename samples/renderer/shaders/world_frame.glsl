@@ -5,8 +5,10 @@
 #ifndef WORLD_FRAME_GLSL
 #define WORLD_FRAME_GLSL
 
+#ifndef NOISE_POINT_GLSL // which declares it too
 // Whether any noise of the scene lies in object space.
 layout(constant_id = 8) const bool kObjectSpaces = false;
+#endif
 
 void toWorld(mat4 worldFromObject, vec3 normal, vec4 tangent, out vec3 worldNormal,
              out vec4 worldTangent) {
