@@ -12,7 +12,7 @@
 namespace lichen::local_random_phase {
 
 /// Replaces the transforms of all maps by those of random fields with the powers of `picture` in
-/// each channel, and the variances that they had. The channels do not correlate. Errors: badInput
+/// each channel, and the variances that they had. The channels are independent. Errors: badInput
 /// for a picture without power at the frequencies of a map. Throws std::bad_alloc.
 [[nodiscard]] Result<void> replaceSpectra(const SpectrumPicture& picture,
                                           std::vector<MapSpectrum>& maps);

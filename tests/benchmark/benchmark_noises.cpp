@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <synthetic_noise.h>
 #include <synthetic_texton.h>
+#include <unsuitable.h>
 
 namespace lichen::bench {
 namespace {
@@ -56,8 +57,14 @@ std::vector<std::byte> setGlb(std::span<const MapExemplar> maps) {
 
 std::vector<std::byte> textonGlb() { return test::syntheticTextonGlb(textons()); }
 
-std::vector<std::byte> localRandomPhaseGlb() {
-  return bundleGlb(localRandomPhaseBundle(exemplars::rust(kShaderExemplarSide)));
+std::vector<std::byte> localRandomPhaseGlb(double structure) {
+  LocalRandomPhaseOptions options;
+  options.structure = structure;
+  return bundleGlb(localRandomPhaseBundle(exemplars::rust(kShaderExemplarSide), options));
+}
+
+std::vector<std::byte> bricksGlb() {
+  return bundleGlb(localRandomPhaseBundle(exemplars::bricks(kShaderExemplarSide)));
 }
 
 std::vector<std::byte> mixGlb() {

@@ -18,7 +18,10 @@ namespace lichen::bench {
 /// Bilinear textons that reach 64 texels, with the default of 30 impacts.
 [[nodiscard]] std::vector<std::byte> textonGlb();
 /// Local random-phase noise of the exemplar of tilingGlb(), 50 cosines.
-[[nodiscard]] std::vector<std::byte> localRandomPhaseGlb();
+/// With this share of structure, and tiles of any offset.
+[[nodiscard]] std::vector<std::byte> localRandomPhaseGlb(double structure);
+/// Bricks as local random-phase noise, which is all structure, with a list of offsets.
+[[nodiscard]] std::vector<std::byte> bricksGlb();
 /// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other
 /// over four tiles.
 [[nodiscard]] std::vector<std::byte> mixGlb();

@@ -4,7 +4,6 @@
 #include "checkout_paths.h"
 
 #include <lichen/image_io.h>
-#include <lichen/local_random_phase.h>
 #include <lichen/texton.h>
 
 #include <algorithm>
@@ -145,9 +144,9 @@ Bundle textonBundle(const SrgbImage& image) {
   return bundleOf(bakeTexton("benchmark", {&map, 1}, {}));
 }
 
-Bundle localRandomPhaseBundle(const SrgbImage& image) {
+Bundle localRandomPhaseBundle(const SrgbImage& image, const LocalRandomPhaseOptions& options) {
   const MapExemplar map = baseColorMap(image);
-  return bundleOf(bakeLocalRandomPhase("benchmark", {&map, 1}, {}));
+  return bundleOf(bakeLocalRandomPhase("benchmark", {&map, 1}, options));
 }
 
 Bundle bakedBundle(std::span<const MapExemplar> maps, const TilingOptions& options) {

@@ -4,6 +4,7 @@
 
 #include <lichen/bundle.h>
 #include <lichen/image.h>
+#include <lichen/local_random_phase.h>
 #include <lichen/material_set.h>
 #include <lichen/tiling.h>
 
@@ -38,7 +39,8 @@ struct Exemplar {
 [[nodiscard]] Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options = {});
 /// Likewise for a texton of support 64.
 [[nodiscard]] Bundle textonBundle(const SrgbImage& image);
-/// Likewise for local random-phase noise of 50 cosines.
-[[nodiscard]] Bundle localRandomPhaseBundle(const SrgbImage& image);
+/// Likewise for local random-phase noise, by default of 50 cosines.
+[[nodiscard]] Bundle localRandomPhaseBundle(const SrgbImage& image,
+                                            const LocalRandomPhaseOptions& options = {});
 
 } // namespace lichen::bench

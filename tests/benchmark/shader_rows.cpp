@@ -115,7 +115,10 @@ std::vector<Row> measure() {
       noise("texton, 30 impacts", texton_frag, screen, textonGlb(), {36.0, 40.0}),
       noise("mix of textons, 30 impacts", texton_frag_mixed, screen, mixGlb(), {42.0, 46.0}),
       noise("local random phase, 50 cosines", local_random_phase_frag, screen,
-            localRandomPhaseGlb(), {54.0, 60.0})};
+            localRandomPhaseGlb(0.0), {54.0, 60.0}),
+      noise("the same with a structure", local_random_phase_frag, screen, localRandomPhaseGlb(0.5),
+            {}),
+      noise("structure of bricks with a list", local_random_phase_frag, screen, bricksGlb(), {})};
   std::vector<Row> rows;
   appendRows(rows, screen, shaders, kFlat, "flat", &Targets::flat);
   appendRows(rows, screen, shaders, kFloor, "perspective", &Targets::perspective);

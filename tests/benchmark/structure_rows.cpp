@@ -78,11 +78,15 @@ double phaseError(const SrgbImage& exemplar, const SrgbImage& result) {
 } // namespace
 
 std::vector<Row> structureRows() {
-  constexpr double kMostPhase = 0.7, kMostCovariance = 0.8, kMostSeam = 1.1, kMostColor = 0.01;
+  constexpr double kMostPhase = 0.7, kMostCovariance = 0.8, kMostSeam = 1.1, kMostColor = 0.003;
   std::vector<Row> rows;
+  struct Subject {
+    const char* name;
+    SrgbImage (*generate)(int sidePixels);
+  };
   for (const auto& [name, generate] :
-       {std::pair("bricks", exemplars::bricks), std::pair("planks", exemplars::planks),
-        std::pair("weave", exemplars::weave)}) {
+       {Subject{"bricks", exemplars::bricks}, Subject{"planks", exemplars::planks},
+        Subject{"weave", exemplars::weave}}) {
     const SrgbImage exemplar = generate(kExemplarSide);
     const Bundle noise = localRandomPhaseBundle(exemplar), tiling = bakedBundle(exemplar);
     double phase = 0.0, covariance = 0.0, seam = 0.0, color = 0.0;

@@ -131,13 +131,13 @@ TEST_CASE("the error for a structure or spectrum that no noise can have says wha
     refuse("--spectrum", parts, "a picture, or parts such as ring:8:12");
   const std::string white =
       made().workplace.write("white.png", encodePng(SrgbImage(1, 1, 1), 8).value());
-  checkBakeRefuses({"--method", "local-random-phase", "--spectrum", white}, kBadInput,
+  checkBakeRefuses({"--quiet", "--method", "local-random-phase", "--spectrum", white}, kBadInput,
                    {"white.png: black everywhere but in the middle"});
-  checkBakeRefuses({"--method", "local-random-phase", "--spectrum", "no such.png"}, kBadInput,
-                   {"no such.png"});
-  checkBakeRefuses(
-      {"--method", "local-random-phase", "--spectrum", "ring:8:12", "--structure", "0.5"}, kUsage,
-      {"a structure has the phases of the exemplar"});
+  checkBakeRefuses({"--quiet", "--method", "local-random-phase", "--spectrum", "no such.png"},
+                   kBadInput, {"no such.png"});
+  checkBakeRefuses({"--quiet", "--method", "local-random-phase", "--spectrum", "ring:8:12",
+                    "--structure", "0.5"},
+                   kUsage, {"a structure has the phases of the exemplar"});
   checkBakeRefuses({"--structure", "0.5"}, kUsage, {"--structure", "local-random-phase"});
 }
 

@@ -79,16 +79,16 @@ TEST_CASE("a view has the mean colour, contrast and features of its supersampled
   // of a texel or less do not average: so that a view of one texel a pixel is as sharp as the
   // exemplar.
   for (const auto& [texels, slant, contrast, difference] :
-       {Size{0.125, 1, {1, 1, 1, 1, 2, 2, 3}, {2, 2, 2, 2, 11, 11, 11}},
-        Size{0.5, 1, {4, 3, 5, 5, 11, 10, 9}, {7, 6, 9, 8, 29, 28, 25}},
-        Size{1, 1, {8, 6, 12, 10, 19, 19, 19}, {20, 13, 22, 18, 49, 46, 43}},
-        Size{1.41, 1, {5, 6, 10, 10, 15, 15, 3}, {15, 17, 24, 23, 30, 37, 17}},
-        Size{2, 1, {5, 5, 8, 8, 13, 13, 4}, {16, 16, 29, 27, 29, 27, 19}},
-        Size{2.83, 1, {5, 3, 4, 4, 10, 10, 7}, {18, 17, 29, 28, 29, 28, 19}},
-        Size{4, 1, {9, 6, 9, 5, 10, 10, 7}, {19, 19, 27, 27, 29, 29, 21}},
-        Size{5.66, 1, {10, 10, 10, 8, 10, 10, 13}, {24, 22, 27, 27, 29, 29, 27}},
-        Size{1, 4, {6, 4, 8, 8, 13, 13, 4}, {26, 22, 39, 36, 33, 30, 24}},
-        Size{2, 4, {12, 11, 13, 9, 10, 10, 14}, {34, 31, 39, 37, 33, 30, 36}}})
+       {Size{0.125, 1, {1, 1, 1, 1, 2, 2, 4}, {2, 2, 2, 2, 11, 11, 11}},
+        Size{0.5, 1, {4, 3, 5, 5, 11, 10, 11}, {7, 6, 9, 8, 29, 28, 29}},
+        Size{1, 1, {8, 6, 12, 10, 19, 19, 21}, {20, 13, 22, 18, 49, 46, 47}},
+        Size{1.41, 1, {5, 6, 10, 10, 15, 15, 3}, {15, 17, 24, 23, 30, 37, 21}},
+        Size{2, 1, {5, 5, 8, 8, 13, 13, 4}, {16, 16, 29, 27, 29, 27, 22}},
+        Size{2.83, 1, {5, 3, 4, 4, 10, 10, 6}, {18, 17, 29, 28, 29, 28, 19}},
+        Size{4, 1, {9, 6, 9, 5, 10, 10, 6}, {19, 19, 27, 27, 29, 29, 18}},
+        Size{5.66, 1, {10, 10, 10, 8, 10, 10, 11}, {24, 22, 27, 27, 29, 29, 25}},
+        Size{1, 4, {6, 4, 8, 8, 13, 13, 5}, {26, 22, 39, 36, 33, 30, 25}},
+        Size{2, 4, {12, 11, 13, 9, 10, 10, 11}, {34, 31, 39, 37, 33, 30, 32}}})
     for (std::size_t k = 0; k < planes().size(); ++k) {
       const NamedPlane& one = planes()[k];
       const FilteredView view =
@@ -151,7 +151,7 @@ TEST_CASE("a camera moving over a floor shimmers hardly more than supersampled f
   // 1.2 is wanted, and the exemplars of lichen-bench have 0.9 to 1.05. Here pixels of the floor are
   // up to eight times as long as wide, in texels as large as the exemplar's grain, and one square
   // fetch keeps more of it than their average does: measured 1.14, 1.23, 1.39 and 1.57, to 0.02.
-  const std::array<double, 7> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5, 1.17};
+  const std::array<double, 7> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5, 1.25};
   for (std::size_t k = 0; k < planes().size(); ++k) {
     const NamedPlane& one = planes()[k];
     const CameraMove move = cameraMove(one.plane, 5);

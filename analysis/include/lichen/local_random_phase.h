@@ -24,7 +24,7 @@ struct SpectrumPicture {
 
 struct LocalRandomPhaseOptions : GaussianizationOptions {
   int cosines = 50; ///< at each vertex; a pixel evaluates three times as many
-  /// The share of the power whose phases are those of the exemplar, kStructureRange: 0 is a random
+  /// The share of the power of stored values whose phases are the exemplar's, kStructureRange: 0 is a random
   /// field, and with 1 the exemplar itself is laid in tiles. Absent: as clearly as the exemplar
   /// repeats.
   std::optional<double> structure;
@@ -34,7 +34,7 @@ struct LocalRandomPhaseOptions : GaussianizationOptions {
   /// The deviation of a smooth random displacement of the structure along each axis [tiles],
   /// kTurbulenceRange.
   double turbulence = 0.0;
-  /// In place of the exemplar's, which then gives colours only: the channels of the noise do not
+  /// In place of the exemplar's, which then gives colours only: the channels of the noise hardly
   /// correlate in space. Excludes a structure.
   std::optional<SpectrumPicture> spectrum;
 };
