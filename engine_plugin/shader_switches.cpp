@@ -20,6 +20,7 @@ struct Needs {
   bool valuesAboveOne = false;
   bool triplanar = false, otherMappings = false, surface = false;
   bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
+  bool structure = false;                                              // of local random phase
   bool rotation = false, sharpness = false, period = false, anisotropy = false;
 };
 
@@ -56,6 +57,8 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
     addTables(noise, needs);
   if (noise.constants.method == LICHEN_METHOD_TILING)
     addTiling(parameters, needs);
+  if (noise.constants.method == LICHEN_METHOD_LOCAL_RANDOM_PHASE)
+    needs.structure = needs.structure || cosinesPart(noise.constants).structure != 0;
 }
 
 std::string switchesOf(const Needs& needs) {
@@ -85,6 +88,8 @@ std::string switchesOf(const Needs& needs) {
     unless(needs.rotation, "TILE_ROTATION=0");
     unless(needs.sharpness, "BLEND_SHARPNESS=0");
   }
+  if ((needs.methods & (1u << LICHEN_METHOD_LOCAL_RANDOM_PHASE)) != 0)
+    unless(needs.structure, "STRUCTURE=0");
   unless(needs.period, "PERIODIC_LATTICE=0");
   unless(!needs.anisotropy, "ANISOTROPIC=1");
   return text;

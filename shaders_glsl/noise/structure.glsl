@@ -14,6 +14,11 @@
 #include "method_parts.glsl"
 #include "mip_variance.glsl"
 
+// 0 where no noise has a structure. A literal, or the host's specialization constant.
+#ifndef LICHEN_STRUCTURE
+#define LICHEN_STRUCTURE 1
+#endif
+
 /// Where an image of cosines has the structure; its sides are powers of two.
 struct LichenStructureImage {
   ivec2 size;    // [texels of the structure] of level 0
@@ -122,7 +127,7 @@ void lichenAddStructure(inout vec4 sum, inout float squares, LICHEN_IMAGE_2D ima
                         LichenMap map) {
   const int kPlacementOctave = 2; // edges of a quarter of a tile
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
-  if (shape.structure == 0u)
+  if (!bool(LICHEN_STRUCTURE) || shape.structure == 0u)
     return;
   LichenStructureImage structure = lichenStructureImage(shape);
   vec2 size = vec2(structure.size);

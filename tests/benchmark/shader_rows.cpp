@@ -16,6 +16,7 @@
 #include <hextile.frag.unrotated.h>
 #include <hn18.frag.h>
 #include <local_random_phase.frag.h>
+#include <local_random_phase.frag.structured.h>
 #include <materials.h>
 #include <plain.frag.h>
 #include <stdexcept>
@@ -116,9 +117,10 @@ std::vector<Row> measure() {
       noise("mix of textons, 30 impacts", texton_frag_mixed, screen, mixGlb(), {42.0, 46.0}),
       noise("local random phase, 50 cosines", local_random_phase_frag, screen,
             localRandomPhaseGlb(0.0), {54.0, 60.0}),
-      noise("the same with a structure", local_random_phase_frag, screen, localRandomPhaseGlb(0.5),
-            {}),
-      noise("structure of bricks with a list", local_random_phase_frag, screen, bricksGlb(), {})};
+      noise("the same with a structure", local_random_phase_frag_structured, screen,
+            localRandomPhaseGlb(0.5), {}),
+      noise("structure of bricks with a list", local_random_phase_frag_structured, screen,
+            bricksGlb(), {})};
   std::vector<Row> rows;
   appendRows(rows, screen, shaders, kFlat, "flat", &Targets::flat);
   appendRows(rows, screen, shaders, kFloor, "perspective", &Targets::perspective);

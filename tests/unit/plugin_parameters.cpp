@@ -322,7 +322,10 @@ TEST_CASE("the switches of local random-phase noise leave out what only other me
   const OwnedBundle cosines(example::smallestCosines());
   CHECK(switchesOf({parametersOf(cosines.handle)}) ==
         "-DLICHEN_ROLES=16 -DLICHEN_METHODS=4 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR"
-        " -DLICHEN_TABLES=0 -DLICHEN_PERIODIC_LATTICE=0");
+        " -DLICHEN_TABLES=0 -DLICHEN_STRUCTURE=0 -DLICHEN_PERIODIC_LATTICE=0");
+  const OwnedBundle structure(example::smallestStructure());
+  CHECK(switchesOf({parametersOf(cosines.handle), parametersOf(structure.handle)})
+            .find("STRUCTURE") == std::string::npos);
   const OwnedBundle tiling(example::smallest());
   const std::string both = switchesOf({parametersOf(cosines.handle), parametersOf(tiling.handle)});
   CHECK(both.find(" -DLICHEN_METHODS=5") != std::string::npos);

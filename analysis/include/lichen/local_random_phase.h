@@ -24,9 +24,9 @@ struct SpectrumPicture {
 
 struct LocalRandomPhaseOptions : GaussianizationOptions {
   int cosines = 50; ///< at each vertex; a pixel evaluates three times as many
-  /// The share of the power of stored values whose phases are the exemplar's, kStructureRange: 0 is a random
-  /// field, and with 1 the exemplar itself is laid in tiles. Absent: as clearly as the exemplar
-  /// repeats.
+  /// The share of the power of stored values whose phases are the exemplar's, kStructureRange: 0 is
+  /// a random field, and with 1 the exemplar itself is laid in tiles. Absent: as clearly as the
+  /// exemplar repeats.
   std::optional<double> structure;
   /// How closely tiles of the structure follow what repeats in the exemplar, kGuideRange: 0 places
   /// them anywhere. Absent: as clearly as it repeats.

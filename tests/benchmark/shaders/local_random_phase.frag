@@ -6,6 +6,9 @@
 // The usual material: an endless lattice, one table, known at compile time.
 #define LICHEN_METHODS 4
 #define LICHEN_PERIODIC_LATTICE 0
+#ifndef LICHEN_STRUCTURE
+#define LICHEN_STRUCTURE 0
+#endif
 #define LICHEN_GAUSSIAN_ONLY 0
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
