@@ -2,6 +2,7 @@
 // Noise at every distance. Compares views from eight pixels per texel to one pixel per 100 tiles,
 // and a camera that moves over a floor, with the same pixels supersampled; also checks steps in the
 // level of detail and between tiles. Covers all methods, on texture coordinates and triplanar.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 #include "filtered_views.h"
 
@@ -23,15 +24,6 @@ using namespace lichen::test;
 namespace {
 
 constexpr int kTexels = 128; // texels per side of the exemplar
-
-template <class Bake>
-Bundle bundleOf(Result<Bake> bake) {
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
-  return bundle;
-}
 
 struct NamedPlane {
   std::string name;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Local random-phase noise: its windows, its spectrum and its statistics against closed forms and
 // against the Gaussian version of the exemplar.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/local_random_phase.h>
@@ -32,18 +33,10 @@ namespace {
 
 constexpr int kTexels = 128;
 
-Bundle bundleOf(Result<LocalRandomPhaseBake> bake) {
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
-  return bundle;
-}
-
 const Bundle& example() {
   static const Bundle bundle = [] {
     const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
-    return bundleOf(bakeLocalRandomPhase("example", {&map, 1}, {}));
+    return test::bundleOf(bakeLocalRandomPhase("example", {&map, 1}, {}));
   }();
   return bundle;
 }
@@ -462,7 +455,7 @@ TEST_CASE("a bake of local random-phase noise is the same on one thread and on m
 TEST_CASE("constant, grey and tiny exemplars have local random-phase noises too") {
   MapExemplar constant = test::threeMaterials(32, 32, 1);
   std::fill(constant.values.begin(), constant.values.end(), 0.25f);
-  const Bundle flat = bundleOf(bakeLocalRandomPhase("flat", {&constant, 1}, {}));
+  const Bundle flat = test::bundleOf(bakeLocalRandomPhase("flat", {&constant, 1}, {}));
   const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(flat, 0).value();
   const shader::LichenMaterial material = shaderMaterial(flat, MaterialNoise(), {}).material;
   const auto value = evaluator.evaluate(0, material, {{0.3f, 0.7f}, {}, {}});
@@ -472,7 +465,7 @@ TEST_CASE("constant, grey and tiny exemplars have local random-phase noises too"
   for (const std::array<int, 2>& size :
        {std::array{1, 1}, std::array{1, 5}, std::array{2, 2}, std::array{7, 3}}) {
     const MapExemplar tiny = test::threeMaterials(size[0], size[1], 1);
-    const Bundle bundle = bundleOf(bakeLocalRandomPhase("tiny", {&tiny, 1}, {}));
+    const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("tiny", {&tiny, 1}, {}));
     const LocalRandomPhaseEvaluator noise = LocalRandomPhaseEvaluator::create(bundle, 0).value();
     const shader::LichenMaterial constants = shaderMaterial(bundle, MaterialNoise(), {}).material;
     for (const float component : noise.evaluate(0, constants, {{0.3f, 0.7f}, {}, {}}))

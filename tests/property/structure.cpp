@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The structure of local random-phase noise against closed forms: its frequencies, its image at
 // every magnification and distance, its share of the variance; and what repeats in an exemplar.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/lattice.h>
@@ -128,14 +129,6 @@ private:
   double largest_ = 0.0;
 };
 
-Bundle bundleOf(Result<LocalRandomPhaseBake> bake) {
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
-  return bundle;
-}
-
 } // namespace
 
 TEST_CASE("a structure takes the strongest frequencies, and no more than its share needs") {
@@ -168,7 +161,7 @@ TEST_CASE("the structure of a grey exemplar has its share of the variance") {
   for (const double share : {0.3, 0.7}) {
     LocalRandomPhaseOptions options;
     options.structure = share;
-    const Bundle bundle = bundleOf(bakeLocalRandomPhase("example", {&map, 1}, options));
+    const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("example", {&map, 1}, options));
     const auto& own = bundle.noises[0].maps[0].as<LocalRandomPhaseMap>();
     // One frequency more than the share needs, at most; of colours, the power of stored values
     // counts.
@@ -294,7 +287,7 @@ TEST_CASE("structure and random part share the variance, and their sum has it ev
     LocalRandomPhaseOptions options;
     options.structure = share;
     options.guide = 0.0;
-    const Bundle bundle = bundleOf(bakeLocalRandomPhase("example", {&map, 1}, options));
+    const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("example", {&map, 1}, options));
     const Noise& noise = bundle.noises[0];
     const auto& own = noise.maps[0].as<LocalRandomPhaseMap>();
     const auto& shared = noise.as<LocalRandomPhaseNoise>();
@@ -311,7 +304,8 @@ TEST_CASE("structure and random part share the variance, and their sum has it ev
     CHECK(random / 3.0 + std::pow(own.structureDeviations[0], 2.0) == Approx(1.0).margin(0.02));
     const LocalRandomPhaseEvaluator evaluator =
         LocalRandomPhaseEvaluator::create(bundle, 0).value();
-    // The mean square over each seed's field, of which each entry's mean has a standard error.
+    // Of each seed, the mean square of its field. Their spread gives the standard error of the
+    // mean.
     std::vector<double> squares;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
       MaterialNoise material;

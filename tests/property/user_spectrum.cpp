@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Noises with a spectrum that the user gives: their power lies where it says, and their colours are
 // the exemplar's.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/fft.h>
@@ -29,12 +30,7 @@ Bundle baked(const MapExemplar& map, const SpectrumPicture& picture, int cosines
   LocalRandomPhaseOptions options;
   options.spectrum = picture;
   options.cosines = cosines;
-  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("example", {&map, 1}, options);
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
-  return bundle;
+  return test::bundleOf(bakeLocalRandomPhase("example", {&map, 1}, options));
 }
 
 /// The share of the first channel's power in 8 x 8 tiles at frequencies [cycles / tile] that
@@ -116,11 +112,7 @@ TEST_CASE(
   maps[1].target = MapTarget::emissive;
   LocalRandomPhaseOptions options;
   options.spectrum = pictureOf([](int u, int v) { return std::hypot(u, v) < 30.0; });
-  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("example", maps, options);
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
+  const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("example", maps, options));
   const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
   const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
   double product = 0.0, squares = 0.0;

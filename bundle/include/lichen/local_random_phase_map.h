@@ -24,8 +24,8 @@ inline constexpr int kMostVariants = 32;
 inline constexpr int kFewestStructureTexels = 64, kMostStructureTexels = 8192;
 inline constexpr int kFewestStructureOffsets = 3, kMostStructureOffsets = 64;
 
-/// What maps share of their structures: images with the phases of the exemplar, of which tiles are
-/// placed at the vertices of a lattice and blended.
+/// What the structures of all maps share. A structure is an image of the frequencies that keep the
+/// exemplar's phases. Each vertex of a lattice has a tile of it, and tiles are blended.
 struct CosineStructure {
   int columns = 0; ///< texels of level 0; 0 without a structure
   int rows = 0;    ///< likewise
