@@ -139,20 +139,30 @@ IgnoredNoise* ignoredNoiseOf(const json& use, const NoisePlaces& places, Bundle&
   return place.isIgnored ? &bundle.ignoredNoises[place.index] : nullptr;
 }
 
-/// Reads a material's mapping and checks that the noise's method supports it.
-Mapping readMapping(ObjectReader& reader, Method method) {
+/// Reads a material's mapping and checks that the noise supports it. `noise` is null if there is
+/// none.
+Mapping readMapping(ObjectReader& reader, const Noise* noise, const FindingList& findings) {
+  const Method method = noise == nullptr ? Method{} : noise->method();
   const std::string name = reader.text("mapping").value_or("uv");
   const std::optional<Mapping> mapping = mappingFrom(name);
-  if (mapping && mappingFits(method, *mapping))
+  if (!mapping || !mappingFits(method, *mapping)) {
+    std::string expected;
+    for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
+      if (mappingFits(method, each))
+        expected += (expected.empty() ? "" : ", ") + std::string(nameOf(each));
+    reader.error("material-mapping", "mapping",
+                 quoted(name) + "; expected one of " + expected + " for the method " +
+                     std::string(nameOf(method)));
+    return Mapping::uv;
+  }
+  // A noise with errors may have no sound data.
+  if (noise == nullptr || findings.errorCount() > 0)
     return *mapping;
-  std::string expected;
-  for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
-    if (mappingFits(method, each))
-      expected += (expected.empty() ? "" : ", ") + std::string(nameOf(each));
-  reader.error("material-mapping", "mapping",
-               quoted(name) + "; expected one of " + expected + " for the method " +
-                   std::string(nameOf(method)));
-  return Mapping::uv;
+  if (const std::string_view obstacle = mappingObstacle(*noise, *mapping); !obstacle.empty())
+    reader.error("material-mapping", "mapping",
+                 quoted(name) + " does not fit the noise " + quoted(noise->name) + ": " +
+                     std::string(obstacle));
+  return *mapping;
 }
 
 /// Reads the coordinate space of a mapping that evaluates 3-D positions.
@@ -176,9 +186,9 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
     reader.error("noise-index", "noise", "there are no noises");
   else if (noise)
     use.noise = places[std::size_t(*noise)].index;
-  const Method method = bundle.noises.empty() ? Method{} : bundle.noises[use.noise].method();
   if (reader.has("mapping"))
-    use.mapping = readMapping(reader, method);
+    use.mapping =
+        readMapping(reader, bundle.noises.empty() ? nullptr : &bundle.noises[use.noise], findings);
   if (reader.has("space"))
     use.space = readSpace(reader, use.mapping);
   use.texCoord = reader.integerOr("texCoord", kMaxTexCoord, use.texCoord);

@@ -2,6 +2,7 @@
 // Bundle and material -> the shader library's uniform structs, except the members of single
 // methods.
 #include "methods/method_format.h"
+#include "methods/split_origin.h"
 
 #include <lichen/shader_parameters.h>
 
@@ -26,18 +27,6 @@ shader::uint encodingOf(ValueEncoding encoding) {
     return LICHEN_ENCODING_LOG2;
   }
   return LICHEN_ENCODING_ROOT;
-}
-
-/// A place [tiles] as a multiple of `step` tiles, which is a corner of cells, and the rest.
-struct SplitOrigin {
-  std::int64_t tile;
-  float offset;
-};
-SplitOrigin splitOrigin(std::int64_t origin, double offset, std::int64_t step) {
-  const double whole = std::floor(offset);
-  const std::int64_t tile = origin + std::int64_t(whole);
-  const std::int64_t rest = (tile % step + step) % step;
-  return {tile - rest, float(offset - whole + double(rest))};
 }
 
 /// A place reduced to one period. [tiles] Unless the origin is 0, the period is a whole number.
@@ -105,12 +94,8 @@ void setPlanes(shader::LichenTriplanarMaterial& planes, const shader::LichenNois
     const auto [right, down] = ontoPlane(placement, axis);
     const std::array<double, 2> origin{cosine * right + sine * down,
                                        aspect * (cosine * down - sine * right)};
-    const auto split = [&](std::size_t k, std::int64_t step) {
-      const double whole = std::floor(origin[k]);
-      return splitOrigin(std::int64_t(whole), origin[k] - whole + material.offset[k], step);
-    };
-    const SplitOrigin x = split(0, format.originStep()[0]);
-    const SplitOrigin y = split(1, format.originStep()[1]);
+    const SplitOrigin x = splitOrigin(origin[0], material.offset[0], format.originStep()[0]);
+    const SplitOrigin y = splitOrigin(origin[1], material.offset[1], format.originStep()[1]);
     const std::array<std::int32_t, 2> cell = format.cellOf(lattice, x.tile, y.tile);
     const std::uint32_t seedWord = latticeSeed(material.seed, std::uint32_t(axis));
     if (axis > 0) {
@@ -201,7 +186,7 @@ shader::LichenTriplanarMaterial shaderMaterial(const shader::LichenNoise& noise,
   result.noise = shader::uint(material.noise);
   if (material.mapping == Mapping::triplanar)
     setPlanes(planes, noise, material, placement);
-  else if (material.mapping != Mapping::surface)
+  else if (material.mapping == Mapping::uv)
     setCells(result, noise, material, placement);
   format.setMaterial(noise, material, placement, result);
   return planes;

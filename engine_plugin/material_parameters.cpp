@@ -41,19 +41,26 @@ LichenResult readPointProcess(LichenPointProcess value, PointProcess& process,
   return LICHEN_SUCCESS;
 }
 
-LichenResult readMapping(LichenMapping value, Method method, Mapping& mapping,
+LichenResult readMapping(LichenMapping value, const shader::LichenNoise& noise, Mapping& mapping,
                          LichenDiagnostic* diagnostic) {
+  const auto method = Method(noise.method);
   for (const auto& [code, candidate] : {std::pair{LICHEN_MAPPING_UV, Mapping::uv},
                                         {LICHEN_MAPPING_TRIPLANAR, Mapping::triplanar},
-                                        {LICHEN_MAPPING_SURFACE, Mapping::surface}})
+                                        {LICHEN_MAPPING_SURFACE, Mapping::surface},
+                                        {LICHEN_MAPPING_SOLID, Mapping::solid}})
     if (value == code && mappingFits(method, candidate)) {
       mapping = candidate;
-      return LICHEN_SUCCESS;
+      const std::string_view obstacle = mappingObstacle(noise, candidate);
+      if (obstacle.empty())
+        return LICHEN_SUCCESS;
+      writeDiagnostic(diagnostic, "mapping %d (%s) does not fit the noise: %.*s", int(value),
+                      nameOf(candidate).data(), int(obstacle.size()), obstacle.data());
+      return LICHEN_ERROR_USAGE;
     }
   writeDiagnostic(
       diagnostic,
-      "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar) or, for "
-      "texton noise, 2 (surface)",
+      "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar), for "
+      "texton noise 2 (surface) or for local random-phase noise 3 (solid)",
       int(value), nameOf(method).data());
   return LICHEN_ERROR_USAGE;
 }
@@ -71,8 +78,9 @@ LichenResult readMixSource(LichenMixSource value, MixSource& source, LichenDiagn
   return LICHEN_ERROR_USAGE;
 }
 
-LichenResult readParameters(const LichenMaterialParameters& source, Method method,
-                            MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
+LichenResult readParameters(const LichenMaterialParameters& source,
+                            const shader::LichenNoise& noise, MaterialNoise& parameters,
+                            LichenDiagnostic* diagnostic) {
   parameters.noise = source.noise;
   parameters.seed = source.seed;
   parameters.tileRotation = source.tileRotation;
@@ -88,7 +96,7 @@ LichenResult readParameters(const LichenMaterialParameters& source, Method metho
   parameters.mix.end = {source.mixEnd[0], source.mixEnd[1]};
   LichenResult result = readPointProcess(source.pointProcess, parameters.pointProcess, diagnostic);
   if (result == LICHEN_SUCCESS)
-    result = readMapping(source.mapping, method, parameters.mapping, diagnostic);
+    result = readMapping(source.mapping, noise, parameters.mapping, diagnostic);
   if (result == LICHEN_SUCCESS)
     result = readMixSource(source.mixSource, parameters.mix.source, diagnostic);
   return result;
@@ -215,7 +223,7 @@ LichenResult lichenFillMaterial(const LichenMaterialParameters* hostParameters,
     if (result == LICHEN_SUCCESS)
       result = readNoiseSummary(values, summary, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = readParameters(values, Method(summary.constants.method), parameters, diagnostic);
+      result = readParameters(values, summary.constants, parameters, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkParameters(parameters, info, diagnostic);
     if (result != LICHEN_SUCCESS)

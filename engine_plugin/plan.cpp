@@ -248,6 +248,8 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   const auto* shape = std::get_if<TextonShape>(&source.data);
   values.mixSteps = shape != nullptr ? std::uint32_t(shape->steps) : 1;
   values.textonOrder = shape != nullptr ? std::uint32_t(shape->order) : 0;
+  const auto* cosines = std::get_if<LocalRandomPhaseNoise>(&source.data);
+  values.hasStructure = cosines != nullptr && cosines->structure.columns > 0 ? 1 : 0;
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
 }
 

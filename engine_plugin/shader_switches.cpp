@@ -18,7 +18,7 @@ struct Needs {
   std::uint32_t roles = 0, methods = 0;      // bits
   bool tables = false, gaussianOnly = false; // of tiling
   bool valuesAboveOne = false;
-  bool triplanar = false, otherMappings = false, surface = false;
+  bool triplanar = false, otherMappings = false, surface = false, solid = false;
   bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
   bool structure = false;                                              // of local random phase
   bool rotation = false, sharpness = false, period = false, anisotropy = false;
@@ -51,6 +51,7 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
   needs.valuesAboveOne = needs.valuesAboveOne || (noise.mapKinds & kValuesAboveOne) != 0;
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? needs.triplanar : needs.otherMappings) = true;
   needs.surface = needs.surface || parameters.mapping == LICHEN_MAPPING_SURFACE;
+  needs.solid = needs.solid || parameters.mapping == LICHEN_MAPPING_SOLID;
   if (noise.constants.method == LICHEN_METHOD_TEXTON)
     addTextons(parameters, noise, needs);
   else
@@ -88,8 +89,10 @@ std::string switchesOf(const Needs& needs) {
     unless(needs.rotation, "TILE_ROTATION=0");
     unless(needs.sharpness, "BLEND_SHARPNESS=0");
   }
-  if ((needs.methods & (1u << LICHEN_METHOD_LOCAL_RANDOM_PHASE)) != 0)
+  if ((needs.methods & (1u << LICHEN_METHOD_LOCAL_RANDOM_PHASE)) != 0) {
     unless(needs.structure, "STRUCTURE=0");
+    unless(needs.solid, "OMIT_SOLID");
+  }
   unless(needs.period, "PERIODIC_LATTICE=0");
   unless(!needs.anisotropy, "ANISOTROPIC=1");
   return text;

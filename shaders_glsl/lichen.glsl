@@ -10,8 +10,9 @@
 //   LICHEN_ROLES          bit r: some noise has a map of role r (63, all); others are never there
 // which gives lichenNoise, lichenMaps[role] and lichenMaterial,
 // LICHEN_POINT(uv, gradientX, gradientY), where the noise is evaluated, or of other mappings
-// LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal) and
-// LICHEN_POINT_SURFACE(position, gradientX, gradientY, normal, tangent),
+// LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal),
+// LICHEN_POINT_SURFACE(position, gradientX, gradientY, normal, tangent) and
+// LICHEN_POINT_SOLID(position, gradientX, gradientY),
 // LICHEN_HAS(role), whether the noise has that map,
 // LICHEN_VALUE(role, point), its value there, whatever the noise's method, and
 // LICHEN_IMAGE(role) and LICHEN_TABLE(role), which other functions take.
@@ -48,6 +49,7 @@ layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
 #endif
 
 #include "mapping/mix.glsl"
+#include "mapping/solid.glsl"
 #include "mapping/surface.glsl"
 #include "mapping/triplanar.glsl"
 #include "mapping/uv.glsl"
@@ -118,6 +120,11 @@ LICHEN_DECLARE_ROLE(5);
 #define LICHEN_POINT_SURFACE(position, gradientX, gradientY, normal, tangent)                      \
   lichenPointSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenMaterial,          \
                          lichenNoise)
+
+#ifndef LICHEN_OMIT_SOLID
+#define LICHEN_POINT_SOLID(position, gradientX, gradientY)                                         \
+  lichenPointSolidGrad(position, gradientX, gradientY, lichenMaterial, lichenNoise)
+#endif
 
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal)                             \

@@ -89,12 +89,17 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
   return use;
 }
 
-/// Checks that the noise's method supports the mapping.
+/// Checks that the noise supports the mapping.
 Result<void> checkMapping(const Noise& noise, Mapping mapping) {
-  if (mappingFits(noise.method(), mapping))
-    return {};
+  if (mappingFits(noise.method(), mapping)) {
+    const std::string_view obstacle = mappingObstacle(noise, mapping);
+    if (obstacle.empty())
+      return {};
+    return Error{ErrorKind::usage, fmt::format("--mapping {}: noise '{}' does not support it: {}",
+                                               nameOf(mapping), noise.name, obstacle)};
+  }
   std::vector<std::string> mappings, methods;
-  for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface})
+  for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
     if (mappingFits(noise.method(), each))
       mappings.emplace_back(nameOf(each));
   for (const Method each : allMethods())
@@ -112,9 +117,10 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
 /// Checks that --space and --plane-sharpness fit the mapping.
 Result<void> checkMappingOptions(const Arguments& arguments) {
   if (arguments.space && !isInSpace(arguments.mapping))
-    return Error{ErrorKind::usage,
-                 fmt::format("--space {}: belongs to --mapping triplanar or surface, not to {}",
-                             nameOf(*arguments.space), nameOf(arguments.mapping))};
+    return Error{
+        ErrorKind::usage,
+        fmt::format("--space {}: belongs to --mapping triplanar, surface or solid, not to {}",
+                    nameOf(*arguments.space), nameOf(arguments.mapping))};
   if (arguments.planeSharpness && arguments.mapping != Mapping::triplanar)
     return Error{ErrorKind::usage,
                  fmt::format("--plane-sharpness: belongs to --mapping triplanar, not to {}",
@@ -300,14 +306,17 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addTexts(verb, "--material", arguments->materials, "NAME|INDEX|all",
            "Name or index of a material that gets the noise; repeat it for more; or all")
       .required();
-  const Choices<Mapping> mappings{
-      {"uv", Mapping::uv}, {"triplanar", Mapping::triplanar}, {"surface", Mapping::surface}};
+  const Choices<Mapping> mappings{{"uv", Mapping::uv},
+                                  {"triplanar", Mapping::triplanar},
+                                  {"surface", Mapping::surface},
+                                  {"solid", Mapping::solid}};
   addValue(verb, "--mapping", arguments->mapping, oneOf(mappings), "uv",
-           "Where the noise lies: in texture coordinates, on three planes, or on the surface "
-           "itself");
+           "Where the noise lies: in texture coordinates, on three planes, on the surface itself, "
+           "or in space, as a block that the surface cuts");
   const Choices<NoiseSpace> spaces{{"world", NoiseSpace::world}, {"object", NoiseSpace::object}};
   addValue(verb, "--space", arguments->space, optional(oneOf(spaces)), "",
-           "triplanar, surface: one pattern continues from mesh to mesh (world), or it moves with "
+           "triplanar, surface, solid: one pattern continues from mesh to mesh (world), or it "
+           "moves with "
            "each object (object) [default: the bundle's]");
   addValue(
       verb, "--scale", arguments->scale, optional(number(kScaleRange)), "",

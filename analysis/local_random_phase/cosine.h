@@ -29,6 +29,13 @@ inline Draw nextDraw(std::uint32_t& state) {
   return {share(state << 21u), share(state << 11u), share(state)};
 }
 
+/// lichenBeyondTexel: a squared length [texels^2] -> what is averaged beyond a texel, over which
+/// the exemplar has averaged already: 0 up to 1, and soon all of it.
+inline float beyondTexel(float squared) {
+  const float own = std::max(squared, 1.0f);
+  return own - 1.0f / (own * own * own);
+}
+
 /// The mean square frequency of a window along one axis [cycles^2 / edge^2]: a cosine under it has
 /// that beside its own, so even one of frequency 0 is lost to wide pixels. By quadrature,
 /// integral (dv/dx)^2 / (4 pi^2 integral v^2) of the normalised window v.

@@ -233,6 +233,17 @@ void fitEnergies(const PowerPlane& power, const PowerPlane& smooth,
     cosines[j].energy = scale * energies[Eigen::Index(j)];
 }
 
+/// Within each octave by the direction of the wave: solid noise spreads the third frequencies of
+/// cosines that follow each other.
+void sortByDirection(std::vector<Cosine>& cosines) {
+  const auto directionOf = [](const FrequencyBox& box) {
+    return std::atan2(box.lowRow() + box.highRow(), box.low() + box.high());
+  };
+  std::stable_sort(cosines.begin(), cosines.end(), [&](const Cosine& a, const Cosine& b) {
+    return std::pair(a.octave, directionOf(a.box)) < std::pair(b.octave, directionOf(b.box));
+  });
+}
+
 } // namespace
 
 std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
@@ -255,6 +266,7 @@ std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
     cosines[j].octave = octaveOf(areaOf(cosines[first].box), areaOf(cosines[last].box), edges);
   }
   fitEnergies(power, smooth, edges, cosines);
+  sortByDirection(cosines);
   if (cosines.size() % 2 != 0) // one of no frequency
     cosines.push_back({{1, 1, 0, 0}, cosines.back().octave, 0.0});
   return cosines;

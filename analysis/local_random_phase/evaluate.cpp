@@ -2,8 +2,11 @@
 // Local random-phase noise on the CPU: (tables, parameters, footprint) -> value. Steps and names
 // follow shaders_glsl/noise/local_random_phase.glsl.
 #include "cosine.h"
+#include "cosine_gradient.h"
 #include "cosine_vertices.h"
+#include "footprint.h"
 #include "gaussianization/value_decoder.h"
+#include "solid_cosines.h"
 #include "structure_tiles.h"
 #include "triplanar/planes.h"
 
@@ -21,51 +24,19 @@ namespace {
 using namespace local_random_phase;
 
 using Value = LocalRandomPhaseEvaluator::Value;
-using Vec2 = std::array<float, 2>;
 
 bool isSlope(const shader::LichenMap& map) { return map.encoding == LICHEN_ENCODING_SLOPE; }
 
-/// The squared cycles that a footprint spans of a frequency, as a quadratic form.
-struct Footprint {
-  float xx = 0.0f, yy = 0.0f, xy = 0.0f;
-
-  [[nodiscard]] float squaredCycles(float fx, float fy) const {
-    return fx * (xx * fx + xy * fy) + yy * fy * fy;
-  }
-
-  /// Of the window at a vertex of an octave, by its mean square frequency.
-  [[nodiscard]] float squaredCyclesOfWindow(int octave,
-                                            const shader::LichenMaterial& material) const {
-    const auto scale = float(std::ldexp(1.0, finerOctaves(octave, material)));
-    const float columns = material.columnsPerTile * scale, rows = material.rowsPerTile * scale;
-    return kWindowSpread *
-           (xx * columns * columns + 0.75f * yy * rows * rows); // rows are sqrt(3) / 2 edges apart
-  }
-};
-
-/// A squared length [texels^2] -> what is averaged beyond a texel, over which the exemplar has
-/// averaged already: 0 up to 1, and soon all of it.
-float beyondTexel(float squared) {
-  const float own = std::max(squared, 1.0f);
-  return own - 1.0f / (own * own * own);
+CosineCell cellOf(const TileFootprint& at, const shader::LichenMaterial& material) {
+  return cosineCellAt(material,
+                      {at.position[0] + material.offsetX, at.position[1] + material.offsetY});
 }
 
-/// lichenCosinesFootprint: beyondTexel() of the footprint's ellipse along both of its axes.
-Footprint footprintOf(const TileFootprint& at, const shader::LichenNoise& noise) {
-  const Vec2 columns{at.dx[0] * noise.tileTexelsX, at.dy[0] * noise.tileTexelsX};
-  const Vec2 rows{at.dx[1] * noise.tileTexelsY, at.dy[1] * noise.tileTexelsY};
-  const float xx = columns[0] * columns[0] + columns[1] * columns[1];
-  const float yy = rows[0] * rows[0] + rows[1] * rows[1];
-  const float xy = columns[0] * rows[0] + columns[1] * rows[1];
-  const float mean = 0.5f * (xx + yy), half = 0.5f * (xx - yy);
-  const float apart = std::sqrt(half * half + xy * xy);
-  const float longer = beyondTexel(mean + apart), shorter = beyondTexel(mean - apart);
-  constexpr float kLeast = 1e-20f; // of a circle, whose axes are the same
-  const float own = 0.5f * (longer + shorter);
-  const float slope = 0.5f * (longer - shorter) / std::max(apart, kLeast);
-  return {(own + slope * half) / (noise.tileTexelsX * noise.tileTexelsX),
-          (own - slope * half) / (noise.tileTexelsY * noise.tileTexelsY),
-          2.0f * slope * xy / (noise.tileTexelsX * noise.tileTexelsY)};
+/// lichenSolidGaussian
+Value solidGaussian(const SolidSum& sum, const shader::LichenMaterial& material) {
+  constexpr float kLeast = 1e-20f; // of a map that does not vary
+  return {0.5f + material.contrast * sum.gaussian[0], 0.5f + material.contrast * sum.gaussian[1],
+          0.5f + material.contrast * sum.gaussian[2], sum.lost / std::max(sum.squares, kLeast)};
 }
 
 } // namespace
@@ -113,8 +84,7 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
                                           const TileFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
   const Footprint footprint = footprintOf(at, noise_);
-  const CosineCell cell = cosineCellAt(
-      material, {at.position[0] + material.offsetX, at.position[1] + material.offsetY});
+  const CosineCell cell = cellOf(at, material);
   std::array<float, 3> sum{};
   float squares = 0.0f, lost = 0.0f;
   const auto* row = map.texels.data();
@@ -184,6 +154,63 @@ Value LocalRandomPhaseEvaluator::evaluate(std::size_t mapIndex,
         triplanar::planesAt(at, material, noise_),
         [&](const auto& plane) { return evaluate(mapIndex, plane.material, plane.at); });
   return map.decoder.decode(gaussian(mapIndex, material, at), material.material.contrast);
+}
+
+Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
+                                          const shader::LichenMaterial& material,
+                                          const SolidFootprint& at) const {
+  const Map& map = (*maps_)[mapIndex];
+  return solidGaussian(
+      solidSumAt(map.texels, cosines_, variants_, noise_, map.decoder.constants(), material, at),
+      material);
+}
+
+Value LocalRandomPhaseEvaluator::evaluate(std::size_t mapIndex,
+                                          const shader::LichenMaterial& material,
+                                          const SolidFootprint& at) const {
+  const Map& map = (*maps_)[mapIndex];
+  const SolidSum sum =
+      solidSumAt(map.texels, cosines_, variants_, noise_, map.decoder.constants(), material, at);
+  const Value value = map.decoder.decode(solidGaussian(sum, material), material.contrast);
+  return isSlope(map.decoder.constants()) ? slopesInSpace(value, sum.depthSlope, material) : value;
+}
+
+std::array<float, 3> LocalRandomPhaseEvaluator::gradient(std::size_t mapIndex,
+                                                         const shader::LichenMaterial& material,
+                                                         const TileFootprint& at) const {
+  const Map& map = (*maps_)[mapIndex];
+  CosineSlopes slopes = cosineSlopesAt(map.texels, cosines_, variants_, cellOf(at, material),
+                                       footprintOf(at, noise_), material);
+  if (const std::array<int, 2> size = map.structure.size(); size[0] > 0) {
+    const float x = 0.25f / float(size[0]), y = 0.25f / float(size[1]);
+    const auto beside = [&](float dx, float dy) {
+      TileFootprint moved = at;
+      moved.position[0] += dx;
+      moved.position[1] += dy;
+      return map.structure.at(cellOf(moved, material), material, moved).gaussian;
+    };
+    const auto left = beside(-x, 0.0f), right = beside(x, 0.0f);
+    const auto above = beside(0.0f, -y), below = beside(0.0f, y);
+    for (std::size_t c = 0; c < 3; ++c) {
+      slopes.alongX[c] += (right[c] - left[c]) / (2.0f * x);
+      slopes.alongY[c] += (below[c] - above[c]) / (2.0f * y);
+    }
+  }
+  const Value here = gaussian(mapIndex, material, at);
+  const auto decodedAlong = [&](const std::array<float, 3>& along) {
+    constexpr float kStep = 1.0f / 96.0f, kLeast = 1e-20f;
+    const float length = std::hypot(along[0], along[1], along[2]);
+    Value before = here, after = here;
+    for (std::size_t c = 0; c < 3; ++c) {
+      before[c] -= kStep * along[c] / std::max(length, kLeast);
+      after[c] += kStep * along[c] / std::max(length, kLeast);
+    }
+    return material.contrast * length / (2.0f * kStep) *
+           (map.decoder.decode(after, material.contrast)[0] -
+            map.decoder.decode(before, material.contrast)[0]);
+  };
+  return {map.decoder.decode(here, material.contrast)[0], decodedAlong(slopes.alongX),
+          decodedAlong(slopes.alongY)};
 }
 
 } // namespace lichen

@@ -20,6 +20,9 @@ public:
                  const std::vector<float>& image, const LocalRandomPhaseMap& map,
                  const shader::LichenMap& constants);
 
+  /// Columns and rows of level 0; 0 without a structure.
+  [[nodiscard]] std::array<int, 2> size() const { return {structure_.columns, structure_.rows}; }
+
   /// What the structure adds, without contrast, to Gaussian values, and to twice the variance and
   /// what of it the footprint takes, in the sum over the channels.
   struct Value {

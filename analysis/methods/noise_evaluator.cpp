@@ -18,6 +18,10 @@ NoiseEvaluator::create(const Bundle& bundle, const MaterialNoise& material,
     return Error{ErrorKind::usage,
                  "noise '" + noise.name + "' of the method " + std::string(nameOf(noise.method())) +
                      " does not fit the mapping " + std::string(nameOf(material.mapping))};
+  if (const std::string_view obstacle = mappingObstacle(noise, material.mapping); !obstacle.empty())
+    return Error{ErrorKind::usage, "noise '" + noise.name + "' does not fit the mapping " +
+                                       std::string(nameOf(material.mapping)) + ": " +
+                                       std::string(obstacle)};
   return withinMemory(
       [&] { return "noise '" + noise.name + "': not enough memory for its tables"; },
       [&] { return analysisOf(noise.method()).evaluator(bundle, material, placement, options); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Adapts the twin of a method that lies in planes, with the mappings uv and triplanar, to the
-// interface that all methods share.
+// Adapts the twin of a method that lies in planes, with the mappings uv and triplanar, and solid if
+// it has that, to the interface that all methods share.
 #pragma once
 
 #include <lichen/noise_evaluator.h>
@@ -11,7 +11,8 @@
 
 namespace lichen {
 
-/// `Twin` has the two functions evaluate(map, material, footprint) of TilingEvaluator.
+/// `Twin` has the two functions evaluate(map, material, footprint) of TilingEvaluator, and the
+/// third of LocalRandomPhaseEvaluator if it has solids.
 template <class Twin>
 class PlaneEvaluator final : public NoiseEvaluator {
 public:
@@ -29,6 +30,12 @@ public:
   [[nodiscard]] Value evaluate(std::size_t, const SurfaceFootprint&,
                                const MixPlace&) const override {
     assert(!"the method does not fit the mapping surface, and create() refuses it");
+    return {};
+  }
+  [[nodiscard]] Value evaluate(std::size_t map, const SolidFootprint& at) const override {
+    if constexpr (requires { twin_.evaluate(map, constants(), at); })
+      return twin_.evaluate(map, constants(), at);
+    assert(!"the method does not fit the mapping solid, and create() refuses it");
     return {};
   }
 

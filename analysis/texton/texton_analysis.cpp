@@ -4,6 +4,8 @@
 
 #include <lichen/texton_evaluate.h>
 
+#include <cassert>
+
 namespace lichen {
 namespace {
 
@@ -25,6 +27,10 @@ public:
   [[nodiscard]] Value evaluate(std::size_t map, const SurfaceFootprint& at,
                                const MixPlace& mix) const override {
     return evaluator_.evaluate(map, constants(), at, mix);
+  }
+  [[nodiscard]] Value evaluate(std::size_t, const SolidFootprint&) const override {
+    assert(!"textons do not fit the mapping solid, and create() refuses it");
+    return {};
   }
 
 private:

@@ -72,6 +72,31 @@ void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,
   }
 }
 
+void setLinearRows(shader::LichenMap& constants, const NoiseMap& map, const Table& table) {
+  const std::size_t n = map.mean.size();
+  const std::vector<float> cells = decodeLevel(table, 0);
+  const auto channels = std::size_t(channelCount(table.format));
+  const std::array<std::size_t, 3> sides{table.width, table.height, std::max(1u, table.depth)};
+  std::vector<double> rows(3 * n, 0.0);
+  for (std::size_t i = 0; i < cells.size() / channels; ++i) {
+    const std::array<std::size_t, 3> at{i % sides[0], i / sides[0] % sides[1],
+                                        i / (sides[0] * sides[1])};
+    for (std::size_t c = 0; c < n; ++c)
+      for (std::size_t d = 0; d < 3; ++d)
+        rows[3 * c + d] +=
+            double(cells[channels * i + c]) * ((double(at[d]) + 0.5) / double(sides[d]) - 0.5);
+  }
+  for (std::size_t c = 0; c < n; ++c) {
+    double square = 0.0;
+    for (std::size_t d = 0; d < 3; ++d)
+      square += rows[3 * c + d] * rows[3 * c + d];
+    constexpr double kDeviations = 6.0; // as gaussianToStored()
+    for (std::size_t d = 0; square > 0.0 && d < 3; ++d)
+      rows[3 * c + d] *= kDeviations * std::sqrt(map.covariance[c * n + c] / square);
+  }
+  setRows(constants, rows, 3, map.mean);
+}
+
 shader::uvec4 retainedAmplitudes(std::span<const double> losses) {
   std::array<shader::uint, 4> words{};
   for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && !losses.empty(); ++mip) {

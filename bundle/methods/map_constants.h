@@ -23,6 +23,10 @@ void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,
 /// of x. The last loss repeats for further levels.
 [[nodiscard]] shader::uvec4 retainedAmplitudes(std::span<const double> losses);
 
+/// Sets the rows of a map with an inverse table to the linear part of that: the direction of each
+/// by regression, its length by the variance of its channel.
+void setLinearRows(shader::LichenMap& constants, const NoiseMap& map, const Table& table);
+
 /// Sets the mean of the decoded values, for maps without an inverse table.
 void setGaussianMean(shader::LichenMap& constants);
 

@@ -24,6 +24,10 @@ public:
   /// The revision that this version reads, writes and evaluates.
   [[nodiscard]] virtual int revision() const = 0;
   [[nodiscard]] virtual bool fits(Mapping mapping) const = 0;
+  /// As mappingObstacle(), for a mapping that fits the method.
+  [[nodiscard]] virtual std::string_view obstacle(const shader::LichenNoise&, Mapping) const {
+    return {};
+  }
 
   /// The members of a map's JSON object that are table indices.
   [[nodiscard]] virtual std::span<const std::string_view> tableMembers() const = 0;
@@ -61,7 +65,7 @@ public:
                                                            std::int64_t tileY) const = 0;
 
   /// Sets the constants that only this method has: of a map, of a noise, and of a material, of
-  /// which for Mapping::surface, where it fits, also the cells.
+  /// which for Mapping::surface and Mapping::solid, where they fit, also the cells.
   virtual void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                       shader::LichenMap& constants) const = 0;
   virtual void setNoise(const Noise& noise, shader::LichenNoise& constants) const = 0;

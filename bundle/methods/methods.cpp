@@ -38,6 +38,17 @@ int revisionOf(Method method) { return formatOf(method).revision(); }
 
 bool mappingFits(Method method, Mapping mapping) { return formatOf(method).fits(mapping); }
 
+std::string_view mappingObstacle(const shader::LichenNoise& noise, Mapping mapping) {
+  return formatOf(Method(noise.method)).obstacle(noise, mapping);
+}
+
+std::string_view mappingObstacle(const Noise& noise, Mapping mapping) {
+  shader::LichenNoise constants{};
+  constants.method = shader::uint(noise.method());
+  formatOf(noise).setNoise(noise, constants);
+  return mappingObstacle(constants, mapping);
+}
+
 bool isMix(const Noise& noise) { return formatOf(noise).isMix(noise); }
 
 std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,

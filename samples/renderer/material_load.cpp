@@ -210,7 +210,8 @@ Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& so
     result.noiseHasHeight = brings(noise, MapTarget::height, {MapChannel::height});
     if (hasMapping(*use, Mapping::surface)) {
       result.noiseNeedsTangents = noise.IsObject();
-    } else if (!hasMapping(*use, Mapping::triplanar)) { // triplanar slopes are 3-D gradients
+    } else if (!hasMapping(*use, Mapping::triplanar) && !hasMapping(*use, Mapping::solid)) {
+      // The slopes of those are 3-D gradients.
       const tinygltf::Value& texCoord = at(*use, "texCoord");
       result.noiseTexCoord = texCoord.IsInt() ? texCoord.GetNumberAsInt() : 0;
       if (brings(noise, MapTarget::normal, {}))

@@ -7,7 +7,7 @@
 
 namespace lichen::renderer {
 
-enum class NoiseMapping { uv, triplanar, surface };
+enum class NoiseMapping { uv, triplanar, surface, solid };
 
 /// NoiseChanges::tileRotation for any angle; the format's largest number of steps per full turn.
 inline constexpr std::uint32_t kFreeTileRotation = 65536;
@@ -17,8 +17,9 @@ inline constexpr std::uint32_t kFreeTileRotation = 65536;
 struct NoiseChanges {
   /// index into the bundle's noises, replaces each material's own
   std::optional<std::uint32_t> noise;
-  std::optional<NoiseMapping> mapping; ///< uv or triplanar, replaces each material's own
-  /// for triplanar and surface mapping, replaces each material's own
+  /// Replaces each material's own; triplanar where the noise does not support it.
+  std::optional<NoiseMapping> mapping;
+  /// for all mappings but uv, replaces each material's own
   std::optional<bool> inObjectSpace;
   std::uint32_t seedStep = 0; ///< added to each seed, modulo 2^32
   double scaleFactor = 1.0;

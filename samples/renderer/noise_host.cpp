@@ -21,10 +21,20 @@ LichenMapping codeOf(NoiseMapping mapping) {
     return LICHEN_MAPPING_TRIPLANAR;
   case NoiseMapping::surface:
     return LICHEN_MAPPING_SURFACE;
+  case NoiseMapping::solid:
+    return LICHEN_MAPPING_SOLID;
   case NoiseMapping::uv:
     break;
   }
   return LICHEN_MAPPING_UV;
+}
+
+bool supports(const LichenNoiseProperties& noise, LichenMapping mapping) {
+  if (mapping == LICHEN_MAPPING_SURFACE)
+    return noise.method == LICHEN_NOISE_TEXTON;
+  if (mapping == LICHEN_MAPPING_SOLID)
+    return noise.method == LICHEN_NOISE_LOCAL_RANDOM_PHASE && noise.hasStructure == 0;
+  return true;
 }
 
 } // namespace
@@ -154,8 +164,7 @@ LichenMaterialParameters NoiseHost::changed(const LichenMaterialParameters& own)
   parameters.tileRotation = changes.tileRotation.value_or(own.tileRotation);
   if (changes.mapping)
     parameters.mapping = codeOf(*changes.mapping);
-  if (parameters.mapping == LICHEN_MAPPING_SURFACE &&
-      noises_[parameters.noise].method != LICHEN_NOISE_TEXTON)
+  if (!supports(noises_[parameters.noise], parameters.mapping))
     parameters.mapping = LICHEN_MAPPING_TRIPLANAR; // also needs no texture coordinates
   return parameters;
 }
@@ -208,6 +217,8 @@ void NoiseHost::noteFeatures(const MaterialState& material) {
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? features_.triplanarNoises
                                                   : features_.otherMappings) = true;
   features_.surfaceNoises = features_.surfaceNoises || parameters.mapping == LICHEN_MAPPING_SURFACE;
+  features_.solidNoises = features_.solidNoises || parameters.mapping == LICHEN_MAPPING_SOLID;
+  features_.structures = features_.structures || noise.hasStructure != 0;
   features_.mixes = features_.mixes || noise.mixSteps > 1;
   features_.objectSpaces = features_.objectSpaces || material.use.inObjectSpace;
   features_.tileRotation = features_.tileRotation || parameters.tileRotation > 1;

@@ -35,10 +35,12 @@ struct NoiseFeatures {
   std::uint32_t methods = 0;  ///< bit m: some noise has the method m
   bool surfaceNoises = false; ///< some noise uses surface mapping
   bool triplanarNoises = false;
+  bool solidNoises = false;
   bool otherMappings = false; ///< some noise uses a mapping other than triplanar
   bool mixes = false;         ///< some texton noise is a mix
   bool objectSpaces = false;  ///< some noise is placed in object space
   bool tileRotation = false;  ///< some noise rotates its tiles
+  bool structures = false;    ///< some local random-phase noise has a structure
   [[nodiscard]] bool hasMethod(LichenNoiseMethod method) const {
     return ((methods >> method) & 1u) != 0;
   }
@@ -79,7 +81,7 @@ public:
   /// Names of the bundle's noises as stored in the file; may be empty strings.
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
   [[nodiscard]] const NoiseUse& use(std::size_t material) const { return materials_[material].use; }
-  /// Side of the tiles for triplanar and surface mapping, in the units of the noise's space; 0
+  /// Side of the tiles for all mappings but uv, in the units of the noise's space; 0
   /// otherwise.
   [[nodiscard]] double tileSide(std::size_t material) const;
 

@@ -213,6 +213,8 @@ struct Constants {
   VkBool32 otherMappings = VK_FALSE;
   VkBool32 objectSpaces = VK_FALSE;
   VkBool32 tileRotation = VK_FALSE;
+  VkBool32 solid = VK_FALSE;
+  VkBool32 structure = VK_FALSE;
 };
 
 constexpr std::array kConstants{
@@ -224,7 +226,9 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)},
     VkSpecializationMapEntry{7, offsetof(Constants, otherMappings), sizeof(VkBool32)},
     VkSpecializationMapEntry{8, offsetof(Constants, objectSpaces), sizeof(VkBool32)},
-    VkSpecializationMapEntry{9, offsetof(Constants, tileRotation), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{9, offsetof(Constants, tileRotation), sizeof(VkBool32)},
+    VkSpecializationMapEntry{10, offsetof(Constants, solid), sizeof(VkBool32)},
+    VkSpecializationMapEntry{11, offsetof(Constants, structure), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -263,7 +267,9 @@ Constants constantsOf(const SurfaceConstants& shared) {
           .triplanar = noises.triplanarNoises,
           .otherMappings = noises.otherMappings,
           .objectSpaces = noises.objectSpaces,
-          .tileRotation = noises.tileRotation};
+          .tileRotation = noises.tileRotation,
+          .solid = noises.solidNoises,
+          .structure = noises.structures};
 }
 
 /// Sets the stages before the fragment shader, with this vertex shader for surfaces that are not

@@ -65,7 +65,7 @@ void SceneRenderer::noteCoarseVertices(std::vector<std::string>& notes) const {
   }
 }
 
-/// Notes noises with triplanar or surface mapping that are too small to be visible from the camera.
+/// Notes noises of all mappings but uv that are too small to be visible from the camera.
 void SceneRenderer::noteInvisibleNoise(std::vector<std::string>& notes) const {
   const Camera& camera = inputs_.camera;
   const float aspect = float(inputs_.width) / float(inputs_.height);

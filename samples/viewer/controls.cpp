@@ -106,7 +106,7 @@ void Controls::nextNoise(int step) {
 }
 
 void Controls::nextMapping(int step) {
-  constexpr std::array kMappings{NoiseMapping::uv, NoiseMapping::triplanar};
+  constexpr std::array kMappings{NoiseMapping::uv, NoiseMapping::triplanar, NoiseMapping::solid};
   std::optional<std::size_t> current;
   if (look_.noise.mapping)
     current = std::size_t(std::find(kMappings.begin(), kMappings.end(), *look_.noise.mapping) -
@@ -154,7 +154,10 @@ std::string Controls::summary() const {
     add("noise " + (noises_[*noise.noise].empty() ? std::to_string(*noise.noise)
                                                   : printable(noises_[*noise.noise])));
   if (noise.mapping)
-    add(*noise.mapping == NoiseMapping::uv ? "mapping uv" : "mapping triplanar");
+    add(*noise.mapping == NoiseMapping::uv ? "mapping uv"
+        : *noise.mapping == NoiseMapping::triplanar
+            ? "mapping triplanar"
+            : "mapping solid (triplanar where unsupported)");
   if (noise.inObjectSpace)
     add(*noise.inObjectSpace ? "object space" : "world space");
   if (noise.seedStep != 0)
@@ -182,8 +185,8 @@ std::string_view Controls::help() {
          "  P  sharper blending between the planes of triplanar mapping\n"
          "  C  more contrast\n"
          "  A  tile rotation: from the file, none, half turns, quarter turns, any angle\n"
-         "  M  mapping: from the file, uv, triplanar\n"
-         "  O  space of triplanar and surface mapping: from the file, world, object\n"
+         "  M  mapping: from the file, uv, triplanar, solid\n"
+         "  O  space of all mappings but uv: from the file, world, object\n"
          "  T  noise: from the file, then each noise of the bundle\n"
          "  D  next debug view\n"
          "  E  more exposure\n"

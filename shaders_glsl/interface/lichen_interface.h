@@ -82,12 +82,13 @@ struct LichenMaterial {
   float contrast;       // [0, 4] scale of the Gaussian value about its mean
   float planeSharpness; // [1, 64] exponent of the planes' weights; 0 but for triplanar noise
   // Cells per tile: of the lattice of tiling, of the first octave of cosines, or of the impacts of
-  // textons. Cells of surface noise are cubes, columnsPerTile of them to the width of a tile.
+  // textons. Cells of surface and of solid noise are cubes, columnsPerTile of them to the width of a
+  // tile.
   float columnsPerTile, rowsPerTile;
   int cellI, cellJ;                 // the cell of the tile origin, modulo 2^32
   float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
   int periodColumns, periodRows;    // 0, 0 when the cells do not repeat; lattices: even rows
-  uint seedWord;                    // latticeSeed(seed, plane 0), of surface noise plane 3
+  uint seedWord;          // latticeSeed(seed, plane): 0, of surface noise 3, of solid noise 4
   uint seed;                        // as the material gives it
   float maxAnisotropy;    // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
   uint noise;             // index of the noise in its bundle
@@ -132,6 +133,10 @@ struct LichenCosinesMaterial {
   // the lattice is periodic and its period short.
   int firstOctave;
   uint guided; // 1: tiles of the structure have the offsets of its list, if there is one
+  // Of solid noise: the third of cellI and cellJ and of offsetX and offsetY [tile widths].
+  uint isSolid; // 0 of noise in a plane
+  int cellK;
+  float offsetZ;
 };
 
 /// What only textons have of a noise: own0 and own1.
@@ -184,7 +189,8 @@ struct LichenMap {
   // mipRetained0: the deviation of level m over that of the noise.
   uvec4 mipRetained0, mipRetained1, mipRetained2;
   // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
-  // value less its mean. Lower triangular: row0.yz and row1.z are 0.
+  // value less its mean. Lower triangular: row0.yz and row1.z are 0. With a table, of slopes of
+  // local random-phase noise: the linear part of that, not triangular.
   vec4 row0, row1, row2;
   // Of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix. Of a structure: what its
   // integers are multiplied with. w unused.

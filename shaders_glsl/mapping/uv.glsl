@@ -5,6 +5,7 @@
 #ifndef LICHEN_UV_GLSL
 #define LICHEN_UV_GLSL
 
+#include "../noise/cosine_gradient.glsl"
 #include "../noise/mix_point.glsl"
 #include "../noise/shading_point.glsl"
 #include "../noise/texton_gradient.glsl"
@@ -33,6 +34,15 @@ LichenImpacts lichenGradientPointUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradie
                               lichenUvToTile(uvGradientY, material), material, noise);
   lichenMixByUv(impacts, uv, material);
   return impacts;
+}
+
+/// lichenCosinesGradient at `uv`.
+vec3 lichenCosinesGradientUvGrad(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 uv,
+                                 vec2 uvGradientX, vec2 uvGradientY, LichenMaterial material,
+                                 LichenNoise noise, LichenMap map) {
+  vec2 position = vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material);
+  return lichenCosinesGradient(image, table, position, lichenUvToTile(uvGradientX, material),
+                               lichenUvToTile(uvGradientY, material), material, noise, map);
 }
 
 /// The unit tangent-space normal of slopes (-nx/nz, -ny/nz).

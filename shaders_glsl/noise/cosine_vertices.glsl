@@ -53,10 +53,21 @@ uvec2 lichenCosineVertex(ivec2 vertex, int finer, uvec2 origin, LichenMaterial m
   return uvec2(vertex);
 }
 
+/// Octaves from the lattice of the material's first to that of `octave`.
+int lichenFinerOctaves(int octave, LichenMaterial material) {
+  return max(octave - lichenCosinesMaterial(material).firstOctave, 0);
+}
+
+/// Columns and rows of an octave in one tile.
+vec2 lichenCellsPerTile(int octave, LichenMaterial material) {
+  return float(1 << lichenFinerOctaves(octave, material)) *
+         vec2(material.columnsPerTile, material.rowsPerTile);
+}
+
 /// `stream`: the number that their random numbers belong to.
 LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave, uint stream,
                                             LichenMaterial material) {
-  int finer = max(octave - lichenCosinesMaterial(material).firstOctave, 0);
+  int finer = lichenFinerOctaves(octave, material);
   float scale = float(1 << finer);
   vec2 place = point.inside * scale;
   vec2 corner = floor(place);
@@ -65,7 +76,7 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
   int far = place.x + place.y < 1.0 ? 0 : 1;
   vec3 columns = place.x - vec3(float(far), 1.0, 0.0);
   vec3 rows = place.y - vec3(float(far), 0.0, 1.0);
-  vec2 perCell = 1.0 / (scale * vec2(material.columnsPerTile, material.rowsPerTile));
+  vec2 perCell = 1.0 / lichenCellsPerTile(octave, material);
   uint seed = lichenPcg(point.seedWord + stream);
   uvec2 vertex0 = lichenCosineVertex(cell + far, finer, point.origin, material);
   uvec2 vertex1 = lichenCosineVertex(cell + ivec2(1, 0), finer, point.origin, material);

@@ -16,10 +16,10 @@
 #include "method_parts.glsl"
 #include "structure.glsl"
 
-/// cos(2 pi turns), within 1.1e-4.
-vec3 lichenCosineOfTurns(vec3 turns) {
-  vec3 z = 0.25 - abs(turns - roundEven(turns));
-  vec3 square = z * z;
+/// cos(2 pi turns), within 1.1e-4. Of four vertices, as solids have.
+vec4 lichenCosineOfTurns(vec4 turns) {
+  vec4 z = 0.25 - abs(turns - roundEven(turns));
+  vec4 square = z * z;
   return z * (6.2812805 + square * (-41.0952 + square * 73.5855));
 }
 
@@ -47,10 +47,10 @@ vec3 lichenCosinesFootprint(LichenCosinesPoint point, vec2 tileTexels) {
 
 /// The amplitudes that a footprint leaves of cosines, for the squares of the cycles that it spans.
 /// The mean of a cosine over x cycles is sinc x, 1 - pi^2 x^2 / 6 near 0, as this is.
-vec3 lichenCosineRetained(vec3 squaredCycles) {
+vec4 lichenCosineRetained(vec4 squaredCycles) {
   const float kSlope = 0.548311356; // pi^2 / 18
   // Slanted pixels can be so long that the form is below 0 by rounding.
-  vec3 left = clamp(1.0 - kSlope * squaredCycles, 0.0, 1.0);
+  vec4 left = clamp(1.0 - kSlope * squaredCycles, 0.0, 1.0);
   return left * left * left;
 }
 
@@ -87,8 +87,8 @@ void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
   vec3 cycles = dot(footprint.xy, vertices.spread) +
                 frequencyX * (footprint.x * frequencyX + footprint.z * frequencyY) +
                 footprint.y * frequencyY * frequencyY;
-  vec3 windows = vertices.windows * lichenCosineRetained(cycles);
-  vec3 values = windows * lichenCosineOfTurns(turns);
+  vec3 windows = vertices.windows * lichenCosineRetained(vec4(cycles, 0.0)).xyz;
+  vec3 values = windows * lichenCosineOfTurns(vec4(turns, 0.0)).xyz;
   sum.rgb += values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb;
   vec3 own = vec3(dot(amplitude0.rgb, amplitude0.rgb), dot(amplitude1.rgb, amplitude1.rgb),
                   dot(amplitude2.rgb, amplitude2.rgb));

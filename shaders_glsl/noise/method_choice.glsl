@@ -42,6 +42,9 @@
   DO(localRandomPhase, LichenCosinesPoint, LICHEN_METHOD_LOCAL_RANDOM_PHASE)
 #else
 #define LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)
+#ifndef LICHEN_OMIT_SOLID
+#define LICHEN_OMIT_SOLID
+#endif
 #endif
 
 // 0 where no texton noise is mapped onto a surface. A literal, or the host's specialization
@@ -51,6 +54,14 @@
 #endif
 #ifndef LICHEN_SURFACE_TEXTONS
 #define LICHEN_SURFACE_TEXTONS 1
+#endif
+// 0 where no material's mapping is solid. Likewise; LICHEN_OMIT_SOLID.
+#ifdef LICHEN_OMIT_SOLID
+#undef LICHEN_SOLID
+#define LICHEN_SOLID 0
+#endif
+#ifndef LICHEN_SOLID
+#define LICHEN_SOLID 1
 #endif
 // 0 where no material's mapping is triplanar. Likewise; LICHEN_OMIT_TRIPLANAR.
 #ifdef LICHEN_OMIT_TRIPLANAR
@@ -76,12 +87,23 @@ bool lichenIsSurface(LichenMaterial material) {
   return bool(LICHEN_SURFACE_TEXTONS) && lichenTextonMaterial(material).surfaceCubeTexels > 0.0;
 }
 
+/// Whether local random-phase noise is mapped to a solid; known at compile time where none is.
+bool lichenIsSolid(LichenMaterial material) {
+  return bool(LICHEN_SOLID) && lichenCosinesMaterial(material).isSolid != 0u;
+}
+
 /// Whether the mapping is triplanar; known at compile time where none is, or all are.
 bool lichenIsTriplanar(LichenMaterial material) {
   // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
   bool hasTriplanar = bool(LICHEN_TRIPLANAR);
   bool hasOther = bool(LICHEN_OTHER_MAPPINGS);
   return hasTriplanar && (!hasOther || material.planeSharpness > 0.0);
+}
+
+/// Whether slopes are a gradient in space, for lichenNormalFromGradient.
+bool lichenHasSlopesInSpace(LichenMaterial material, LichenNoise noise) {
+  return lichenIsTriplanar(material) ||
+         (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, noise) && lichenIsSolid(material));
 }
 
 #endif

@@ -31,7 +31,8 @@ vec2 lichenTextonImageSize(LichenNoise noise) {
 }
 
 LichenCosinesMaterial lichenCosinesMaterial(LichenMaterial material) {
-  return LichenCosinesMaterial(int(material.own0.x), material.own0.y);
+  return LichenCosinesMaterial(int(material.own0.x), material.own0.y, material.own0.z,
+                               int(material.own0.w), uintBitsToFloat(material.own1.x));
 }
 
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {

@@ -5,6 +5,7 @@
 #define LICHEN_SHADING_POINT_GLSL
 
 #include "method.glsl"
+#include "solid_cosines.glsl"
 #include "surface_texton.glsl"
 #include "triplanar.glsl"
 
@@ -15,11 +16,12 @@ struct LichenShadingPoint {
   LichenPoint point;
   LichenSurfaceImpacts surface;
   LichenTriplanar triplanar;
+  LichenSolidPoint solid;
 };
 
 /// The value of one map: light for colours, the decoded quantity for the others. For slopes, z is
-/// the variance of a slope lost to filtering, for lichenRoughness; triplanar ones are a gradient in
-/// space, and the variance is w.
+/// the variance of a slope lost to filtering, for lichenRoughness; triplanar and solid ones are a
+/// gradient in space, and the variance is w.
 vec4 lichenValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenShadingPoint shading,
                  LichenMap map) {
 #ifndef LICHEN_OMIT_TRIPLANAR
@@ -30,6 +32,11 @@ vec4 lichenValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenShadingPoin
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, shading.noise) && lichenIsSurface(shading.material))
     return lichenSurfaceTexton(image, table, shading.point.texton, shading.surface,
                                shading.material, shading.noise, map);
+#endif
+#ifndef LICHEN_OMIT_SOLID
+  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, shading.noise) &&
+      lichenIsSolid(shading.material))
+    return lichenSolidCosines(image, table, shading.solid, shading.material, shading.noise, map);
 #endif
   return lichenValueAt(image, table, shading.point, shading.material, shading.noise, map);
 }

@@ -8,6 +8,7 @@
 
 #define LICHEN_OTHER_MAPPINGS 0
 #define LICHEN_OMIT_SURFACE_TEXTONS
+#define LICHEN_OMIT_SOLID
 #define LICHEN_SET 0
 #include "../lichen.glsl"
 #include "one_role.glsl"

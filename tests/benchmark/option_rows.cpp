@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Ratios of a shader with an option to one without it: textons on a surface and triplanar tiling to
-// those on texture coordinates, tiling's quality levels to the highest, rotated tiles to unrotated
-// ones.
+// Ratios of a shader with an option to one without it: textons on a surface, solids and triplanar
+// tiling to those on texture coordinates, tiling's quality levels to the highest, rotated tiles to
+// unrotated ones.
 #include "option_rows.h"
 
 #include "benchmark_noises.h"
 
 #include <array>
 #include <cstdio>
+#include <local_random_phase.frag.h>
+#include <solid.frag.h>
 #include <surface.frag.h>
 #include <texton.frag.h>
 #include <tiling.frag.joint.h>
@@ -58,6 +60,18 @@ void appendSurfaceRows(std::vector<Row>& rows, const Screen& screen) {
                           option, unit, screen, kSurfaceFlat));
   rows.push_back(ratioRow("surface texton, 60 impacts, over texton, 30 impacts, perspective",
                           kTarget, option, unit, screen, kFloor));
+}
+
+/// Local random-phase noise in a solid relative to that in the plane.
+void appendSolidRows(std::vector<Row>& rows, const Screen& screen) {
+  const ReadyNoise plane(screen.gpu(), localRandomPhaseGlb(0.0));
+  const ReadyNoise solid(screen.gpu(), localRandomPhaseGlb(0.0), {.mapping = LICHEN_MAPPING_SOLID});
+  const Shader unit{"local random phase", local_random_phase_frag, plane};
+  const Shader option{"solid", solid_frag, solid};
+  rows.push_back(ratioRow("local random phase in a solid over the plane, flat", kNoTarget, option,
+                          unit, screen, kSurfaceFlat));
+  rows.push_back(ratioRow("local random phase in a solid over the plane, perspective", kNoTarget,
+                          option, unit, screen, kFloor));
 }
 
 using Glb = std::vector<std::byte>;
@@ -120,6 +134,7 @@ void appendRotationRows(std::vector<Row>& rows, const Glb& colorGlb, const Scree
 void appendOptionRows(std::vector<Row>& rows, const Screen& screen) {
   const Glb colors = tilingGlb(GaussianOnly::no);
   appendSurfaceRows(rows, screen);
+  appendSolidRows(rows, screen);
   appendTriplanarRow(rows, colors, screen);
   appendLevelRows(rows, colors, screen);
   appendRotationRows(rows, colors, screen);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `lichen apply`: the scene it writes for a scene and a noise.
 #include "apply_run.h"
+#include "bundle_example.h"
 
 #include <lichen/bundle.h>
 #include <lichen/bundle_writer.h>
@@ -147,8 +148,11 @@ TEST_CASE("the error for a mapping that the method or the meshes do not support 
                  code, words);
   };
   refused(moss, "surface", "0", usage, {"--mapping surface", "tiling", "uv or triplanar"});
-  // No method supports solid, so it is not offered.
-  refused(wool, "solid", "0", usage, {"--mapping solid", "expected uv, triplanar or surface"});
+  refused(wool, "solid", "0", usage,
+          {"--mapping solid", "texton", "uv, triplanar or surface", "--method local-random-phase"});
+  const std::string bricks = workplace.path("bricks.glb");
+  REQUIRE(writeBundle(bricks, example::smallestStructure()).ok());
+  refused(bricks, "solid", "0", usage, {"--mapping solid", "structure", "--structure 0"});
   refused(moss, "uv", "glass", bad,
           {"primitive 1 of mesh 'table'", "material 'glass'", "TEXCOORD_0"});
   scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
@@ -442,7 +446,8 @@ TEST_CASE("the space comes from the option, else from the bundle, and inspect sh
   CHECK(spaceIn(applied(workplace, scene, made, "0")) == "none"); // with the mapping uv
   checkRefusal({"apply", scene, "--noise", wool, "--material", "0", "--space", "object", "-o",
                 workplace.path("x.glb")},
-               int(ErrorKind::usage), {"--space object", "uv", "--mapping triplanar or surface"});
+               int(ErrorKind::usage),
+               {"--space object", "uv", "--mapping triplanar, surface or solid"});
 }
 
 TEST_CASE("the same call writes the same bytes") {

@@ -5,28 +5,47 @@
 #include "device_needed.h"
 
 #include <string>
+#include <vector>
 
 using namespace lichen;
 using namespace lichen::cli_test;
 
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Bakes with these options, gives the preview's materials this mapping, and renders.
+void checkWholeWay(const std::string& name, const Words& options, const std::string& mapping) {
+  INFO(name);
+  const Workplace workplace;
+  const std::string noise = workplace.path("noise.glb"), picture = workplace.path("picture.png");
+  REQUIRE(
+      run(programPath("lichen-exemplars"), {workplace.path(""), "lichen_on_stone", "--size", "128"})
+          .code == 0);
+  Words bake{"bake", workplace.path("lichen_on_stone.png"), "-o", noise};
+  bake.insert(bake.end(), options.begin(), options.end());
+  const Ended baked = runLichen(bake);
+  INFO(baked.errors);
+  REQUIRE(baked.code == 0);
+  const Ended applied = runLichen(
+      {"apply", noise, "--noise", noise, "--material", "all", "--mapping", mapping, "-o", noise});
+  INFO(applied.errors);
+  REQUIRE(applied.code == 0);
+  const Ended drawn = run(programPath("lichen-render"),
+                          {noise, "-o", picture, "--size", "256x144", "--frames", "4"});
+  INFO(drawn.errors);
+  REQUIRE(drawn.code == 0);
+  test::checkGoldenPicture("whole_way_" + name, picture);
+}
+
+} // namespace
+
 TEST_CASE("a generated photograph, baked and rendered, matches its golden image") {
   if (!hasDevice())
     return;
-  for (const std::string method : {"tiling", "texton"}) {
-    INFO(method);
-    const Workplace workplace;
-    REQUIRE(run(programPath("lichen-exemplars"),
-                {workplace.path(""), "lichen_on_stone", "--size", "128"})
-                .code == 0);
-    const Ended baked = runLichen({"bake", workplace.path("lichen_on_stone.png"), "--method",
-                                   method, "-o", workplace.path("noise.glb")});
-    INFO(baked.errors);
-    REQUIRE(baked.code == 0);
-    const Ended drawn = run(programPath("lichen-render"),
-                            {workplace.path("noise.glb"), "-o", workplace.path("picture.png"),
-                             "--size", "256x144", "--frames", "4"});
-    INFO(drawn.errors);
-    REQUIRE(drawn.code == 0);
-    test::checkGoldenPicture("whole_way_" + method, workplace.path("picture.png"));
-  }
+  checkWholeWay("tiling", {"--method", "tiling"}, "uv");
+  checkWholeWay("texton", {"--method", "texton"}, "uv");
+  checkWholeWay("cosines", {"--method", "local-random-phase", "--structure", "0"}, "uv");
+  checkWholeWay("structure", {"--method", "local-random-phase", "--structure", "0.5"}, "triplanar");
+  checkWholeWay("solid", {"--method", "local-random-phase", "--structure", "0"}, "solid");
 }

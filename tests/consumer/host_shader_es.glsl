@@ -29,10 +29,15 @@ void main() {
   else if (mapping == 1)
     shading =
         lichenPointTriplanarGrad(position, positionX, positionY, normal, material, noise.noise);
-  else
+  else if (mapping == 2)
     shading = lichenPointSurfaceGrad(position, positionX, positionY, normal, tangent,
-                                   material.material, noise.noise);
+                                     material.material, noise.noise);
+  else
+    shading =
+        lichenPointSolidGrad(position, positionX, positionY, material.material, noise.noise);
   color = lichenValue(image, table, shading, map);
   LichenImpacts impacts = lichenGradientPointUvGrad(uv, uvX, uvY, material.material, noise.noise);
   color.xyz += lichenTextonGradient(image, table, impacts, material.material, noise.noise, map);
+  color.xyz += lichenCosinesGradientUvGrad(image, table, uv, uvX, uvY, material.material,
+                                           noise.noise, map);
 }

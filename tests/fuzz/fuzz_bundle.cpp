@@ -2,6 +2,7 @@
 // Any bytes -> parseBundle(), checkBundle() and decodeKtx2(): results satisfy their contract, and
 // parsing and checking agree.
 #include <lichen/bundle.h>
+#include <lichen/shader_parameters.h>
 
 #include <algorithm>
 #include <bit>
@@ -167,6 +168,8 @@ void checkContract(const Bundle& bundle) {
     require(!use || use->noise < bundle.noises.size(), "index of a material's noise");
     require(!use || mappingFits(bundle.noises[use->noise].method(), use->mapping),
             "a mapping that the noise has not");
+    require(!use || mappingObstacle(bundle.noises[use->noise], use->mapping).empty(),
+            "a solid of a structure");
     require(!use || (use->impacts >= kImpactsRange.least && use->impacts <= kImpactsRange.most),
             "number of impacts");
     require(!use || use->mix.source != MixSource::direction ||

@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kPass = "local_random_phase_evaluate.comp";
 /// The numbering of local_random_phase_evaluate.comp.
-enum Quantity { kValue, kGaussian };
+enum Quantity { kValue, kGaussian, kGradient };
 
 constexpr int kWidth = 64, kHeight = 48;
 
@@ -224,6 +224,31 @@ TEST_CASE("the local random-phase shader matches its CPU twin: 99.9 % within 1/1
   }
 }
 
+TEST_CASE("the gradient of a height in the shader matches its CPU twin") {
+  for (const double structure : {0.0, 0.6}) {
+    const std::vector<std::byte> glb = glbOf(bakedFile({1, GaussianOnly::no, structure, 0.0}));
+    const Bundle bundle = parseBundle(glb, "noise").value();
+    PluginHost host(sharedContext(), glb);
+    const LocalRandomPhaseEvaluator twin = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+    const std::vector<Point> points = samplePoints(500);
+    for (const MaterialUse& use : manyUses(host.use())) {
+      const auto found = host.evaluate(committedShader(kPass), kGradient, use, points);
+      double squares = 0.0, errors = 0.0;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const auto expected =
+            twin.gradient(0, host.material(), footprintOf(points[k], host.material()));
+        for (std::size_t c = 0; c < 3; ++c) {
+          squares += c > 0 ? std::pow(double(expected[c]), 2.0) : 0.0;
+          errors += c > 0 ? std::pow(double(found[k][c]) - double(expected[c]), 2.0) : 0.0;
+        }
+        CHECK(std::abs(found[k][0] - expected[0]) < 1.0f / 255.0f);
+      }
+      INFO("structure " << structure);
+      CHECK(std::sqrt(errors / squares) < 0.01); // differences of structures round
+    }
+  }
+}
+
 TEST_CASE(
     "local random-phase noise is the sum of the cosines of all vertices under their windows") {
   const BundleFile file = bakedFile({3, GaussianOnly::no, 0.0, 0.0});
@@ -270,7 +295,9 @@ TEST_CASE("local random-phase noise repeats after its period and nowhere jumps")
     const shader::LichenMaterial constants =
         shaderMaterial(bundle, MaterialNoise(), placement).material;
     std::uniform_real_distribution<float> inX(0.0f, float(period[0])), inY(0.0f, float(period[1]));
-    const auto at = [&](float x, float y) { return twin.gaussian(0, constants, {{x, y}, {}, {}}); };
+    const auto at = [&](float x, float y) {
+      return twin.gaussian(0, constants, TileFootprint{{x, y}, {}, {}});
+    };
     for (int k = 0; k < 200; ++k) {
       const float x = inX(generator), y = inY(generator);
       const auto value = at(x, y);

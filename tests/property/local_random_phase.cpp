@@ -52,7 +52,8 @@ std::vector<std::vector<float>> gaussianPlanes(const Bundle& bundle, std::uint32
     for (int x = 0; x < side; ++x) {
       const auto value = evaluator.gaussian(
           0, constants,
-          {{(float(x) + 0.5f) / float(kTexels), (float(y) + 0.5f) / float(kTexels)}, {}, {}});
+          TileFootprint{
+              {(float(x) + 0.5f) / float(kTexels), (float(y) + 0.5f) / float(kTexels)}, {}, {}});
       for (std::size_t c = 0; c < 3; ++c)
         planes[c].push_back(6.0f * (value[c] - 0.5f));
     }
@@ -436,6 +437,54 @@ TEST_CASE("local random-phase noise has hardly more strokes than random phases m
   CHECK(excess.value - 3.0 * excess.standardError < 0.1);
 }
 
+TEST_CASE("the gradient of a height is that of its values") {
+  MapExemplar height = test::threeMaterials(kTexels, kTexels, 3);
+  for (std::size_t i = 0; i < height.values.size() / 3; ++i)
+    height.values[i] = height.values[3 * i];
+  height.values.resize(height.values.size() / 3);
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  height.encoding = ValueEncoding::linear;
+  for (const double structure : {0.0, 0.6})
+    for (const GaussianOnly gaussian : {GaussianOnly::yes, GaussianOnly::no}) {
+      LocalRandomPhaseOptions options;
+      options.structure = structure;
+      options.gaussian = gaussian;
+      options.bits = 16;
+      const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("height", {&height, 1}, options));
+      const LocalRandomPhaseEvaluator evaluator =
+          LocalRandomPhaseEvaluator::create(bundle, 0).value();
+      MaterialNoise use;
+      use.rotation = 0.5; // the gradient is along the exemplar's axes
+      const shader::LichenMaterial material = shaderMaterial(bundle, use, {}).material;
+      std::mt19937 generator(8u);
+      std::uniform_real_distribution<float> place(-3.0f, 3.0f);
+      double errors = 0.0, squares = 0.0;
+      for (int sample = 0; sample < 2000; ++sample) {
+        // A footprint of two texels, at which values do not end at 0 or 1.
+        const TileFootprint at{{place(generator), place(generator)},
+                               {2.0f / float(kTexels), 0.0f},
+                               {0.0f, 2.0f / float(kTexels)}};
+        const auto gradient = evaluator.gradient(0, material, at);
+        CHECK(gradient[0] == evaluator.evaluate(0, material, at)[0]);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          constexpr float kStep = 1.0f / 4096.0f;
+          TileFootprint before = at, after = at;
+          before.position[axis] -= kStep;
+          after.position[axis] += kStep;
+          const double difference = double(evaluator.evaluate(0, material, after)[0] -
+                                           evaluator.evaluate(0, material, before)[0]) /
+                                    (2.0 * double(kStep));
+          errors += std::pow(double(gradient[axis + 1]) - difference, 2.0);
+          squares += difference * difference;
+        }
+      }
+      INFO("structure " << structure << ", table " << (gaussian == GaussianOnly::no));
+      // Tables are straight between their cells, where differences see another slope.
+      CHECK(std::sqrt(errors / squares) < (gaussian == GaussianOnly::no ? 0.15 : 0.02));
+    }
+}
+
 TEST_CASE("a bake of local random-phase noise is the same on one thread and on many") {
   const MapExemplar map = test::threeMaterials(48, 40, 9);
   const auto baked = [&] {
@@ -458,7 +507,7 @@ TEST_CASE("constant, grey and tiny exemplars have local random-phase noises too"
   const Bundle flat = test::bundleOf(bakeLocalRandomPhase("flat", {&constant, 1}, {}));
   const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(flat, 0).value();
   const shader::LichenMaterial material = shaderMaterial(flat, MaterialNoise(), {}).material;
-  const auto value = evaluator.evaluate(0, material, {{0.3f, 0.7f}, {}, {}});
+  const auto value = evaluator.evaluate(0, material, TileFootprint{{0.3f, 0.7f}, {}, {}});
   for (std::size_t c = 0; c < 3; ++c) // 0.25 of sRGB
     CHECK(value[c] == Approx(0.0508761).margin(2e-3));
 
@@ -468,7 +517,7 @@ TEST_CASE("constant, grey and tiny exemplars have local random-phase noises too"
     const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("tiny", {&tiny, 1}, {}));
     const LocalRandomPhaseEvaluator noise = LocalRandomPhaseEvaluator::create(bundle, 0).value();
     const shader::LichenMaterial constants = shaderMaterial(bundle, MaterialNoise(), {}).material;
-    for (const float component : noise.evaluate(0, constants, {{0.3f, 0.7f}, {}, {}}))
+    for (const float component : noise.evaluate(0, constants, TileFootprint{{0.3f, 0.7f}, {}, {}}))
       CHECK(std::isfinite(component));
   }
   LocalRandomPhaseOptions options;

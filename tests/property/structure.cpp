@@ -315,7 +315,8 @@ TEST_CASE("structure and random part share the variance, and their sum has it ev
       for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
           const auto value = evaluator.gaussian(
-              0, constants, {{(float(x) + 0.5f) / kTexels, (float(y) + 0.5f) / kTexels}, {}, {}});
+              0, constants,
+              TileFootprint{{(float(x) + 0.5f) / kTexels, (float(y) + 0.5f) / kTexels}, {}, {}});
           for (std::size_t c = 0; c < 3; ++c)
             sum += 36.0 * std::pow(double(value[c]) - 0.5, 2.0) / (3.0 * kSide * kSide);
         }

@@ -48,8 +48,9 @@ double powerShare(const Bundle& bundle, bool (*isNear)(double u, double v)) {
       const double window = std::pow(std::sin(3.14159265358979 * (x + 0.5) / kSide) *
                                          std::sin(3.14159265358979 * (y + 0.5) / kSide),
                                      2.0);
-      plane.push_back(float(
-          window * (double(evaluator.gaussian(0, material, {{column, row}, {}, {}})[0]) - 0.5)));
+      plane.push_back(float(window * (double(evaluator.gaussian(
+                                          0, material, TileFootprint{{column, row}, {}, {}})[0]) -
+                                      0.5)));
     }
   const HalfSpectrum spectrum = forwardFft(plane, kSide, kSide);
   double near = 0.0, all = 0.0;
@@ -93,7 +94,8 @@ TEST_CASE("a noise with a band as its spectrum has its power there, and the exem
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
       const auto value = evaluator.evaluate(
-          0, material, {{(float(x) + 0.5f) * 4 / kSide, (float(y) + 0.5f) * 4 / kSide}, {}, {}});
+          0, material,
+          TileFootprint{{(float(x) + 0.5f) * 4 / kSide, (float(y) + 0.5f) * 4 / kSide}, {}, {}});
       for (std::size_t c = 0; c < 3; ++c)
         found[c] += double(value[c]) / (kSide * kSide);
     }

@@ -85,6 +85,7 @@ TEST_CASE("every fault of a structure is found") {
       structuredFile(),
       {
           {"a number", "type", [&](GlbParts& p) { structureOf(p) = 64; }},
+          {"in a solid", "material-mapping", [](GlbParts& p) { p.use(0)["mapping"] = "solid"; }},
           {"no sides", "required", [&](GlbParts& p) { structureOf(p).erase("texels"); }},
           {"one side", "count", [&](GlbParts& p) { structureOf(p)["texels"] = {64}; }},
           {"small sides", "range", [&](GlbParts& p) { structureOf(p)["texels"][0] = 32; }},

@@ -312,7 +312,7 @@ TEST_CASE("every fault of a material's use of textons is found") {
           {"an unknown process", "material-point-process",
            [](GlbParts& p) { p.use(1)["pointProcess"] = "blue"; }},
           {"a process that is a number", "type", [](GlbParts& p) { p.use(1)["pointProcess"] = 1; }},
-          {"a mapping that no method has yet", "material-mapping",
+          {"a solid of textons", "material-mapping",
            [](GlbParts& p) { p.use(1)["mapping"] = "solid"; }},
           {"a surface of tiling", "material-mapping",
            [](GlbParts& p) { p.use(0)["mapping"] = "surface"; }},

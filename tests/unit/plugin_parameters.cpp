@@ -112,7 +112,8 @@ TEST_CASE("the blocks of every kind of noise and mapping are those of the bundle
       parameters.pointProcess = LICHEN_POINT_PROCESS_POISSON;
       for (const auto& [mapping, code] : {std::pair{Mapping::uv, LICHEN_MAPPING_UV},
                                           {Mapping::triplanar, LICHEN_MAPPING_TRIPLANAR},
-                                          {Mapping::surface, LICHEN_MAPPING_SURFACE}}) {
+                                          {Mapping::surface, LICHEN_MAPPING_SURFACE},
+                                          {Mapping::solid, LICHEN_MAPPING_SOLID}}) {
         if (!mappingFits(file.bundle.noises[material.noise].method(), mapping))
           continue;
         material.mapping = mapping;
@@ -318,11 +319,33 @@ TEST_CASE("the switches leave out what no material needs") {
   CHECK(switchesOf({mixed}).find("POISSON") == std::string::npos);
 }
 
+TEST_CASE("a solid of a noise with a structure is refused, and the properties say which has one") {
+  const OwnedBundle cosines(example::smallestCosines()), structure(example::smallestStructure());
+  LichenMaterialParameters parameters = parametersOf(structure.handle);
+  parameters.mapping = LICHEN_MAPPING_SOLID;
+  const Filled refused = fill(parameters);
+  CHECK(refused.result == LICHEN_ERROR_USAGE);
+  CHECK(refused.message == "mapping 3 (solid) does not fit the noise: it has a structure, which "
+                           "lies in a plane; bake it with --structure 0");
+  parameters = parametersOf(cosines.handle);
+  parameters.mapping = LICHEN_MAPPING_SOLID;
+  CHECK(fill(parameters).result == LICHEN_SUCCESS);
+  for (const auto& [handle, expected] : {std::pair{cosines.handle, 0u}, {structure.handle, 1u}}) {
+    LichenNoiseProperties noise;
+    LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+    REQUIRE(lichenGetNoiseProperties(handle, 0, &noise) == LICHEN_SUCCESS);
+    CHECK(noise.hasStructure == expected);
+  }
+}
+
 TEST_CASE("the switches of local random-phase noise leave out what only other methods have") {
   const OwnedBundle cosines(example::smallestCosines());
   CHECK(switchesOf({parametersOf(cosines.handle)}) ==
         "-DLICHEN_ROLES=16 -DLICHEN_METHODS=4 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR"
-        " -DLICHEN_TABLES=0 -DLICHEN_STRUCTURE=0 -DLICHEN_PERIODIC_LATTICE=0");
+        " -DLICHEN_TABLES=0 -DLICHEN_STRUCTURE=0 -DLICHEN_OMIT_SOLID -DLICHEN_PERIODIC_LATTICE=0");
+  LichenMaterialParameters solid = parametersOf(cosines.handle);
+  solid.mapping = LICHEN_MAPPING_SOLID;
+  CHECK(switchesOf({solid}).find("OMIT_SOLID") == std::string::npos);
   const OwnedBundle structure(example::smallestStructure());
   CHECK(switchesOf({parametersOf(cosines.handle), parametersOf(structure.handle)})
             .find("STRUCTURE") == std::string::npos);

@@ -226,6 +226,7 @@ TEST_CASE(
   LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
   REQUIRE(lichenGetNoiseProperties(bundle.handle, 0, &noise) == LICHEN_SUCCESS);
   CHECK(noise.mixSteps == 1);
+  CHECK(noise.hasStructure == 0);
   CHECK(noise.textonOrder == 0);
   REQUIRE(lichenGetNoiseProperties(bundle.handle, 1, &noise) == LICHEN_SUCCESS);
   CHECK(noise.mixSteps == 3);

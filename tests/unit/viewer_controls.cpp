@@ -197,6 +197,8 @@ TEST_CASE("choices cycle: the file's own, then each, then the file's own") {
   CHECK_FALSE(lookAfter(controls, "T").noise.noise.has_value());
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::uv);
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::triplanar);
+  CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::solid);
+  CHECK(controls.summary() == "mapping solid (triplanar where unsupported)");
   CHECK_FALSE(lookAfter(controls, "M").noise.mapping.has_value());
   CHECK(lookAfter(controls, "O").noise.inObjectSpace == false);
   CHECK(lookAfter(controls, "O").noise.inObjectSpace == true);

@@ -5,6 +5,7 @@
 #include <lichen/bundle.h>
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
+#include <lichen/solid_footprint.h>
 #include <lichen/tile_footprint.h>
 #include <lichen/triplanar_footprint.h>
 
@@ -36,6 +37,17 @@ public:
                                const TileFootprint& at) const;
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenTriplanarMaterial& material,
                                const TriplanarFootprint& at) const;
+  /// In a solid: the noise has no structure. Slopes become a gradient in space; the fourth value is
+  /// their lost variance.
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
+                               const SolidFootprint& at) const;
+
+  /// The first channel of the value and its derivatives along x and y of tile space [1 / tile], as
+  /// lichenCosinesGradient (shaders_glsl/noise/cosine_gradient.glsl): exact for the cosines, by
+  /// differences for a structure. The mapping is uv.
+  [[nodiscard]] std::array<float, 3> gradient(std::size_t map,
+                                              const shader::LichenMaterial& material,
+                                              const TileFootprint& at) const;
 
   /// The value before decoding: Gaussian with mean 1/2 and, if no variance is lost, standard
   /// deviation 1/6. The fourth is the share of the variance lost to filtering, the mean over the
@@ -44,6 +56,8 @@ public:
                                const TileFootprint& at) const;
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenTriplanarMaterial& material,
                                const TriplanarFootprint& at) const;
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenMaterial& material,
+                               const SolidFootprint& at) const;
 
 private:
   struct Map;

@@ -6,6 +6,7 @@
 #include <lichen/mix_place.h>
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
+#include <lichen/solid_footprint.h>
 #include <lichen/surface_footprint.h>
 #include <lichen/tile_footprint.h>
 #include <lichen/tiling_quality.h>
@@ -62,6 +63,9 @@ public:
   /// rotated by the material's rotation.
   [[nodiscard]] virtual Value evaluate(std::size_t map, const SurfaceFootprint& at,
                                        const MixPlace& mix = {}) const = 0;
+  /// As above for the mapping solid. Slopes become a gradient in space; the fourth value is their
+  /// lost variance.
+  [[nodiscard]] virtual Value evaluate(std::size_t map, const SolidFootprint& at) const = 0;
 
   /// Evaluates at texture coordinates, for a material with the mapping uv. Slopes are in the
   /// tangent space that a mesh has for these coordinates. A mix uses the material's weight if that

@@ -161,7 +161,8 @@ struct Bundle;
                                                         const NoiseMap& map);
 
 /// Whether a method supports a mapping. All methods support uv and triplanar; textons also support
-/// surface; none supports solid.
+/// surface, and local random phase supports solid for noises without a structure
+/// (mappingObstacle()).
 [[nodiscard]] bool mappingFits(Method method, Mapping mapping);
 
 /// Whether a noise is a mix, that is, varies with a mix weight.

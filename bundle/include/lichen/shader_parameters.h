@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <lichen_interface.h>
+#include <string_view>
 
 namespace lichen {
 
@@ -38,14 +39,19 @@ namespace lichen {
                                                    const std::array<float, 3>& gaussian,
                                                    const std::array<float, 3>& lostVariance);
 
+/// Why this noise does not support a mapping that its method supports, such as "it has a structure,
+/// which lies in a plane; bake it with --structure 0". Empty if it does support it.
+[[nodiscard]] std::string_view mappingObstacle(const shader::LichenNoise& noise, Mapping mapping);
+[[nodiscard]] std::string_view mappingObstacle(const Noise& noise, Mapping mapping);
+
 /// Settings that place a material's noise on a surface.
 struct Placement {
   /// Whole tiles added to every coordinate, |.| up to 2^40. If an origin is not 0 and the placement
   /// is periodic, the period along that axis is a whole number of tiles.
   std::int64_t tileOriginX = 0;
   std::int64_t tileOriginY = 0;
-  /// For triplanar and surface noise, which evaluate at 3-D positions. These tiles are as high as
-  /// wide.
+  /// For triplanar, surface and solid noise, which evaluate at 3-D positions. These tiles are as
+  /// high as wide.
   std::int64_t tileOriginZ = 0;
   bool periodic = false;     ///< repeat every periodTilesX x periodTilesY tiles; Mapping::uv only
   double periodTilesX = 0.0; ///< at least about half a tile; whole texels for an exact seam
@@ -58,8 +64,9 @@ struct Placement {
 /// the excess kurtosis of the sum is 9/5 of an unweighted sum's.
 inline constexpr double kSurfaceImpacts = 2.0;
 
-/// The plane argument of latticeSeed() for surface noise. Plane 0 is uv; 0 to 2 are triplanar's.
-inline constexpr std::uint32_t kSurfacePlane = 3;
+/// The plane argument of latticeSeed() for surface and for solid noise. Plane 0 is uv; 0 to 2 are
+/// triplanar's.
+inline constexpr std::uint32_t kSurfacePlane = 3, kSolidPlane = 4;
 
 /// The block of a material at `placement`, of a noise with these constants. Needs no bundle. The
 /// planes are zero but for the mapping triplanar.

@@ -13,8 +13,13 @@ namespace lichen {
 
 using Json = nlohmann::ordered_json;
 
-bool LocalRandomPhaseFormat::fits(Mapping mapping) const {
-  return mapping == Mapping::uv || mapping == Mapping::triplanar;
+bool LocalRandomPhaseFormat::fits(Mapping mapping) const { return mapping != Mapping::surface; }
+
+std::string_view LocalRandomPhaseFormat::obstacle(const shader::LichenNoise& noise,
+                                                  Mapping mapping) const {
+  return mapping == Mapping::solid && cosinesPart(noise).structure != 0
+             ? "it has a structure, which lies in a plane; bake it with --structure 0"
+             : "";
 }
 
 std::span<const std::string_view> LocalRandomPhaseFormat::tableMembers() const {

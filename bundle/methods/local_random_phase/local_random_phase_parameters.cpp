@@ -4,12 +4,14 @@
 #include "local_random_phase_format.h"
 #include "methods/map_constants.h"
 #include "methods/method_part.h"
+#include "methods/split_origin.h"
 
 #include <lichen/structure_texel.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 
 namespace lichen {
 namespace {
@@ -46,6 +48,49 @@ bool isGuided(const Placement& placement) {
   const auto isWhole = [](double tiles) { return tiles == std::round(tiles); };
   return !placement.periodic ||
          (isWhole(placement.periodTilesX) && isWhole(placement.periodTilesY));
+}
+
+/// Sets the cubes of solid noise, and the position of the tile origin in them: a body-centred cubic
+/// lattice whose vertices (i, j, k) lie at (i, j, k) - (i + j + k) / 6 cubes.
+void setSolid(const shader::LichenNoise& noise, const MaterialNoise& material,
+              const Placement& placement, shader::LichenMaterial& constants,
+              shader::LichenCosinesMaterial& part) {
+  // A window of edge 1 is as wide as one of 0.73 cubes: the root of 0.1733 / 0.3265, their mean
+  // square frequencies. More cubes leave fewer strokes in planes other than the exemplar's.
+  constexpr double kCubesPerEdge = 0.84;
+  const shader::LichenCosinesNoise own = cosinesPart(noise);
+  const auto cubesIn = [](double edges) {
+    return std::max(1LL, std::llround(edges * kCubesPerEdge));
+  };
+  const std::int64_t across = cubesIn(own.columns);
+  const std::int64_t down = cubesIn(0.5 * std::numbers::sqrt3 * own.rows);
+  constants.columnsPerTile = float(across) / kOctaveTiles;
+  constants.rowsPerTile = float(down) / kOctaveTiles;
+  constants.seedWord = latticeSeed(material.seed, kSolidPlane);
+  // The exemplar lies as on the plane that looks along z, to the right and down. It may be rotated
+  // and not square; tiles of the origin are cubes.
+  const double right = double(placement.tileOriginX), downward = -double(placement.tileOriginY);
+  const double cosine = std::cos(material.rotation), sine = std::sin(material.rotation);
+  const double aspect = double(noise.tileTexelsX) / double(noise.tileTexelsY);
+  // Whole vertices lie three cubes apart along an axis.
+  constexpr std::int64_t kStep = 3 * kOctaveTiles;
+  const SplitOrigin x = splitOrigin(cosine * right + sine * downward, material.offset[0], kStep);
+  const SplitOrigin y =
+      splitOrigin(aspect * (cosine * downward - sine * right), material.offset[1], kStep);
+  const SplitOrigin z = splitOrigin(placement.tileOriginZ, 0.0, kStep);
+  const std::array<std::int64_t, 3> thirds{x.tile / kStep * across, y.tile / kStep * down,
+                                           z.tile / kStep * across};
+  const std::int64_t shift = thirds[0] + thirds[1] + thirds[2];
+  const auto cell = [&](std::size_t axis) {
+    return std::int32_t(std::uint32_t(std::uint64_t(3 * thirds[axis] + shift)));
+  };
+  constants.offsetX = x.offset;
+  constants.offsetY = y.offset;
+  constants.cellI = cell(0);
+  constants.cellJ = cell(1);
+  part.isSolid = 1;
+  part.cellK = cell(2);
+  part.offsetZ = z.offset;
 }
 
 } // namespace
@@ -103,6 +148,9 @@ void LocalRandomPhaseFormat::setMap(const Bundle& bundle, const Noise&, const No
     perInteger[c] = float(own.structureAmplitudes[c] / kMostStructureInteger);
   constants.sumFactor = {perInteger[0], perInteger[1], perInteger[2], 0.0f};
   setDecoding(constants, bundle, map, own.inverseTable);
+  // Solid noise has a third slope, which no table knows.
+  if (map.encoding == ValueEncoding::slope && own.inverseTable)
+    setLinearRows(constants, map, bundle.tables[*own.inverseTable]);
 }
 
 void LocalRandomPhaseFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
@@ -116,11 +164,15 @@ void LocalRandomPhaseFormat::setNoise(const Noise& noise, shader::LichenNoise& c
                          shader::uint(shared.cosineCount()), structureWord(shared.structure)});
 }
 
-void LocalRandomPhaseFormat::setMaterial(const shader::LichenNoise& noise, const MaterialNoise&,
-                                         const Placement& placement,
+void LocalRandomPhaseFormat::setMaterial(const shader::LichenNoise& noise,
+                                         const MaterialNoise& material, const Placement& placement,
                                          shader::LichenMaterial& constants) const {
-  setPart(constants, shader::LichenCosinesMaterial{firstOctave(noise, placement),
-                                                   shader::uint(isGuided(placement))});
+  shader::LichenCosinesMaterial part{};
+  part.firstOctave = firstOctave(noise, placement);
+  part.guided = shader::uint(isGuided(placement));
+  if (material.mapping == Mapping::solid)
+    setSolid(noise, material, placement, constants, part);
+  setPart(constants, part);
 }
 
 shader::LichenCosinesMaterial cosinesPart(const shader::LichenMaterial& material) {

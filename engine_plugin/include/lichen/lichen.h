@@ -168,6 +168,11 @@ typedef struct LichenNoiseProperties {
                         shader library may be 0 where no noise is a mix */
   uint32_t textonOrder; /* 0, 1 or 3: degree of a texton's B-spline, with which its cost goes; 0 of
                            other noises */
+  /* 1 if a local random-phase noise has a structure, 0 of other noises. LICHEN_STRUCTURE of the
+   * shader library may be 0 where no noise has one. Noises with a structure do not support
+   * LICHEN_MAPPING_SOLID. */
+  uint32_t hasStructure;
+  uint32_t reserved; /* 0 */
 } LichenNoiseProperties;
 
 /* noise < noiseCount. */
@@ -236,8 +241,8 @@ typedef enum LichenMapping {
   LICHEN_MAPPING_MAX_ENUM = 0x7FFFFFFF
 } LichenMapping;
 
-/* Of LICHEN_MAPPING_TRIPLANAR and LICHEN_MAPPING_SURFACE, the space of the positions, normals and
- * tangents that the host gives the shader: the blocks are the same for both. */
+/* Of all mappings but LICHEN_MAPPING_UV, the space of the positions, normals and tangents that the
+ * host gives the shader: the blocks are the same for both. */
 typedef enum LichenSpace {
   LICHEN_SPACE_WORLD = 0,  /* one pattern runs from mesh to mesh */
   LICHEN_SPACE_OBJECT = 1, /* the mesh's own, before morph targets and skins: the pattern moves,
@@ -408,7 +413,8 @@ typedef struct LichenMaterialParameters {
   uint32_t noise;
   /* The shader must compute its point for the same mapping: with LICHEN_POINT for
    * LICHEN_MAPPING_UV, LICHEN_POINT_TRIPLANAR for LICHEN_MAPPING_TRIPLANAR, LICHEN_POINT_SURFACE
-   * for LICHEN_MAPPING_SURFACE, which only textons have. */
+   * for LICHEN_MAPPING_SURFACE, which only textons have, and LICHEN_POINT_SOLID for
+   * LICHEN_MAPPING_SOLID, which local random-phase noise without a structure has. */
   LichenMapping mapping;
   uint32_t seed; /* any; another seed is another noise of the same look */
   /* [0, 65536] of tiling: the number of evenly spaced angles by which tiles are rotated. 0 and 1:
@@ -446,12 +452,12 @@ typedef struct LichenPlacement {
   const void* next;
   /* The host's origin in whole tiles, each within +-2^40, exact: a point's tile coordinate is this
    * plus what the shader computes, so that coordinates near the camera stay small. Texture
-   * coordinates have x and y. Of the mappings triplanar and surface, a point in space, whose tiles
-   * are cubes of `scale` times the noise's tileSizeMetres: the host gives the shader positions less
-   * tileOrigin times that. */
+   * coordinates have x and y. Of the other mappings, a point in space, whose tiles are cubes of
+   * `scale` times the noise's tileSizeMetres: the host gives the shader positions less tileOrigin
+   * times that. */
   int64_t tileOrigin[3];
   /* The noise repeats after this many tiles: [1, 65536] each, a whole number where tileOrigin is
-   * not 0. 0, 0: never, as of the mappings triplanar and surface. */
+   * not 0. 0, 0: never, as of all mappings but LICHEN_MAPPING_UV. */
   double periodTiles[2];
   /* [0, 64] VkSamplerCreateInfo::maxAnisotropy of the images' sampler. 0 and 1: it is
    * trilinear, the default, which is what the reference pictures and the tests show. Above 1 the

@@ -87,6 +87,17 @@ vec3 localRandomPhaseDebug(LichenCosinesPoint point) {
 }
 #endif
 
+#ifndef LICHEN_OMIT_SOLID
+vec3 solidDebug(LichenSolidPoint point) {
+  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
+    return kNothingToShow;
+  return shownGaussian(lichenSolidGaussian(lichenSolidSum(LICHEN_IMAGE(LICHEN_BASE_COLOR), point,
+                                                          lichenMaterial, lichenNoise, shownMap()),
+                                           lichenMaterial)
+                           .rgb);
+}
+#endif
+
 #ifndef LICHEN_OMIT_SURFACE_TEXTONS
 vec3 surfaceDebug(LichenShadingPoint shading) {
   LichenImpacts impacts = shading.point.texton;
@@ -157,6 +168,11 @@ vec3 noiseDebug(Footprint footprint) {
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise))
     return textonDebug(shading.point.texton);
+#endif
+#ifndef LICHEN_OMIT_SOLID
+  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, lichenNoise) &&
+      lichenIsSolid(lichenMaterial))
+    return solidDebug(shading.solid);
 #endif
 #ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
   if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, lichenNoise))

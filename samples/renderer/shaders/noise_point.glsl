@@ -12,11 +12,15 @@ layout(constant_id = 6) const bool kTriplanar = true; // whether any uses tripla
 layout(constant_id = 7) const bool kOtherMappings = true; // whether any uses another mapping
 layout(constant_id = 8) const bool kObjectSpaces = true; // whether any is in object space
 layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates its tiles
+layout(constant_id = 10) const bool kSolid = true; // whether any uses solid mapping
+layout(constant_id = 11) const bool kStructure = true; // whether any has a structure
 #define LICHEN_USED_METHODS kMethods
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR kTriplanar
 #define LICHEN_OTHER_MAPPINGS kOtherMappings
 #endif
+#define LICHEN_SOLID kSolid
+#define LICHEN_STRUCTURE kStructure
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_TILE_ROTATION kTileRotation
 #define LICHEN_GAUSSIAN_ONLY kGaussianOnly
@@ -124,7 +128,8 @@ LichenShadingPoint noisePoint(Footprint f) {
 #else
   bool second = material.flags.w != 0;
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
-#if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE_TEXTONS)
+#if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE_TEXTONS) ||                    \
+    !defined(LICHEN_OMIT_SOLID)
   Spot spot = f.world;
   if (isInObject())
     spot = f.object;
@@ -145,6 +150,11 @@ LichenShadingPoint noisePoint(Footprint f) {
     setMixInSpace(shading.point, f, uv);
     return shading;
   }
+#endif
+#ifndef LICHEN_OMIT_SOLID
+  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, lichenNoise) &&
+      lichenIsSolid(lichenMaterial))
+    return LICHEN_POINT_SOLID(spot.position, spot.dx, spot.dy);
 #endif
   vec2 dx = second ? f.dx.zw : f.dx.xy;
   vec2 dy = second ? f.dy.zw : f.dy.xy;

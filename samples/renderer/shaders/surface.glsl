@@ -30,7 +30,7 @@ struct Surface {
   float slopeVariance; // along each axis, lost to filtering
   float occlusion;
   vec3 tangentNormal; // in tangent space
-  vec3 gradient; // gradient of triplanar slopes, in the world; tangentNormal is then (0, 0, 1)
+  vec3 gradient; // of triplanar and solid slopes, in the world; tangentNormal is then (0, 0, 1)
 };
 
 vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
@@ -101,17 +101,17 @@ vec3 gradientInWorld(vec3 gradient, Footprint f) {
   return height * inWorld / max(1.0 - outward, kLeastRest);
 }
 
-bool hasTriplanarSlopes() {
+bool hasSlopesInSpace() {
 #ifdef WITHOUT_NOISE
   return false;
 #else
-  return lichenIsTriplanar(lichenMaterial) && LICHEN_HAS(LICHEN_NORMAL);
+  return lichenHasSlopesInSpace(lichenMaterial, lichenNoise) && LICHEN_HAS(LICHEN_NORMAL);
 #endif
 }
 
-/// xyz: gradient of triplanar slopes; w: slope variance lost to filtering.
+/// xyz: gradient of triplanar and solid slopes; w: slope variance lost to filtering.
 vec4 gradientAt(Footprint f, LichenShadingPoint shading) {
-  if (!hasTriplanarSlopes())
+  if (!hasSlopesInSpace())
     return vec4(0.0);
   float scale = material.factors.z;
   vec4 value = NOISE_VALUE(LICHEN_NORMAL, shading);
@@ -120,9 +120,9 @@ vec4 gradientAt(Footprint f, LichenShadingPoint shading) {
   return vec4(scale * value.xyz, scale * scale * value.w);
 }
 
-/// xyz: normal in tangent space; w: slope variance lost to filtering. Not for triplanar slopes.
+/// xyz: normal in tangent space; w: slope variance lost to filtering. Not for slopes in space.
 vec4 tangentNormalAt(Footprint f, LichenShadingPoint shading) {
-  if (hasTriplanarSlopes())
+  if (hasSlopesInSpace())
     return vec4(0.0, 0.0, 1.0, 0.0);
 #ifndef WITHOUT_NOISE
   if (LICHEN_HAS(LICHEN_NORMAL)) {

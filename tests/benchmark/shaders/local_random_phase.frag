@@ -11,6 +11,7 @@
 #endif
 #define LICHEN_GAUSSIAN_ONLY 0
 #define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_OMIT_SOLID
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// Local random-phase noise in a solid: a point in space and its footprint -> for each octave the
+// four vertices around it and their windows -> the sum of the cosines of each, with the share of
+// the variance that the footprint loses -> the material's value. The CPU twin is
+// analysis/local_random_phase/solid_cosines.
+// The exemplar has a frequency (x, y); its third component is uniform up to 1.2 times the length of
+// both. Planes across z then have the spectrum of the exemplar, and others nearly that, rotated
+// about the direction in which the exemplar is smoothest: docs/decisions/030-solid.md.
+#ifndef LICHEN_SOLID_COSINES_GLSL
+#define LICHEN_SOLID_COSINES_GLSL
+
+#include "../interface/fetch.glsl"
+#include "../interface/lichen_interface.h"
+#include "decode.glsl"
+#include "local_random_phase.glsl"
+#include "method_parts.glsl"
+#include "solid_vertices.glsl"
+#include "tile_frame.glsl"
+
+/// Sums over cosines.
+struct LichenSolidSum {
+  vec3 gaussian; // less its mean
+  float depthSlope; // of slopes: that along z, stored
+  float squares, lost; // squared amplitudes of all channels, and what the footprint takes of them
+};
+
+/// Adds one cosine at one vertex. `frequency` is in cycles / tile width, `value` the cosine under
+/// its window.
+void lichenAddSolidVertex(inout LichenSolidSum sum, vec3 frequency, float value, float window,
+                          float retainedWindow, vec3 amplitude, LichenMap map) {
+  sum.gaussian += value * amplitude;
+  float own = dot(amplitude, amplitude);
+  sum.squares += window * window * own;
+  sum.lost += (window * window - retainedWindow * retainedWindow) * own;
+  if (map.encoding != uint(LICHEN_ENCODING_SLOPE))
+    return;
+  // Slopes of one wave are a gradient along its frequency; y of slopes points up.
+  vec2 slopes = vec2(dot(map.row0.xy, amplitude.xy), dot(map.row1.xy, amplitude.xy));
+  vec2 planar = vec2(frequency.x, -frequency.y);
+  const float kLeast = 1.0e-20;
+  sum.depthSlope +=
+      value * frequency.z * dot(planar, slopes) / max(dot(planar, planar), kLeast);
+}
+
+/// Adds one cosine at four vertices; `box` and the amplitudes as lichenAddCosine has them. Advances
+/// the vertices' random numbers.
+void lichenAddSolidCosine(inout LichenSolidSum sum, inout uvec4 states, inout uvec4 depths,
+                          LichenSolidVertices vertices, LichenSolidPoint point, vec2 box,
+                          vec2 variant0, vec2 variant1, vec2 variant2, vec2 variant3, float aspect,
+                          LichenMap map) {
+  vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
+  vec4 amplitude0 = vec4(lichenBfloat16Pair(variant0.x), lichenBfloat16Pair(variant0.y));
+  vec4 amplitude1 = vec4(lichenBfloat16Pair(variant1.x), lichenBfloat16Pair(variant1.y));
+  vec4 amplitude2 = vec4(lichenBfloat16Pair(variant2.x), lichenBfloat16Pair(variant2.y));
+  vec4 amplitude3 = vec4(lichenBfloat16Pair(variant3.x), lichenBfloat16Pair(variant3.y));
+  states = states * 747796405u + 2891336453u; // as lichenAddCosine draws
+  const float kPerBit = 1.0 / 4294967296.0; // of signed integers: -1/2 to 1/2
+  const float kMostDepth = 1.2;
+  vec4 x = middle.x + size.x * kPerBit * vec4(ivec4(states << 21u));
+  vec4 y = middle.y + size.y * kPerBit * vec4(ivec4(states << 11u));
+  vec4 inSpace = aspect * y; // [cycles / tile width]
+  vec4 z = 2.0 * kPerBit * kMostDepth * sqrt(x * x + inSpace * inSpace) * vec4(ivec4(depths));
+  // By the golden ratio: third frequencies of waves of similar directions lie far apart.
+  depths += 0x9E3779B9u;
+  vec4 turns = x * vertices.offsetX + y * vertices.offsetY + z * vertices.offsetZ +
+               kPerBit * vec4(ivec4(states)) +
+               vec4(amplitude0.a, amplitude1.a, amplitude2.a, amplitude3.a);
+  vec4 alongA = x * point.footprintA.x + y * point.footprintA.y + z * point.footprintA.z;
+  vec4 alongB = x * point.footprintB.x + y * point.footprintB.y + z * point.footprintB.z;
+  float ofWindow = dot(vertices.spread, point.footprintA * point.footprintA +
+                                            point.footprintB * point.footprintB);
+  vec4 retained =
+      vertices.windows *
+      lichenCosineRetained(ofWindow + alongA * alongA + alongB * alongB);
+  vec4 values = retained * lichenCosineOfTurns(turns);
+  lichenAddSolidVertex(sum, vec3(x.x, inSpace.x, z.x), values.x, vertices.windows.x, retained.x,
+                       amplitude0.rgb, map);
+  lichenAddSolidVertex(sum, vec3(x.y, inSpace.y, z.y), values.y, vertices.windows.y, retained.y,
+                       amplitude1.rgb, map);
+  lichenAddSolidVertex(sum, vec3(x.z, inSpace.z, z.z), values.z, vertices.windows.z, retained.z,
+                       amplitude2.rgb, map);
+  lichenAddSolidVertex(sum, vec3(x.w, inSpace.w, z.w), values.w, vertices.windows.w, retained.w,
+                       amplitude3.rgb, map);
+}
+
+/// The sum of all cosines.
+LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenSolidPoint point,
+                              LichenMaterial material, LichenNoise noise, LichenMap map) {
+  LichenCosinesNoise shape = lichenCosinesNoise(noise);
+  LichenSolidSum sum = LichenSolidSum(vec3(0.0), 0.0, 0.0, 0.0);
+  int row = 0;
+  int rows = int(shape.cosines) / 2;
+  for (int octave = 0; octave < LICHEN_MAX_OCTAVES && row < rows; ++octave) {
+    int end = row + lichenOctaveCosines(octave, shape) / 2;
+    LichenSolidVertices vertices = lichenSolidVertices(point, octave, material);
+    uvec4 states = vertices.states;
+    uvec4 depths = states << 7u; // low bits, as the variant has the high ones
+    ivec4 variants = 1 + ivec4((states >> 27u) & (shape.variants - 1u));
+    for (; row < end; ++row) {
+      vec4 boxes = LICHEN_FETCH_2D(image, ivec2(0, row));
+      vec4 variant0 = LICHEN_FETCH_2D(image, ivec2(variants.x, row));
+      vec4 variant1 = LICHEN_FETCH_2D(image, ivec2(variants.y, row));
+      vec4 variant2 = LICHEN_FETCH_2D(image, ivec2(variants.z, row));
+      vec4 variant3 = LICHEN_FETCH_2D(image, ivec2(variants.w, row));
+      lichenAddSolidCosine(sum, states, depths, vertices, point, boxes.xy, variant0.xy,
+                           variant1.xy, variant2.xy, variant3.xy, noise.tileAspect, map);
+      lichenAddSolidCosine(sum, states, depths, vertices, point, boxes.zw, variant0.zw,
+                           variant1.zw, variant2.zw, variant3.zw, noise.tileAspect, map);
+    }
+  }
+  return sum;
+}
+
+/// The Gaussian value, and in w the share of its variance that the footprint loses, as
+/// lichenCosinesGaussian returns them.
+vec4 lichenSolidGaussian(LichenSolidSum sum, LichenMaterial material) {
+  const float kLeast = 1.0e-20; // of a map that does not vary
+  return vec4(0.5 + material.contrast * sum.gaussian, sum.lost / max(sum.squares, kLeast));
+}
+
+/// The value of one map, as lichenTriplanarValue returns it.
+vec4 lichenSolidCosines(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenSolidPoint point,
+                        LichenMaterial material, LichenNoise noise, LichenMap map) {
+  LichenSolidSum sum = lichenSolidSum(image, point, material, noise, map);
+  vec4 gaussian = lichenSolidGaussian(sum, material);
+  vec4 value = lichenDecode(table, gaussian.rgb, gaussian.w, material.contrast, map);
+  if (map.encoding != uint(LICHEN_ENCODING_SLOPE))
+    return value;
+  vec2 slopes = lichenSlopesToUv(value.xy, material); // to the right and up: along x and y
+  return vec4(slopes, material.contrast * sum.depthSlope, value.z);
+}
+
+/// The point at `position` [tiles, relative to the host's integer tile origin] of a pixel with
+/// these gradients [tiles / pixel].
+LichenSolidPoint lichenSolidPointAt(vec3 position, vec3 gradientX, vec3 gradientY,
+                                    LichenMaterial material, LichenNoise noise) {
+  vec3 cubesPerTile = vec3(material.columnsPerTile, material.rowsPerTile, material.columnsPerTile);
+  vec3 skewed = lichenSkewed(position * cubesPerTile);
+  vec3 cell = floor(skewed);
+  LichenSolidPoint point;
+  point.cell = ivec3(cell);
+  point.inside = skewed - cell;
+  // The axes of the pixel in texels are those of the matrix of its gradients' products.
+  vec3 texels = vec3(noise.tileTexelsX, noise.tileTexelsY, noise.tileTexelsX);
+  vec3 texelsX = texels * gradientX, texelsY = texels * gradientY;
+  float xx = dot(texelsX, texelsX), yy = dot(texelsY, texelsY), xy = dot(texelsX, texelsY);
+  float mean = 0.5 * (xx + yy), halfDifference = 0.5 * (xx - yy);
+  float apart = sqrt(halfDifference * halfDifference + xy * xy);
+  const float kLeast = 1.0e-20; // of a circle, whose axes are the same
+  float longer = sqrt(lichenBeyondTexel(mean + apart) / max(mean + apart, kLeast));
+  float shorter = sqrt(lichenBeyondTexel(mean - apart) / max(mean - apart, kLeast));
+  // A function of that matrix, by its values at both squared lengths.
+  float slope = 0.5 * (longer - shorter) / max(apart, kLeast);
+  float middle = 0.5 * (longer + shorter);
+  point.footprintA = (middle + slope * halfDifference) * gradientX + slope * xy * gradientY;
+  point.footprintB = slope * xy * gradientX + (middle - slope * halfDifference) * gradientY;
+  return point;
+}
+
+#endif

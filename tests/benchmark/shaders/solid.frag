@@ -1,0 +1,24 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Local random-phase noise in a solid, on a plane in space, as local_random_phase.frag has it on
+// texture coordinates: the same pixels see the same texels.
+
+// The usual material, as there.
+#define LICHEN_METHODS 4
+#define LICHEN_GAUSSIAN_ONLY 0
+#define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_SET 0
+#define LICHEN_ROLES 1
+#include "lichen.glsl"
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  const vec3 kRight = normalize(vec3(3.0, 0.0, -1.0)); // askew to the exemplar, as most surfaces
+  const vec3 kDown = cross(normalize(vec3(1.0, 2.0, 3.0)), kRight);
+  vec3 position = lichenNoise.tileSizeMetres * (uv.x * kRight + uv.y * kDown);
+  LichenShadingPoint shading = LICHEN_POINT_SOLID(position, dFdx(position), dFdy(position));
+  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
+}

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+// Solid local random-phase noise: its statistics and the spectra of its planes, its slopes in
+// space, and its filter, against the exemplar and against averages.
+#include "bundle_of.h"
+#include "example_exemplar.h"
+
+#include <lichen/local_random_phase.h>
+#include <lichen/local_random_phase_evaluate.h>
+#include <lichen/noise_evaluator.h>
+#include <lichen/quality.h>
+#include <lichen/spectrum.h>
+
+#include <Eigen/Dense>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <local_random_phase/solid_vertices.h>
+#include <random>
+
+using namespace lichen;
+using namespace lichen::local_random_phase;
+
+namespace {
+
+constexpr int kTexels = 128;
+using Vec3 = std::array<float, 3>;
+
+LocalRandomPhaseOptions withoutStructure() {
+  LocalRandomPhaseOptions options;
+  options.structure = 0.0;
+  return options;
+}
+
+const Bundle& example() {
+  static const Bundle bundle = [] {
+    const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+    return test::bundleOf(bakeLocalRandomPhase("example", {&map, 1}, withoutStructure()));
+  }();
+  return bundle;
+}
+
+shader::LichenMaterial solidMaterial(const Bundle& bundle, std::uint32_t seed) {
+  MaterialNoise material;
+  material.mapping = Mapping::solid;
+  material.seed = seed;
+  return shaderMaterial(bundle, material, {}).material;
+}
+
+/// The first channel on a plane of `side` texels, spanned by two unit vectors [standard
+/// deviations].
+std::vector<float> planeOf(const Bundle& bundle, std::uint32_t seed, int side, const Vec3& right,
+                           const Vec3& down) {
+  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const shader::LichenMaterial constants = solidMaterial(bundle, seed);
+  std::vector<float> plane;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      SolidFootprint at{{0.37f, 1.21f, -0.83f}, {}, {}};
+      for (std::size_t k = 0; k < 3; ++k)
+        at.position[k] += (float(x) * right[k] + float(y) * down[k]) / float(kTexels);
+      plane.push_back(6.0f * (evaluator.gaussian(0, constants, at)[0] - 0.5f));
+    }
+  return plane;
+}
+
+/// Of the three channels of a Gaussian value, in standard deviations.
+Eigen::Vector3d deviations(const std::array<float, 4>& value) {
+  return 6.0 *
+         (Eigen::Vector3d(double(value[0]), double(value[1]), double(value[2])).array() - 0.5);
+}
+
+/// The root mean square difference of two radial power spectra [dB].
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+  double squares = 0.0;
+  for (std::size_t radius = 2; radius < a.size(); ++radius)
+    squares += std::pow(10.0 * std::log10(a[radius] / b[radius]), 2.0);
+  return std::sqrt(squares / double(a.size() - 2));
+}
+
+} // namespace
+
+TEST_CASE("the four vertices around a point of a solid are those in reach, and the squares of "
+          "their windows sum to 1") {
+  const shader::LichenMaterial material = solidMaterial(example(), 1);
+  const std::array<float, 3> perTile = cubesPerTile(material);
+  std::mt19937 generator(1u);
+  std::uniform_real_distribution<float> place(-2.0f, 2.0f);
+  for (int sample = 0; sample < 2000; ++sample) {
+    const Vec3 position{place(generator), place(generator), place(generator)};
+    const auto vertices = solidVerticesAt(solidCellAt(material, position), 0, material);
+    double squares = 0.0;
+    for (const SolidVertex& vertex : vertices)
+      squares += double(vertex.weight) * double(vertex.weight);
+    CHECK(std::abs(squares - 1.0) < 1e-6);
+    // Of all vertices around, those within half the diagonal of a cube's face, where windows end.
+    const Eigen::Vector3f cubes(position[0] * perTile[0], position[1] * perTile[1],
+                                position[2] * perTile[2]);
+    const Eigen::Vector3f near = (cubes.array() + cubes.sum() / 3.0f).floor();
+    for (int n = 0; n < 7 * 7 * 7; ++n) {
+      const Eigen::Vector3f vertex =
+          near + Eigen::Vector3f(float(n % 7 - 3), float(n / 7 % 7 - 3), float(n / 49 - 3));
+      const Eigen::Vector3f offset = cubes.array() - vertex.array() + vertex.sum() / 6.0f;
+      if (offset.squaredNorm() > 0.5f - 1e-5f)
+        continue;
+      const bool isFound = std::any_of(vertices.begin(), vertices.end(), [&](const SolidVertex& v) {
+        const Eigen::Vector3f own(v.offset[0] * perTile[0], v.offset[1] * perTile[1],
+                                  v.offset[2] * perTile[2]);
+        return v.weight > 0.0f && (own - offset).norm() < 1e-5f;
+      });
+      CHECK(isFound);
+    }
+  }
+}
+
+TEST_CASE("solid noise has the covariance of Gaussian values") {
+  constexpr int kSeeds = 16, kSamples = 20000;
+  const LocalRandomPhaseEvaluator evaluator =
+      LocalRandomPhaseEvaluator::create(example(), 0).value();
+  std::mt19937 generator(2u);
+  std::uniform_real_distribution<float> place(-20.0f, 20.0f);
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    const shader::LichenMaterial constants = solidMaterial(example(), seed);
+    for (int sample = 0; sample < kSamples; ++sample) {
+      const auto value = evaluator.gaussian(
+          0, constants,
+          SolidFootprint{{place(generator), place(generator), place(generator)}, {}, {}});
+      const Eigen::Vector3d deviation(6.0 * (double(value[0]) - 0.5),
+                                      6.0 * (double(value[1]) - 0.5),
+                                      6.0 * (double(value[2]) - 0.5));
+      covariance += deviation * deviation.transpose() / double(kSeeds * kSamples);
+    }
+  }
+  // Of 320,000 values that hardly depend on each other, a covariance has the standard error 0.0025,
+  // and the exemplar's own deviates from 1 by chance and by rounding.
+  CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.03);
+}
+
+TEST_CASE("planes across z have the spectrum of the noise in the plane, and others nearly") {
+  constexpr int kCrop = 32, kSide = 384;
+  const LocalRandomPhaseEvaluator evaluator =
+      LocalRandomPhaseEvaluator::create(example(), 0).value();
+  const shader::LichenMaterial flat = shaderMaterial(example(), MaterialNoise(), {}).material;
+  std::vector<float> plane;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      plane.push_back(
+          6.0f *
+          (evaluator.gaussian(
+               0, flat,
+               TileFootprint{{float(x) / float(kTexels), float(y) / float(kTexels)}, {}, {}})[0] -
+           0.5f));
+  const std::vector<double> wanted = radialPowerSpectrum(plane, kSide, kSide, kCrop);
+  const auto found = [&](const Vec3& right, const Vec3& down) {
+    return distance(wanted, radialPowerSpectrum(planeOf(example(), 1, kSide, right, down), kSide,
+                                                kSide, kCrop));
+  };
+  CHECK(found({1, 0, 0}, {0, -1, 0}) < 0.5);
+  CHECK(found({1, 0, 0}, {0, 0, 1}) < 1.5);
+  CHECK(found({0, 1, 0}, {0, 0, 1}) < 1.5);
+  const float half = std::sqrt(0.5f);
+  CHECK(found({half, half, 0}, {0, 0, 1}) < 1.5);
+  CHECK(found({half, 0, half}, {0, 1, 0}) < 1.5);
+}
+
+TEST_CASE("planes of a solid have few strokes, those across z hardly any") {
+  constexpr int kSide = 384;
+  const auto excess = [&](const Vec3& right, const Vec3& down) {
+    SrgbImage image(kSide, kSide, 1);
+    image.values = planeOf(example(), 1, kSide, right, down);
+    return strokeExcess(image, 12).value().value;
+  };
+  // Standard errors are about 0.015.
+  CHECK(excess({1, 0, 0}, {0, -1, 0}) < 0.1);
+  CHECK(excess({1, 0, 0}, {0, 0, 1}) < 0.2);
+  CHECK(excess({0, 1, 0}, {0, 0, 1}) < 0.2);
+}
+
+TEST_CASE("the slopes of a solid are the gradient of its height, along z too") {
+  // A height and its slopes, one set: the same cosines and phases for both.
+  constexpr float kRelief = 4.0f; // texels
+  const MapExemplar color = test::threeMaterials(kTexels, kTexels, 3);
+  MapExemplar height = color, slopes = color;
+  const auto heightAt = [&](int x, int y) {
+    const int row = (y + kTexels) % kTexels, column = (x + kTexels) % kTexels;
+    return color.values[3 * std::size_t(row * kTexels + column)];
+  };
+  height.target = MapTarget::height;
+  height.channels = {MapChannel::height};
+  slopes.target = MapTarget::normal;
+  slopes.channels = {MapChannel::slopeX, MapChannel::slopeY};
+  height.encoding = ValueEncoding::linear;
+  slopes.encoding = ValueEncoding::slope;
+  height.values.clear();
+  slopes.values.clear();
+  for (int y = 0; y < kTexels; ++y)
+    for (int x = 0; x < kTexels; ++x) {
+      height.values.push_back(heightAt(x, y));
+      slopes.values.push_back(0.5f * kRelief * (heightAt(x + 1, y) - heightAt(x - 1, y)));
+      slopes.values.push_back(0.5f * kRelief * (heightAt(x, y - 1) - heightAt(x, y + 1)));
+    }
+  LocalRandomPhaseOptions options = withoutStructure();
+  const auto [rotation, gaussian] =
+      GENERATE(std::pair(0.0, GaussianOnly::yes), std::pair(0.7, GaussianOnly::yes),
+               std::pair(0.0, GaussianOnly::no));
+  options.gaussian = gaussian;
+  const std::array<MapExemplar, 2> maps{height, slopes};
+  const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("set", maps, options));
+  MaterialNoise material;
+  material.mapping = Mapping::solid;
+  material.rotation = rotation;
+  const auto evaluator = NoiseEvaluator::create(bundle, material).value();
+  std::mt19937 generator(5u);
+  std::uniform_real_distribution<float> place(-20.0f, 20.0f);
+  std::array<double, 3> products{}, squares{}, differences{};
+  for (int sample = 0; sample < 20000; ++sample) {
+    const SolidFootprint at{{place(generator), place(generator), place(generator)}, {}, {}};
+    const auto gradient = evaluator->evaluate(1, at);
+    for (std::size_t k = 0; k < 3; ++k) {
+      SolidFootprint before = at, after = at;
+      before.position[k] -= 1.0f / float(kTexels);
+      after.position[k] += 1.0f / float(kTexels);
+      const double difference =
+          0.5 * double(kRelief) *
+          (double(evaluator->evaluate(0, after)[0]) - double(evaluator->evaluate(0, before)[0]));
+      products[k] += double(gradient[k]) * difference;
+      squares[k] += double(gradient[k]) * double(gradient[k]);
+      differences[k] += difference * difference;
+    }
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    INFO("axis " << k << ", rotation " << rotation << ", table " << (gaussian == GaussianOnly::no));
+    // What of the cosines of a set is not in one phase with the height decorrelates.
+    CHECK(products[k] / std::sqrt(squares[k] * differences[k]) > 0.7);
+    CHECK(std::sqrt(squares[k] / differences[k]) == Approx(1.0).margin(0.3));
+  }
+}
+
+TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
+  const LocalRandomPhaseEvaluator evaluator =
+      LocalRandomPhaseEvaluator::create(example(), 0).value();
+  const shader::LichenMaterial constants = solidMaterial(example(), 9);
+  std::mt19937 generator(6u);
+  std::uniform_real_distribution<float> place(-20.0f, 20.0f);
+  std::normal_distribution<float> gaussian;
+  for (const float texels : {2.0f, 6.0f, 20.0f}) {
+    double averages = 0.0, filtered = 0.0, lost = 0.0, product = 0.0;
+    constexpr int kSamples = 1500, kInner = 8;
+    for (int sample = 0; sample < kSamples; ++sample) {
+      SolidFootprint at{{place(generator), place(generator), place(generator)}, {}, {}};
+      // A parallelogram in any direction, one side of which is half as long and slanted.
+      Eigen::Vector3f right(gaussian(generator), gaussian(generator), gaussian(generator));
+      right.normalize();
+      const Eigen::Vector3f down =
+          right
+              .cross(Eigen::Vector3f(gaussian(generator), gaussian(generator), gaussian(generator)))
+              .normalized();
+      for (std::size_t k = 0; k < 3; ++k) {
+        at.dx[k] = texels / float(kTexels) * right[Eigen::Index(k)];
+        at.dy[k] =
+            0.5f * texels / float(kTexels) * (down[Eigen::Index(k)] + right[Eigen::Index(k)]);
+      }
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for (int inner = 0; inner < kInner * kInner; ++inner) {
+        const float u = (float(inner % kInner) + 0.5f) / kInner - 0.5f;
+        const float v = (float(inner / kInner) + 0.5f) / kInner - 0.5f;
+        SolidFootprint there{at.position, {}, {}};
+        for (std::size_t k = 0; k < 3; ++k)
+          there.position[k] += u * at.dx[k] + v * at.dy[k];
+        mean += deviations(evaluator.gaussian(0, constants, there)) / double(kInner * kInner);
+      }
+      const auto value = evaluator.gaussian(0, constants, at);
+      const Eigen::Vector3d own = deviations(value);
+      averages += mean.squaredNorm() / (3.0 * kSamples);
+      filtered += own.squaredNorm() / (3.0 * kSamples);
+      product += own.dot(mean) / (3.0 * kSamples);
+      lost += double(value[3]) / kSamples;
+    }
+    INFO(texels << " texels: average " << averages << ", filtered " << filtered << ", lost "
+                << lost);
+    CHECK(filtered + lost == Approx(1.0).margin(0.05));
+    // Of averages, what of a cosine is left beyond its first zero stays, which is little.
+    CHECK(filtered == Approx(averages).margin(0.1));
+    if (averages > 0.3)
+      CHECK(product / std::sqrt(averages * filtered) > 0.95);
+  }
+}
+
+TEST_CASE("a solid does not depend on the tile origin, and scale and offset move it") {
+  const MapExemplar map = test::threeMaterials(64, 48, 3); // no square
+  const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("x", {&map, 1}, withoutStructure()));
+  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  std::mt19937 generator(6u);
+  std::uniform_real_distribution<float> metres(-0.5f, 0.5f);
+  for (const double rotation : {0.0, 0.7}) {
+    MaterialNoise own;
+    own.mapping = Mapping::solid;
+    own.rotation = rotation;
+    own.scale = 0.5; // tiles of half a metre
+    Placement near, far;
+    near.tileOriginX = 10000000;
+    near.tileOriginY = -9999999;
+    near.tileOriginZ = (std::int64_t(1) << 40) - 9;
+    far = near;
+    far.tileOriginX += 3;
+    far.tileOriginY -= 2;
+    far.tileOriginZ += 7;
+    MaterialNoise shifted = own, atTwice = own;
+    shifted.offset = {0.25, -31.5};
+    atTwice.scale = 1.0;
+    const auto constants = [&](const MaterialNoise& material, const Placement& placement) {
+      return shaderMaterial(bundle, material, placement).material;
+    };
+    for (int k = 0; k < 100; ++k) {
+      const SolidFootprint at{{metres(generator), metres(generator), metres(generator)}, {}, {}};
+      const auto same = [&](const shader::LichenMaterial& a, const SolidFootprint& atA,
+                            const shader::LichenMaterial& b, const SolidFootprint& atB) {
+        const auto first = evaluator.gaussian(0, a, atA), second = evaluator.gaussian(0, b, atB);
+        for (std::size_t c = 0; c < 3; ++c)
+          CHECK(double(first[c]) == Approx(double(second[c])).margin(4e-3));
+      };
+      SolidFootprint moved = at, doubled = at, offset = at;
+      moved.position[0] += 1.5f;
+      moved.position[1] -= 1.0f;
+      moved.position[2] += 3.5f;
+      same(constants(own, far), at, constants(own, near), moved);
+      for (float& coordinate : doubled.position)
+        coordinate *= 2.0f;
+      same(constants(own, {}), at, constants(atTwice, {}), doubled);
+      // The offset in metres to the right and down, rotated back; tiles are as high as 48 / 64.
+      const double x = 0.25 * 0.5, y = -31.5 * 0.5 * 48.0 / 64.0;
+      offset.position[0] += float(std::cos(rotation) * x - std::sin(rotation) * y);
+      offset.position[1] -= float(std::sin(rotation) * x + std::cos(rotation) * y);
+      same(constants(shifted, {}), at, constants(own, {}), offset);
+    }
+  }
+}
+
+TEST_CASE("a noise with a structure is refused in a solid, by name") {
+  const MapExemplar map = test::threeMaterials(64, 64, 3);
+  LocalRandomPhaseOptions options;
+  options.structure = 0.5;
+  const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("x", {&map, 1}, options));
+  MaterialNoise material;
+  material.mapping = Mapping::solid;
+  const auto refused = NoiseEvaluator::create(bundle, material);
+  REQUIRE(!refused);
+  CHECK(refused.error().kind == ErrorKind::usage);
+  CHECK(refused.error().message ==
+        "noise 'x' does not fit the mapping solid: it has a structure, which lies in a plane; bake "
+        "it with --structure 0");
+}
