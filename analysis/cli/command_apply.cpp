@@ -95,8 +95,10 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
     const std::string_view obstacle = mappingObstacle(noise, mapping);
     if (obstacle.empty())
       return {};
-    return Error{ErrorKind::usage, fmt::format("--mapping {}: noise '{}' does not support it: {}",
-                                               nameOf(mapping), noise.name, obstacle)};
+    return Error{ErrorKind::usage,
+                 fmt::format("--mapping {}: noise '{}' does not support it: {}; bake it with "
+                             "--structure 0",
+                             nameOf(mapping), noise.name, obstacle)};
   }
   std::vector<std::string> mappings, methods;
   for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})

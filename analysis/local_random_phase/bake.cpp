@@ -182,8 +182,12 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
       takeStructure(spectra, bake.structure, periods.shifts, shared.structure);
   if (shared.structure.columns > 0)
     shared.structure.turbulence = options.turbulence;
-  std::vector<Cosine> cosines = fitCosines(powerPlane(spectra), std::size_t(options.cosines),
-                                           edgesOfOctave0(shared.columns, shared.rows));
+  const PowerPlane power = powerPlane(spectra);
+  const auto count = std::size_t(options.cosines);
+  const std::vector<FrequencyBox> boxes =
+      options.spectrum ? boxesAroundPower(power, count) : boxesOfEqualPower(smoothed(power), count);
+  std::vector<Cosine> cosines = fitCosines(
+      power, boxes, edgesOfOctave0(shared.columns, shared.rows), options.spectrum.has_value());
   if (cosines.empty()) // nothing varies
     cosines.assign(2, {{0, 1, 1, 2}, 0, 0.0});
   const CosineVectors vectors = cosineVectors(spectra, cosines);

@@ -246,12 +246,12 @@ void sortByDirection(std::vector<Cosine>& cosines) {
 
 } // namespace
 
-std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
-                               const std::array<double, 2>& edges) {
+std::vector<Cosine> fitCosines(const PowerPlane& power, std::span<const FrequencyBox> boxes,
+                               const std::array<double, 2>& edges, bool isGiven) {
   std::vector<Cosine> cosines;
   const PowerPlane smooth = smoothed(power);
-  for (const FrequencyBox& box : boxesOfEqualPower(smooth, count))
-    if (powerOf(smooth, box).sum > 0.0)
+  for (const FrequencyBox& box : boxes)
+    if (powerOf(isGiven ? power : smooth, box).sum > 0.0)
       cosines.push_back({box});
   if (cosines.empty())
     return cosines;
@@ -265,7 +265,11 @@ std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
     const std::size_t last = std::min(first + kSharing, cosines.size()) - 1;
     cosines[j].octave = octaveOf(areaOf(cosines[first].box), areaOf(cosines[last].box), edges);
   }
-  fitEnergies(power, smooth, edges, cosines);
+  if (isGiven)
+    for (Cosine& cosine : cosines)
+      cosine.energy = 2.0 * powerOf(power, cosine.box).sum;
+  else
+    fitEnergies(power, smooth, edges, cosines);
   sortByDirection(cosines);
   if (cosines.size() % 2 != 0) // one of no frequency
     cosines.push_back({{1, 1, 0, 0}, cosines.back().octave, 0.0});

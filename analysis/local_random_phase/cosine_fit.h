@@ -5,6 +5,7 @@
 #include "power_tree.h"
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace lichen::local_random_phase {
@@ -16,11 +17,16 @@ struct Cosine {
   double energy = 0.0; ///< the variance that it adds
 };
 
-/// Fits at most `count` cosines to a power plane whose values, each counted for its frequency and
-/// for the mirror, sum to the variance: O(columns rows). `edges`: those of octave 0 along x and y
-/// [tiles]. The result is ordered by octave, and each octave has an even number of cosines: one
-/// without frequencies and energy follows an odd number. Throws std::bad_alloc.
-[[nodiscard]] std::vector<Cosine> fitCosines(const PowerPlane& power, std::size_t count,
-                                             const std::array<double, 2>& edges);
+/// Fits cosines with these boxes to a power plane whose values, each counted for its frequency and
+/// for the mirror, sum to the variance: O(columns rows). Boxes without power have none. `isGiven`:
+/// each cosine has the power of its box, as boxesAroundPower() makes them; otherwise energies are
+/// fitted, and a spectrum that is 0 nearly everywhere would leave most cosines none. `edges`: those
+/// of octave 0 along x and y [tiles]. The result is ordered by octave, and each octave has an even
+/// number of cosines: one without frequencies and energy follows an odd number. Throws
+/// std::bad_alloc.
+[[nodiscard]] std::vector<Cosine> fitCosines(const PowerPlane& power,
+                                             std::span<const FrequencyBox> boxes,
+                                             const std::array<double, 2>& edges,
+                                             bool isGiven = false);
 
 } // namespace lichen::local_random_phase

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Power (rows, columns) -> boxes, by a regression tree of axis-aligned cuts.
+// Power (rows, columns) -> boxes, by trees of axis-aligned cuts: a regression tree for exemplars,
+// and halves of equal power for spectra that are 0 nearly everywhere.
 //
 // In place of the strata and sub-strata of [LRP14] section 4.2: docs/decisions/027-cosines.md.
 #include "power_tree.h"
@@ -9,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace lichen::local_random_phase {
 namespace {
@@ -135,7 +138,75 @@ private:
   std::vector<Leaf> leaves_;
 };
 
+/// A box of a plane with its power, shrunk to where that is.
+struct PowerBox {
+  FrequencyBox box;
+  double power = 0.0;
+};
+
+/// The power of each column or of each row of a box.
+std::vector<double> profileOf(const PowerPlane& power, const FrequencyBox& box, bool ofColumns) {
+  std::vector<double> profile(std::size_t(ofColumns ? box.right - box.left : box.bottom - box.top));
+  for (int v = box.top; v < box.bottom; ++v)
+    for (int u = box.left; u < box.right; ++u)
+      profile[std::size_t(ofColumns ? u - box.left : v - box.top)] +=
+          (u == 0 ? 0.5 : 1.0) * (u == 0 && v == 0 ? 0.0 : power.at(u, v));
+  return profile;
+}
+
+PowerBox shrunk(const PowerPlane& power, FrequencyBox box) {
+  PowerBox result{box};
+  for (const bool ofColumns : {true, false}) {
+    const std::vector<double> profile = profileOf(power, result.box, ofColumns);
+    result.power = std::accumulate(profile.begin(), profile.end(), 0.0);
+    const auto holds = [&](double own) { return own > kLeastPower * result.power; };
+    const auto first = std::find_if(profile.begin(), profile.end(), holds);
+    const auto last = std::find_if(profile.rbegin(), profile.rend(), holds);
+    if (first == profile.end())
+      return result;
+    int& low = ofColumns ? result.box.left : result.box.top;
+    int& high = ofColumns ? result.box.right : result.box.bottom;
+    high = low + int(profile.rend() - last);
+    low += int(first - profile.begin());
+  }
+  return result;
+}
+
 } // namespace
+
+std::vector<FrequencyBox> boxesAroundPower(const PowerPlane& power, std::size_t count) {
+  const int half = power.rows / 2;
+  std::vector<PowerBox> boxes{shrunk(power, {0, power.columns, -half, half + 1})};
+  const auto canSplit = [](const PowerBox& each) {
+    return each.box.right - each.box.left + each.box.bottom - each.box.top > 2;
+  };
+  while (boxes.size() < count) {
+    const auto strongest =
+        std::max_element(boxes.begin(), boxes.end(), [&](const PowerBox& a, const PowerBox& b) {
+          return std::pair(canSplit(a), a.power) < std::pair(canSplit(b), b.power);
+        });
+    if (!canSplit(*strongest) || !(strongest->power > 0.0))
+      break;
+    FrequencyBox first = strongest->box, second = strongest->box;
+    const bool cutsColumns = first.right - first.left > first.bottom - first.top;
+    const std::vector<double> profile = profileOf(power, first, cutsColumns);
+    double before = 0.0;
+    std::size_t cut = 0;
+    while (cut + 2 < profile.size() && before + 0.5 * profile[cut] < 0.5 * strongest->power)
+      before += profile[cut++];
+    cut = std::max<std::size_t>(cut, 1);
+    if (cutsColumns)
+      first.right = second.left = first.left + int(cut);
+    else
+      first.bottom = second.top = first.top + int(cut);
+    *strongest = shrunk(power, first);
+    boxes.push_back(shrunk(power, second));
+  }
+  std::vector<FrequencyBox> result;
+  for (const PowerBox& each : boxes)
+    result.push_back(each.box);
+  return result;
+}
 
 PowerPlane smoothed(const PowerPlane& power) {
   PowerPlane result = power;

@@ -45,4 +45,11 @@ struct FrequencyBox {
 [[nodiscard]] std::vector<FrequencyBox> boxesOfEqualPower(const PowerPlane& power,
                                                           std::size_t count);
 
+/// Halves the plane's power `count` - 1 times, each time that of the strongest box, across its
+/// longer side, and shrinks each box to where its power is; fewer times if none can be halved. For
+/// spectra that are 0 nearly everywhere, as rings and bands are: a box with holes would spread
+/// power over them. O(count columns rows). Deterministic.
+[[nodiscard]] std::vector<FrequencyBox> boxesAroundPower(const PowerPlane& power,
+                                                         std::size_t count);
+
 } // namespace lichen::local_random_phase

@@ -291,7 +291,8 @@ TEST_CASE("fitted cosines have the spectrum's variance and its autocovariance") 
         variance += (u == 0 ? 1.0 : 2.0) * power.values.back();
     }
   const std::array<double, 2> edges = edgesOfOctave0(7, 8);
-  const std::vector<Cosine> cosines = fitCosines(power, 50, edges);
+  const std::vector<Cosine> cosines =
+      fitCosines(power, boxesOfEqualPower(smoothed(power), 50), edges);
   const WindowSpectrum window;
   const auto sinc = [](double x) {
     return x == 0.0 ? 1.0 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);

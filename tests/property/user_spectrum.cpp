@@ -11,6 +11,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <functional>
+#include <numbers>
 
 using namespace lichen;
 
@@ -35,7 +37,7 @@ Bundle baked(const MapExemplar& map, const SpectrumPicture& picture, int cosines
 
 /// The share of the first channel's power in 8 x 8 tiles at frequencies [cycles / tile] that
 /// `isNear` takes.
-double powerShare(const Bundle& bundle, bool (*isNear)(double u, double v)) {
+double powerShare(const Bundle& bundle, const std::function<bool(double u, double v)>& isNear) {
   constexpr int kTiles = 8, kSide = 512;
   const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
   const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
@@ -74,8 +76,28 @@ TEST_CASE("a noise with a ring as its spectrum has its power there, even with tw
   });
   const auto isNear = [](double u, double v) { return std::abs(std::hypot(u, v) - 20.0) < 6.0; };
   CHECK(powerShare(baked(map, ring, 50), isNear) > 0.95);
-  // Of a ring, twelve rectangles hold no more than it is wide; eight have 0.86, and five 0.43.
-  CHECK(powerShare(baked(map, ring, 12), isNear) > 0.95);
+  // The corners of twelve rectangles around a ring lie beside it.
+  CHECK(powerShare(baked(map, ring, 12), isNear) > 0.93);
+}
+
+TEST_CASE("a noise with a ring as its spectrum has waves of all directions") {
+  const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+  const SpectrumPicture ring = pictureOf([](int u, int v) {
+    const double magnitude = std::hypot(u, v);
+    return magnitude >= 24.0 && magnitude <= 27.0;
+  });
+  for (const int cosines : {16, 50}) {
+    const Bundle bundle = baked(map, ring, cosines);
+    for (int sector = 0; sector < 8; ++sector) {
+      const double share = powerShare(bundle, [&](double u, double v) {
+        const double turns = std::atan2(v, u) / std::numbers::pi + 1.0; // half turns, [0, 2]
+        return int(std::floor(8.0 * turns)) % 8 == sector;
+      });
+      INFO(cosines << " cosines, sector " << sector);
+      CHECK(share > 0.06); // of an eighth
+      CHECK(share < 0.2);
+    }
+  }
 }
 
 TEST_CASE("a noise with a band as its spectrum has its power there, and the exemplar's colours") {

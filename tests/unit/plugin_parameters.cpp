@@ -326,7 +326,7 @@ TEST_CASE("a solid of a noise with a structure is refused, and the properties sa
   const Filled refused = fill(parameters);
   CHECK(refused.result == LICHEN_ERROR_USAGE);
   CHECK(refused.message == "mapping 3 (solid) does not fit the noise: it has a structure, which "
-                           "lies in a plane; bake it with --structure 0");
+                           "lies in a plane");
   parameters = parametersOf(cosines.handle);
   parameters.mapping = LICHEN_MAPPING_SOLID;
   CHECK(fill(parameters).result == LICHEN_SUCCESS);

@@ -40,7 +40,7 @@ namespace lichen {
                                                    const std::array<float, 3>& lostVariance);
 
 /// Why this noise does not support a mapping that its method supports, such as "it has a structure,
-/// which lies in a plane; bake it with --structure 0". Empty if it does support it.
+/// which lies in a plane". Empty if it does support it.
 [[nodiscard]] std::string_view mappingObstacle(const shader::LichenNoise& noise, Mapping mapping);
 [[nodiscard]] std::string_view mappingObstacle(const Noise& noise, Mapping mapping);
 

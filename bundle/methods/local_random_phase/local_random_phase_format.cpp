@@ -18,7 +18,7 @@ bool LocalRandomPhaseFormat::fits(Mapping mapping) const { return mapping != Map
 std::string_view LocalRandomPhaseFormat::obstacle(const shader::LichenNoise& noise,
                                                   Mapping mapping) const {
   return mapping == Mapping::solid && cosinesPart(noise).structure != 0
-             ? "it has a structure, which lies in a plane; bake it with --structure 0"
+             ? "it has a structure, which lies in a plane"
              : "";
 }
 
