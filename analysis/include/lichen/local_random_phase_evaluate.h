@@ -45,9 +45,8 @@ public:
   /// The first channel of the value and its derivatives along x and y of tile space [1 / tile], as
   /// lichenCosinesGradient (shaders_glsl/noise/cosine_gradient.glsl): exact for the cosines, by
   /// differences for a structure. The mapping is uv.
-  [[nodiscard]] std::array<float, 3> gradient(std::size_t map,
-                                              const shader::LichenMaterial& material,
-                                              const TileFootprint& at) const;
+  [[nodiscard]] std::array<float, 3>
+  gradient(std::size_t map, const shader::LichenMaterial& material, const TileFootprint& at) const;
 
   /// The value before decoding: Gaussian with mean 1/2 and, if no variance is lost, standard
   /// deviation 1/6. The fourth is the share of the variance lost to filtering, the mean over the
