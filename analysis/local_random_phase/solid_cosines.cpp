@@ -53,8 +53,8 @@ std::array<Vec3, 2> footprintOf(const Vec3& gradientX, const Vec3& gradientY,
           combined(slope * xy, gradientX, middle - slope * half, gradientY)};
 }
 
-/// The slope along z of a wave whose slopes, to the right and up, are a gradient along its
-/// frequency.
+/// The slope of one wave along z. The gradient of a wave points along its frequency, so its slopes
+/// along x and y give the one along z.
 float depthSlopeOf(const Vec3& frequency, const CosineTexel& amplitude,
                    const shader::LichenMap& map) {
   const float slopeX = map.row0.x * amplitude[0] + map.row0.y * amplitude[1];

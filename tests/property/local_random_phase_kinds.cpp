@@ -175,7 +175,7 @@ std::vector<float> decodedValues(const MapExemplar& map) {
   return values;
 }
 
-/// The colours or heights of 512 x 512 texels, of which every `stride`-th along each axis is taken.
+/// Samples the colours or heights of 512 x 512 texels: every `stride`-th texel along each axis.
 LinearImage synthesized(const Bundle& bundle, MapTarget target, int stride = 1) {
   SynthesisOptions options;
   options.map = target;
