@@ -141,7 +141,7 @@ IgnoredNoise* ignoredNoiseOf(const json& use, const NoisePlaces& places, Bundle&
 
 /// Reads a material's mapping and checks that the noise supports it. `noise` is null if there is
 /// none.
-Mapping readMapping(ObjectReader& reader, const Noise* noise, const FindingList& findings) {
+Mapping readMapping(ObjectReader& reader, const Noise* noise) {
   const Method method = noise == nullptr ? Method{} : noise->method();
   const std::string name = reader.text("mapping").value_or("uv");
   const std::optional<Mapping> mapping = mappingFrom(name);
@@ -155,8 +155,7 @@ Mapping readMapping(ObjectReader& reader, const Noise* noise, const FindingList&
                      std::string(nameOf(method)));
     return Mapping::uv;
   }
-  // A noise with errors may have no sound data.
-  if (noise == nullptr || findings.errorCount() > 0)
+  if (noise == nullptr)
     return *mapping;
   if (const std::string_view obstacle = mappingObstacle(*noise, *mapping); !obstacle.empty())
     reader.error("material-mapping", "mapping",
@@ -187,8 +186,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
   else if (noise)
     use.noise = places[std::size_t(*noise)].index;
   if (reader.has("mapping"))
-    use.mapping =
-        readMapping(reader, bundle.noises.empty() ? nullptr : &bundle.noises[use.noise], findings);
+    use.mapping = readMapping(reader, bundle.noises.empty() ? nullptr : &bundle.noises[use.noise]);
   if (reader.has("space"))
     use.space = readSpace(reader, use.mapping);
   use.texCoord = reader.integerOr("texCoord", kMaxTexCoord, use.texCoord);

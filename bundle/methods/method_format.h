@@ -25,6 +25,7 @@ public:
   [[nodiscard]] virtual int revision() const = 0;
   [[nodiscard]] virtual bool fits(Mapping mapping) const = 0;
   /// As mappingObstacle(), for a mapping that fits the method.
+  [[nodiscard]] virtual std::string_view obstacle(const Noise&, Mapping) const { return {}; }
   [[nodiscard]] virtual std::string_view obstacle(const shader::LichenNoise&, Mapping) const {
     return {};
   }

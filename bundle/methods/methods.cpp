@@ -43,10 +43,7 @@ std::string_view mappingObstacle(const shader::LichenNoise& noise, Mapping mappi
 }
 
 std::string_view mappingObstacle(const Noise& noise, Mapping mapping) {
-  shader::LichenNoise constants{};
-  constants.method = shader::uint(noise.method());
-  formatOf(noise).setNoise(noise, constants);
-  return mappingObstacle(constants, mapping);
+  return formatOf(noise).obstacle(noise, mapping);
 }
 
 bool isMix(const Noise& noise) { return formatOf(noise).isMix(noise); }

@@ -13,13 +13,24 @@ namespace lichen {
 
 using Json = nlohmann::ordered_json;
 
+namespace {
+
+std::string_view structureObstacle(bool hasStructure, Mapping mapping) {
+  return mapping == Mapping::solid && hasStructure ? "it has a structure, which lies in a plane"
+                                                   : "";
+}
+
+} // namespace
+
 bool LocalRandomPhaseFormat::fits(Mapping mapping) const { return mapping != Mapping::surface; }
+
+std::string_view LocalRandomPhaseFormat::obstacle(const Noise& noise, Mapping mapping) const {
+  return structureObstacle(noise.as<LocalRandomPhaseNoise>().structure.columns != 0, mapping);
+}
 
 std::string_view LocalRandomPhaseFormat::obstacle(const shader::LichenNoise& noise,
                                                   Mapping mapping) const {
-  return mapping == Mapping::solid && cosinesPart(noise).structure != 0
-             ? "it has a structure, which lies in a plane"
-             : "";
+  return structureObstacle(cosinesPart(noise).structure != 0, mapping);
 }
 
 std::span<const std::string_view> LocalRandomPhaseFormat::tableMembers() const {
