@@ -8,8 +8,7 @@
 #include "octave_lattice.h"
 #include "placement/near_periods.h"
 #include "structure.h"
-#include "transport/covariance_map.h"
-#include "user_spectrum.h"
+#include "spectra/given_spectrum.h"
 
 #include <lichen/local_random_phase.h>
 
@@ -21,68 +20,6 @@ namespace lichen {
 namespace {
 
 using namespace local_random_phase;
-
-/// The spectrum of a Gaussian image of at least one dimension.
-MapSpectrum spectrumOf(const gaussianization::Gaussianized& image) {
-  MapSpectrum result;
-  const auto pixels = image.image.size();
-  constexpr auto kMean = float(gaussian::kGaussianMean);
-  constexpr auto kPerDeviation = float(1.0 / gaussian::kGaussianDeviation);
-  const auto isConstant = [&] {
-    const Point& first = image.image.front();
-    return std::all_of(image.image.begin(), image.image.end(), [&](const Point& point) {
-      return point.x == first.x && point.y == first.y && point.z == first.z;
-    });
-  };
-  if (isConstant())
-    return result;
-  const float scale = kPerDeviation / float(pixels);
-  for (int channel = 0; channel < image.dimensions; ++channel) {
-    std::vector<float> plane;
-    plane.reserve(pixels);
-    double squares = 0.0;
-    for (const Point& point : image.image) {
-      plane.push_back(scale * ((channel == 0   ? point.x
-                                : channel == 1 ? point.y
-                                               : point.z) -
-                               kMean));
-      squares += double(plane.back()) * double(plane.back());
-    }
-    result.variances.push_back(squares * double(pixels));
-    result.channels.push_back(forwardFft(plane, image.width, image.height));
-  }
-  return result;
-}
-
-/// How stored values follow the Gaussian channels about their mean, to the first order, scaled as
-/// MapSpectrum::toStored: by the root of their covariance, the symmetric one with a table, the
-/// triangular one without.
-Eigen::MatrixXd toStoredOf(const gaussianization::GaussianizedMap& map) {
-  const auto channels = Eigen::Index(map.map.mean.size());
-  if (channels != map.image.dimensions) // which axes the Gaussian ones are is not known
-    return Eigen::MatrixXd::Identity(map.image.dimensions, map.image.dimensions);
-  const Eigen::MatrixXd covariance =
-      Eigen::Map<const Eigen::MatrixXd>(map.map.covariance.data(), channels, channels);
-  const Eigen::MatrixXd root = map.inverse ? transport::power<Eigen::MatrixXd>(covariance, 0.5)
-                                           : Eigen::MatrixXd(covariance.llt().matrixL());
-  return std::sqrt(double(channels)) / root.norm() * root;
-}
-
-/// How luminance follows the Gaussian channels of a colour map about its mean, to the first order
-/// and up to a factor. Empty for others.
-std::vector<double> luminanceOf(const gaussianization::GaussianizedMap& map,
-                                const Eigen::MatrixXd& toStored) {
-  constexpr std::array<double, 3> kLuminance{0.2126, 0.7152, 0.0722}; // ITU-R BT.709
-  const bool isColor =
-      map.map.target == MapTarget::baseColor || map.map.target == MapTarget::emissive;
-  if (!isColor || map.image.dimensions != int(kLuminance.size()))
-    return {};
-  Eigen::Vector3d ofStored(kLuminance.data());
-  if (map.map.encoding == ValueEncoding::root) // light is the square
-    ofStored = ofStored.cwiseProduct(Eigen::Vector3d(map.map.mean.data()));
-  const Eigen::Vector3d luminance = toStored.transpose() * ofStored;
-  return {luminance[0], luminance[1], luminance[2]};
-}
 
 Result<void> checkOptions(const LocalRandomPhaseOptions& options) {
   if (options.cosines < int(kCosinesRange.least) || options.cosines > int(kCosinesRange.most))
@@ -150,11 +87,7 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
   const auto append = [&](gaussianization::GaussianizedMap map) {
     shared.texelsPerTileX = std::max(shared.texelsPerTileX, map.image.width);
     shared.texelsPerTileY = std::max(shared.texelsPerTileY, map.image.height);
-    spectra.push_back(spectrumOf(map.image));
-    if (!spectra.back().channels.empty()) {
-      spectra.back().toStored = toStoredOf(map);
-      spectra.back().luminance = luminanceOf(map, spectra.back().toStored);
-    }
+    spectra.push_back(spectra::spectrumOf(map));
     LocalRandomPhaseMap own;
     own.dimensions = map.image.dimensions;
     if (map.inverse)

@@ -2,13 +2,16 @@
 // A power spectrum -> the cosines whose noise has it: their frequencies, octaves and energies.
 #pragma once
 
-#include "power_tree.h"
+#include "spectra/power_tree.h"
 
 #include <array>
 #include <span>
 #include <vector>
 
 namespace lichen::local_random_phase {
+
+using spectra::FrequencyBox;
+using spectra::PowerPlane;
 
 /// A cosine: at each vertex of its octave's lattice, one frequency of its box.
 struct Cosine {

@@ -101,38 +101,6 @@ MatrixXd covarianceOf(const CosineVectors& vectors, Index first, Index channels)
 
 } // namespace
 
-Complex MapSpectrum::at(std::size_t channel, int u, int v) const {
-  const HalfSpectrum& spectrum = channels[channel];
-  if (2 * u >= spectrum.width || 2 * std::abs(v) >= spectrum.height)
-    return {};
-  return Complex(spectrum.at(u, v < 0 ? v + spectrum.height : v));
-}
-
-PowerPlane powerPlane(const std::vector<MapSpectrum>& maps) {
-  int width = 1, height = 1;
-  for (const MapSpectrum& map : maps)
-    for (const HalfSpectrum& channel : map.channels) {
-      width = std::max(width, channel.width);
-      height = std::max(height, channel.height);
-    }
-  PowerPlane power;
-  power.columns = (width + 1) / 2;
-  power.rows = 2 * ((height - 1) / 2) + 1;
-  power.values.assign(std::size_t(power.columns) * std::size_t(power.rows), 0.0);
-  tbb::parallel_for(0, power.rows, [&](int row) {
-    for (const MapSpectrum& map : maps) {
-      VectorXcd values(Index(map.channels.size()));
-      for (int u = 0; u < power.columns; ++u) {
-        for (Index c = 0; c < values.size(); ++c)
-          values[c] = map.at(std::size_t(c), u, row - power.rows / 2);
-        power.values[std::size_t(row) * std::size_t(power.columns) + std::size_t(u)] +=
-            (map.toStored * values).squaredNorm();
-      }
-    }
-  });
-  return power;
-}
-
 CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
                             const std::vector<Cosine>& cosines) {
   const std::vector<Index> first = firstChannels(maps);

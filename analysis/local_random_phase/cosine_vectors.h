@@ -4,35 +4,15 @@
 #pragma once
 
 #include "cosine_fit.h"
-
-#include <lichen/fft.h>
+#include "spectra/map_spectrum.h"
 
 #include <Eigen/Dense>
 
-#include <cstddef>
 #include <vector>
 
 namespace lichen::local_random_phase {
 
-/// The channels of one map as transforms over the tile, divided by the number of its pixels, and by
-/// the standard deviation of a Gaussian value. Empty for a map that does not vary.
-struct MapSpectrum {
-  std::vector<HalfSpectrum> channels;
-  std::vector<double> variances; ///< of each channel, in squared standard deviations
-  /// How the stored values follow the channels, to the first order: a square matrix whose squares
-  /// sum to the number of channels.
-  Eigen::MatrixXd toStored;
-  /// How luminance follows each channel, up to a factor; empty where the map has no luminance.
-  std::vector<double> luminance;
-
-  /// The coefficient of frequency (u, v) in cycles per tile, u >= 0; 0 beyond the map's own.
-  [[nodiscard]] std::complex<double> at(std::size_t channel, int u, int v) const;
-};
-
-/// The sum of the power of all stored values of all maps: a channel counts as much as it changes
-/// them. Columns and rows are those of the largest maps, without the highest frequencies of even
-/// sizes, which have no mirror.
-[[nodiscard]] PowerPlane powerPlane(const std::vector<MapSpectrum>& maps);
+using spectra::MapSpectrum;
 
 /// Vectors over all channels, map after map. vectors[j](c, v): what variant v of cosine j adds to
 /// the amplitude of channel c, in Gaussian values, and phases[j](m, v) what it adds to the phase of

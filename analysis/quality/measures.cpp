@@ -89,7 +89,8 @@ Result<std::vector<Measure>> measureResult(const SrgbImage& exemplar, const Srgb
 
 Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
                                                    const SrgbImage& gaussian,
-                                                   const SrgbImage& result) {
+                                                   const SrgbImage& result,
+                                                   const GaussianTargets& targets) {
   return withinMemory(exhausted, [&]() -> Result<std::vector<Measure>> {
     Result<std::vector<Measure>> measures = measureResult(exemplar, result);
     if (!measures)
@@ -97,10 +98,10 @@ Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
     std::vector<Measure> all;
     for (Measure& measure : measures.value()) {
       const bool isSpectrum = measure.name == kSpectrumDistanceName;
-      if (isSpectrum || measure.name == kColorDistanceName) {
+      if (isSpectrum || (measure.name == kColorDistanceName && !targets.hasColors)) {
         measure.target.reset();
         if (measure.value)
-          measure.remark = "no target: the noise is a Gaussian texture";
+          measure.remark = "no target: the noise has random phases";
       }
       all.push_back(std::move(measure));
       if (!isSpectrum)
@@ -108,9 +109,10 @@ Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
       Result<Measure> distance =
           taken({kGaussianSpectrumDistanceName,
                  "dB",
-                 "the same difference to the exemplar's Gaussian texture, of random phases",
+                 "the same difference to the exemplar's Gaussian version, of random phases",
                  {},
-                 kGaussianSpectrumDistanceTargetDb,
+                 gradientAnisotropy(exemplar) >= kStrongAnisotropy ? targets.anisotropicSpectrumDb
+                                                                   : targets.spectrumDb,
                  {}},
                 spectrumDistanceDb(gaussian, result));
       if (!distance)

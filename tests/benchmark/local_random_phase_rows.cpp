@@ -3,16 +3,12 @@
 // of each exemplar: its Gaussian values with random phases, decoded by the same table.
 #include "exemplars.h"
 #include "rows.h"
+#include "synthesized.h"
 
-#include <lichen/gaussian_image.h>
 #include <lichen/quality.h>
-#include <lichen/spectrum.h>
-#include <lichen/synthesize.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <gaussianization/value_decoder.h>
+#include <report/random_phase_version.h>
 
 namespace lichen::bench {
 namespace {
@@ -21,53 +17,11 @@ constexpr int kSide = 1024; // as the prototype in TARGETS.md: 256 x 256 -> 1024
 constexpr std::uint32_t kSeeds = 3;
 constexpr std::uint32_t kReferences = 4;
 
-template <class T>
-T require(Result<T> result) {
-  if (!result) {
-    std::fprintf(stderr, "lichen-bench: %s\n", result.error().message.c_str());
-    std::exit(int(result.error().kind));
-  }
-  return std::move(result).value();
-}
-
-SrgbImage synthesized(const Bundle& bundle, std::uint32_t seed, int side = kSide) {
-  SynthesisOptions options;
-  options.material.seed = seed;
-  options.width = options.height = side;
-  return toSrgb(require(synthesize(bundle, options)));
-}
-
-/// The Gaussian versions of the exemplar of a tiling of 16 bits.
-std::vector<SrgbImage> gaussianVersions(const Bundle& tiling) {
-  const auto& map = tiling.noises[0].maps[0].as<TilingMap>();
-  const Table& image = tiling.tables[map.gaussian];
-  const std::vector<float> texels = decodeLevel(image, 0);
-  const auto stride = std::size_t(channelCount(image.format));
-  const int width = int(image.width), height = int(image.height);
-  std::vector<HalfSpectrum> spectra;
-  for (std::size_t c = 0; c < std::size_t(map.dimensions); ++c) {
-    std::vector<float> plane;
-    for (std::size_t i = c; i < texels.size(); i += stride)
-      plane.push_back(texels[i] + 0.5f - kStoredGaussianMean);
-    spectra.push_back(forwardFft(plane, width, height));
-  }
-  const gaussianization::ValueDecoder decoder(tiling, shaderMap(tiling, tiling.noises[0], 0),
-                                              map.inverseTable);
+/// Gaussian versions of an exemplar.
+std::vector<SrgbImage> gaussianVersions(const SrgbImage& exemplar) {
   std::vector<SrgbImage> versions;
-  for (std::uint32_t seed = 1; seed <= kReferences; ++seed) {
-    std::vector<std::vector<float>> planes;
-    for (const HalfSpectrum& spectrum : spectra)
-      planes.push_back(phaseRandomizedPlane(spectrum, seed));
-    LinearImage result(width, height, 3);
-    for (std::size_t i = 0; i < result.pixelCount(); ++i) {
-      std::array<float, 4> gaussian{0.5f, 0.5f, 0.5f, 0.0f};
-      for (std::size_t c = 0; c < planes.size(); ++c)
-        gaussian[c] = planes[c][i];
-      const std::array<float, 4> value = decoder.decode(gaussian, 1.0f);
-      std::copy_n(value.begin(), 3, &result.values[3 * i]);
-    }
-    versions.push_back(toSrgb(result));
-  }
+  for (std::uint32_t seed = 1; seed <= kReferences; ++seed)
+    versions.push_back(toSrgb(require(randomPhaseVersion(baseColorMap(exemplar), seed))));
   return versions;
 }
 
@@ -100,10 +54,11 @@ std::vector<Row> localRandomPhaseRows() {
     TilingOptions precise;
     precise.bits = 16;
     const Bundle tiling = bakedBundle(exemplar.image, precise);
-    const std::vector<SrgbImage> versions = gaussianVersions(tiling);
+    const std::vector<SrgbImage> versions = gaussianVersions(exemplar.image);
     double db = 0.0, distance = 0.0, own = 0.0, ofTiling = 0.0;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-      const SrgbImage result = synthesized(noise, seed), tiled = synthesized(tiling, seed);
+      const SrgbImage result = synthesized(noise, kSide, seed),
+                      tiled = synthesized(tiling, kSide, seed);
       for (const SrgbImage& version : versions) {
         const double share = 1.0 / double(kSeeds * versions.size());
         db += share * require(spectrumDistanceDb(version, result));
@@ -117,7 +72,7 @@ std::vector<Row> localRandomPhaseRows() {
     covariance.note(own / ofTiling, exemplar.name);
     double excess = 0.0;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)
-      excess += require(strokeExcess(synthesized(noise, seed, kStrokesSide), kTrials)).value;
+      excess += require(strokeExcess(synthesized(noise, kStrokesSide, seed), kTrials)).value;
     strokes.note(excess / kSeeds, exemplar.name);
   }
   const std::string of = "against the Gaussian version, 256 x 256 -> 1024 x 1024, 3 seeds";

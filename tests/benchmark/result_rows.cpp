@@ -2,6 +2,7 @@
 // The quality measures of results made from the bundle alone.
 #include "exemplars.h"
 #include "rows.h"
+#include "synthesized.h"
 
 #include <lichen/measures.h>
 #include <lichen/synthesize.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <set_covariances.h>
 
@@ -26,22 +26,6 @@ constexpr int kResultSide = 1024;
 /// One draw of the tiles' offsets says little about the worst exemplar.
 constexpr std::uint32_t kSeeds = 6;
 constexpr int kLatticeSide = kLatticeExemplars * int(kExemplarSide);
-
-template <class T>
-T require(Result<T> result) {
-  if (!result) {
-    std::fprintf(stderr, "lichen-bench: %s\n", result.error().message.c_str());
-    std::exit(int(result.error().kind));
-  }
-  return std::move(result).value();
-}
-
-SrgbImage synthesized(const Bundle& bundle, int side, std::uint32_t seed) {
-  SynthesisOptions options;
-  options.material.seed = seed;
-  options.width = options.height = side;
-  return toSrgb(require(synthesize(bundle, options)));
-}
 
 /// Covariances between base colour and the other maps' channels; all images have one size.
 std::vector<double> crossCovariances(const std::vector<LinearImage>& maps) {

@@ -3,16 +3,14 @@
 // of their order.
 #include "exemplars.h"
 #include "rows.h"
+#include "synthesized.h"
 
 #include <lichen/quality.h>
 #include <lichen/spectrum.h>
-#include <lichen/synthesize.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 #include <unsuitable.h>
 
@@ -21,26 +19,6 @@ namespace {
 
 constexpr int kExemplarSide = 256, kSide = 1024;
 constexpr std::uint32_t kSeeds = 3;
-
-double require(const Result<double>& result) {
-  if (!result) {
-    std::fprintf(stderr, "lichen-bench: %s\n", result.error().message.c_str());
-    std::exit(int(result.error().kind));
-  }
-  return result.value();
-}
-
-SrgbImage synthesized(const Bundle& bundle, std::uint32_t seed) {
-  SynthesisOptions options;
-  options.material.seed = seed;
-  options.width = options.height = kSide;
-  Result<LinearImage> result = synthesize(bundle, options);
-  if (!result) {
-    std::fprintf(stderr, "lichen-bench: %s\n", result.error().message.c_str());
-    std::exit(int(result.error().kind));
-  }
-  return toSrgb(result.value());
-}
 
 constexpr std::size_t kDirections = 36;
 using Directions = std::array<double, kDirections>;
@@ -92,7 +70,8 @@ std::vector<Row> structureRows() {
     double phase = 0.0, covariance = 0.0, seam = 0.0, color = 0.0;
     double phaseOfTiling = 0.0, covarianceOfTiling = 0.0;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-      const SrgbImage own = synthesized(noise, seed), tiled = synthesized(tiling, seed);
+      const SrgbImage own = synthesized(noise, kSide, seed),
+                      tiled = synthesized(tiling, kSide, seed);
       phase += phaseError(exemplar, own) / kSeeds;
       phaseOfTiling += phaseError(exemplar, tiled) / kSeeds;
       covariance += require(autocovarianceError(exemplar, own)) / kSeeds;

@@ -167,6 +167,27 @@ TEST_CASE("textons are measured against the exemplar's Gaussian version, not its
     CHECK_THAT(page, Catch::Contains(words));
 }
 
+TEST_CASE("cosines without a structure are measured against the exemplar's Gaussian version") {
+  const Workplace workplace;
+  const std::string image = workplace.write("moss.png", speckled(128, 128, 3));
+  const auto measured = [&](const std::string& name, std::vector<std::string> options) {
+    options.insert(options.begin(), {"--method", "local-random-phase"});
+    return compared(image, bake(workplace, image, name, options));
+  };
+  const Compared cosines = measured("cosines.glb", {"--structure", "0"});
+  CHECK(cosines.value("color_distance") < 0.02);
+  CHECK(cosines.measures.at("color_distance").at("target") == 0.003);
+  CHECK(cosines.measures.at("spectrum_distance_db").at("target").is_null());
+  CHECK(cosines.measures.at("gaussian_spectrum_distance_db").at("target") == 1.0);
+  CHECK(cosines.value("gaussian_spectrum_distance_db") < 1.0);
+  // One cosine has not the spectrum of anything else.
+  CHECK(measured("one.glb", {"--structure", "0", "--cosines", "1"})
+            .value("gaussian_spectrum_distance_db") > 1.0);
+  const Compared structure = measured("structure.glb", {"--structure", "0.5"});
+  CHECK(structure.measures.count("gaussian_spectrum_distance_db") == 0);
+  CHECK(structure.measures.at("spectrum_distance_db").at("target") == 0.6);
+}
+
 TEST_CASE("the note on an exemplar of another size names the options that correct it") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(64));

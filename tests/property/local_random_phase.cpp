@@ -21,7 +21,6 @@
 #include <local_random_phase/cosine_fit.h>
 #include <local_random_phase/cosine_vectors.h>
 #include <local_random_phase/octave_lattice.h>
-#include <local_random_phase/power_tree.h>
 #include <local_random_phase/window_spectrum.h>
 #include <numbers>
 #include <random>

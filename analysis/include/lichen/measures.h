@@ -19,8 +19,15 @@ inline constexpr double kSpectrumDistanceTargetDb = 0.6;
 inline constexpr double kAnisotropicSpectrumDistanceTargetDb = 1.2;
 inline constexpr double kSeamVisibilityTarget = 1.1;
 inline constexpr std::string_view kGaussianSpectrumDistanceName = "gaussian_spectrum_distance_db";
-/// For the result of a texton against the Gaussian texture of its exemplar.
-inline constexpr double kGaussianSpectrumDistanceTargetDb = 0.5;
+/// Upper limits for a noise of random phases, measured against the Gaussian version of its
+/// exemplar.
+struct GaussianTargets {
+  double spectrumDb;
+  double anisotropicSpectrumDb; ///< if the exemplar is strongly anisotropic
+  bool hasColors;               ///< whether the noise has the histogram of the exemplar
+};
+inline constexpr GaussianTargets kTextonTargets{0.5, 0.5, false};
+inline constexpr GaussianTargets kLocalRandomPhaseTargets{1.0, 1.5, true};
 /// For a texton: a third above the flatness of normally distributed values.
 inline constexpr double kFlatnessTarget = 4.0;
 /// For a result that spans kLatticeExemplars per side; a smaller one scores higher by chance.
@@ -46,12 +53,14 @@ struct Measure {
 [[nodiscard]] Result<std::vector<Measure>> measureResult(const SrgbImage& exemplar,
                                                          const SrgbImage& result);
 
-/// Computes the same measures for a texton result, and gaussian_spectrum_distance_db, its distance
-/// to the exemplar's Gaussian texture `gaussian`. Its colours and spectrum have no target, because
-/// they are those of a Gaussian texture. Errors: as measureResult().
+/// Computes the same measures for the result of a noise of random phases, and
+/// gaussian_spectrum_distance_db, its distance to the exemplar's Gaussian version `gaussian`. Its
+/// spectrum has no other target, and colours have one only where they are the exemplar's. Errors:
+/// as measureResult().
 [[nodiscard]] Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
                                                                  const SrgbImage& gaussian,
-                                                                 const SrgbImage& result);
+                                                                 const SrgbImage& result,
+                                                                 const GaussianTargets& targets);
 
 /// Computes lattice_visibility of a result that spans kLatticeExemplars per side. Errors: as
 /// latticeVisibility().

@@ -17,10 +17,12 @@ struct NoiseComparison {
   SrgbImage exemplar; ///< as a picture
   SrgbImage result;   ///< likewise
   /// For tiling, those of measureResult() and lattice_visibility. For a texton, those of
-  /// measureGaussianResult(), model_error and flatness.
+  /// measureGaussianResult(), model_error and flatness. For local random phase, those of
+  /// measureGaussianResult() without a structure, otherwise those of measureResult().
   std::vector<Measure> measures;
-  /// Textons only: gaussianVersion() as a picture, and other kernels with the same support.
+  /// The exemplar's Gaussian version, if the noise has random phases.
   std::optional<SrgbImage> gaussian;
+  /// Textons only: other kernels with the same support.
   std::optional<KernelComparison> kernels;
 };
 

@@ -4,6 +4,7 @@
 #include "local_random_phase_report.h"
 
 #include "../inverse_table_pictures.h"
+#include "../random_phase_version.h"
 
 #include <nlohmann/json.hpp>
 
@@ -62,17 +63,29 @@ LinearImage spectrumPicture(const Table& table, const LocalRandomPhaseNoise& sha
 
 double LocalRandomPhaseReport::judgedPixels(int, int) const { return 0.0; }
 
-Result<void> LocalRandomPhaseReport::judge(const ComparedResult&,
+Result<void> LocalRandomPhaseReport::judge(const ComparedResult& result,
                                            NoiseComparison& comparison) const {
-  Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
+  const MaterialNoise& material = result.options.material;
+  const Noise& noise = result.bundle.noises[material.noise];
+  if (noise.as<LocalRandomPhaseNoise>().structure.columns == 0) {
+    const Result<LinearImage> version = randomPhaseVersion(result.exemplar, material.seed);
+    if (!version)
+      return version.error();
+    comparison.gaussian = comparison.look.picture(version.value());
+  }
+  Result<std::vector<Measure>> measures =
+      comparison.gaussian ? measureGaussianResult(comparison.exemplar, *comparison.gaussian,
+                                                  comparison.result, kLocalRandomPhaseTargets)
+                          : measureResult(comparison.exemplar, comparison.result);
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();
   return {};
 }
 
-/// As for tiling, with the spectrum in place of the Gaussian image.
-double LocalRandomPhaseReport::picturePixels() const { return 7.0; }
+/// As for tiling, with the spectrum in place of the Gaussian image, and a Gaussian version as large
+/// as the result.
+double LocalRandomPhaseReport::picturePixels() const { return 11.0; }
 
 Result<Json> LocalRandomPhaseReport::image(const Bundle& bundle, const Noise& noise,
                                            const NoiseMap& map, double, int side) const {

@@ -94,8 +94,8 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
   if (!kernels)
     return kernels.error();
   comparison.kernels = kernels.value();
-  Result<std::vector<Measure>> measures =
-      measureGaussianResult(comparison.exemplar, *comparison.gaussian, comparison.result);
+  Result<std::vector<Measure>> measures = measureGaussianResult(
+      comparison.exemplar, *comparison.gaussian, comparison.result, kTextonTargets);
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();

@@ -2,14 +2,14 @@
 // A spectrum that the user gives in place of the exemplar's.
 #pragma once
 
-#include "cosine_vectors.h"
+#include "map_spectrum.h"
 
-#include <lichen/local_random_phase.h>
 #include <lichen/result.h>
+#include <lichen/spectrum_picture.h>
 
 #include <vector>
 
-namespace lichen::local_random_phase {
+namespace lichen::spectra {
 
 /// Replaces the transforms of all maps by those of random fields with the powers of `picture` in
 /// each channel, and the variances that they had. The channels are independent. Errors: badInput
@@ -17,4 +17,4 @@ namespace lichen::local_random_phase {
 [[nodiscard]] Result<void> replaceSpectra(const SpectrumPicture& picture,
                                           std::vector<MapSpectrum>& maps);
 
-} // namespace lichen::local_random_phase
+} // namespace lichen::spectra

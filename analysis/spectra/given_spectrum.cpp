@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Amplitudes at frequencies -> the transform of one random field that has them. [LRP14] section
 // 6.1, figure 10.
-#include "user_spectrum.h"
+#include "given_spectrum.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
-namespace lichen::local_random_phase {
+namespace lichen::spectra {
 namespace {
 
 /// The power at a frequency of the half plane: that of both mirrors, as a field is real.
@@ -69,4 +69,4 @@ Result<void> replaceSpectra(const SpectrumPicture& picture, std::vector<MapSpect
   return {};
 }
 
-} // namespace lichen::local_random_phase
+} // namespace lichen::spectra

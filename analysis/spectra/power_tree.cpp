@@ -13,7 +13,7 @@
 #include <numeric>
 #include <utility>
 
-namespace lichen::local_random_phase {
+namespace lichen::spectra {
 namespace {
 
 /// Weighted sums of 1, p and p^2 over boxes, with weights p^-exponent.
@@ -242,4 +242,4 @@ std::vector<FrequencyBox> boxesOfEqualPower(const PowerPlane& power, std::size_t
   return tree.boxes();
 }
 
-} // namespace lichen::local_random_phase
+} // namespace lichen::spectra

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace lichen::local_random_phase {
+namespace lichen::spectra {
 
 /// Powers at integer frequencies of a half plane, in cycles per tile: (u, v), u in [0, columns), v
 /// in [-rows / 2, rows / 2], is values[(v + rows / 2) * columns + u]. `rows` is odd. Column 0
@@ -52,4 +52,4 @@ struct FrequencyBox {
 [[nodiscard]] std::vector<FrequencyBox> boxesAroundPower(const PowerPlane& power,
                                                          std::size_t count);
 
-} // namespace lichen::local_random_phase
+} // namespace lichen::spectra

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// A Gaussianized map -> its transforms, and how its stored values follow them; several -> one power
+// spectrum.
+#include "map_spectrum.h"
+
+#include "gaussian/gaussian_distribution.h"
+#include "transport/covariance_map.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace lichen::spectra {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::VectorXcd;
+
+/// The spectrum of a Gaussian image of at least one dimension.
+MapSpectrum transformsOf(const gaussianization::Gaussianized& image) {
+  MapSpectrum result;
+  const auto pixels = image.image.size();
+  constexpr auto kMean = float(gaussian::kGaussianMean);
+  constexpr auto kPerDeviation = float(1.0 / gaussian::kGaussianDeviation);
+  const auto isConstant = [&] {
+    const Point& first = image.image.front();
+    return std::all_of(image.image.begin(), image.image.end(), [&](const Point& point) {
+      return point.x == first.x && point.y == first.y && point.z == first.z;
+    });
+  };
+  if (isConstant())
+    return result;
+  const float scale = kPerDeviation / float(pixels);
+  for (int channel = 0; channel < image.dimensions; ++channel) {
+    std::vector<float> plane;
+    plane.reserve(pixels);
+    double squares = 0.0;
+    for (const Point& point : image.image) {
+      plane.push_back(scale * ((channel == 0   ? point.x
+                                : channel == 1 ? point.y
+                                               : point.z) -
+                               kMean));
+      squares += double(plane.back()) * double(plane.back());
+    }
+    result.variances.push_back(squares * double(pixels));
+    result.channels.push_back(forwardFft(plane, image.width, image.height));
+  }
+  return result;
+}
+
+/// How stored values follow the Gaussian channels about their mean, to the first order, scaled as
+/// MapSpectrum::toStored: by the root of their covariance, the symmetric one with a table, the
+/// triangular one without.
+Eigen::MatrixXd toStoredOf(const gaussianization::GaussianizedMap& map) {
+  const auto channels = Eigen::Index(map.map.mean.size());
+  if (channels != map.image.dimensions) // which axes the Gaussian ones are is not known
+    return Eigen::MatrixXd::Identity(map.image.dimensions, map.image.dimensions);
+  const Eigen::MatrixXd covariance =
+      Eigen::Map<const Eigen::MatrixXd>(map.map.covariance.data(), channels, channels);
+  const Eigen::MatrixXd root = map.inverse ? transport::power<Eigen::MatrixXd>(covariance, 0.5)
+                                           : Eigen::MatrixXd(covariance.llt().matrixL());
+  return std::sqrt(double(channels)) / root.norm() * root;
+}
+
+/// How luminance follows the Gaussian channels of a colour map about its mean, to the first order
+/// and up to a factor. Empty for others.
+std::vector<double> luminanceOf(const gaussianization::GaussianizedMap& map,
+                                const Eigen::MatrixXd& toStored) {
+  constexpr std::array<double, 3> kLuminance{0.2126, 0.7152, 0.0722}; // ITU-R BT.709
+  const bool isColor =
+      map.map.target == MapTarget::baseColor || map.map.target == MapTarget::emissive;
+  if (!isColor || map.image.dimensions != int(kLuminance.size()))
+    return {};
+  Eigen::Vector3d ofStored(kLuminance.data());
+  if (map.map.encoding == ValueEncoding::root) // light is the square
+    ofStored = ofStored.cwiseProduct(Eigen::Vector3d(map.map.mean.data()));
+  const Eigen::Vector3d luminance = toStored.transpose() * ofStored;
+  return {luminance[0], luminance[1], luminance[2]};
+}
+
+} // namespace
+
+MapSpectrum spectrumOf(const gaussianization::GaussianizedMap& map) {
+  MapSpectrum result = transformsOf(map.image);
+  if (!result.channels.empty()) {
+    result.toStored = toStoredOf(map);
+    result.luminance = luminanceOf(map, result.toStored);
+  }
+  return result;
+}
+
+Complex MapSpectrum::at(std::size_t channel, int u, int v) const {
+  const HalfSpectrum& spectrum = channels[channel];
+  if (2 * u >= spectrum.width || 2 * std::abs(v) >= spectrum.height)
+    return {};
+  return Complex(spectrum.at(u, v < 0 ? v + spectrum.height : v));
+}
+
+PowerPlane powerPlane(const std::vector<MapSpectrum>& maps) {
+  int width = 1, height = 1;
+  for (const MapSpectrum& map : maps)
+    for (const HalfSpectrum& channel : map.channels) {
+      width = std::max(width, channel.width);
+      height = std::max(height, channel.height);
+    }
+  PowerPlane power;
+  power.columns = (width + 1) / 2;
+  power.rows = 2 * ((height - 1) / 2) + 1;
+  power.values.assign(std::size_t(power.columns) * std::size_t(power.rows), 0.0);
+  tbb::parallel_for(0, power.rows, [&](int row) {
+    for (const MapSpectrum& map : maps) {
+      VectorXcd values(Index(map.channels.size()));
+      for (int u = 0; u < power.columns; ++u) {
+        for (Index c = 0; c < values.size(); ++c)
+          values[c] = map.at(std::size_t(c), u, row - power.rows / 2);
+        power.values[std::size_t(row) * std::size_t(power.columns) + std::size_t(u)] +=
+            (map.toStored * values).squaredNorm();
+      }
+    }
+  });
+  return power;
+}
+
+} // namespace lichen::spectra

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The spectra of a Gaussianized map, from which the methods of random phases are baked.
+#pragma once
+
+#include "gaussianization/gaussianized_maps.h"
+#include "power_tree.h"
+
+#include <lichen/fft.h>
+
+#include <Eigen/Dense>
+
+#include <complex>
+#include <cstddef>
+#include <vector>
+
+namespace lichen::spectra {
+
+/// The channels of one map as transforms over the tile, divided by the number of its pixels, and by
+/// the standard deviation of a Gaussian value. Empty for a map that does not vary.
+struct MapSpectrum {
+  std::vector<HalfSpectrum> channels;
+  std::vector<double> variances; ///< of each channel, in squared standard deviations
+  /// How the stored values follow the channels, to the first order: a square matrix whose squares
+  /// sum to the number of channels.
+  Eigen::MatrixXd toStored;
+  /// How luminance follows each channel, up to a factor; empty where the map has no luminance.
+  std::vector<double> luminance;
+
+  /// The coefficient of frequency (u, v) in cycles per tile, u >= 0; 0 beyond the map's own.
+  [[nodiscard]] std::complex<double> at(std::size_t channel, int u, int v) const;
+};
+
+/// The transforms of a Gaussianized map. Throws std::bad_alloc.
+[[nodiscard]] MapSpectrum spectrumOf(const gaussianization::GaussianizedMap& map);
+
+/// The sum of the power of all stored values of all maps: a channel counts as much as it changes
+/// them. Columns and rows are those of the largest maps, without the highest frequencies of even
+/// sizes, which have no mirror.
+[[nodiscard]] PowerPlane powerPlane(const std::vector<MapSpectrum>& maps);
+
+} // namespace lichen::spectra
