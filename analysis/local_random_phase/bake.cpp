@@ -7,8 +7,8 @@
 #include "gaussianization/gaussianized_maps.h"
 #include "octave_lattice.h"
 #include "placement/near_periods.h"
-#include "structure.h"
 #include "spectra/given_spectrum.h"
+#include "structure.h"
 
 #include <lichen/local_random_phase.h>
 

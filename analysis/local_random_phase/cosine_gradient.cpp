@@ -49,7 +49,7 @@ std::array<Vec2, 3> windowSlopes(const std::array<CosineVertex, 3>& vertices,
 
 CosineSlopes cosineSlopesAt(std::span<const std::array<CosineTexel, kRowCosines>> texels,
                             const std::vector<int>& octaves, std::uint32_t variants,
-                            const CosineCell& cell, const Footprint& footprint,
+                            const CosineCell& cell, const WaveFootprint& footprint,
                             const shader::LichenMaterial& material) {
   CosineSlopes slopes;
   const auto* row = texels.data();
@@ -61,7 +61,7 @@ CosineSlopes cosineSlopesAt(std::span<const std::array<CosineTexel, kRowCosines>
     std::array<std::uint32_t, 3> columns{};
     for (std::size_t v = 0; v < 3; ++v)
       columns[v] = kCosineColumns + variantOf(vertices[v].state, variants);
-    const float ofWindow = footprint.squaredCyclesOfWindow(int(octave), material);
+    const float ofWindow = squaredCyclesOfWindow(footprint, int(octave), material);
     std::array<Vec3, 3> sums{};
     for (int k = 0; k < octaves[octave]; ++k) {
       const std::size_t own = std::size_t(k) % kRowCosines;

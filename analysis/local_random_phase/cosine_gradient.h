@@ -3,7 +3,6 @@
 #pragma once
 
 #include "cosine_vertices.h"
-#include "footprint.h"
 
 #include <lichen/local_random_phase_map.h>
 
@@ -22,6 +21,6 @@ struct CosineSlopes {
 [[nodiscard]] CosineSlopes
 cosineSlopesAt(std::span<const std::array<CosineTexel, kRowCosines>> texels,
                const std::vector<int>& octaves, std::uint32_t variants, const CosineCell& cell,
-               const Footprint& footprint, const shader::LichenMaterial& material);
+               const WaveFootprint& footprint, const shader::LichenMaterial& material);
 
 } // namespace lichen::local_random_phase

@@ -3,6 +3,7 @@
 // follow shaders_glsl/noise/cosine_vertices.glsl.
 #include "cosine_vertices.h"
 
+#include "cosine.h"
 #include "octave_lattice.h"
 
 #include <lichen/lattice.h>
@@ -42,6 +43,14 @@ CosineCell cosineCellAt(const shader::LichenMaterial& material,
   if (material.periodRows > 0)
     std::tie(i, j) = periodicVertex(i, j, material.periodColumns, material.periodRows);
   return {i, j, column - left, row - top};
+}
+
+float squaredCyclesOfWindow(const WaveFootprint& footprint, int octave,
+                            const shader::LichenMaterial& material) {
+  const auto scale = float(std::ldexp(1.0, finerOctaves(octave, material)));
+  const float columns = material.columnsPerTile * scale, rows = material.rowsPerTile * scale;
+  // Rows are sqrt(3) / 2 edges apart.
+  return kWindowSpread * (footprint.xx * columns * columns + 0.75f * footprint.yy * rows * rows);
 }
 
 std::array<CosineVertex, 3> verticesAt(const CosineCell& cell, int octave, std::uint32_t stream,

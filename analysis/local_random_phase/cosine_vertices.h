@@ -2,6 +2,8 @@
 // The CPU twin of shaders_glsl/noise/cosine_vertices.glsl.
 #pragma once
 
+#include "sampling/wave.h"
+
 #include <lichen/shader_parameters.h>
 
 #include <array>
@@ -35,5 +37,10 @@ struct CosineVertex {
 
 /// The octaves from the lattice of the material's first to that of `octave`.
 [[nodiscard]] int finerOctaves(int octave, const shader::LichenMaterial& material);
+
+/// The squared cycles that a footprint spans of the window of an octave, by its mean square
+/// frequency.
+[[nodiscard]] float squaredCyclesOfWindow(const WaveFootprint& footprint, int octave,
+                                          const shader::LichenMaterial& material);
 
 } // namespace lichen::local_random_phase

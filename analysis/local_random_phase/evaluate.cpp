@@ -4,7 +4,6 @@
 #include "cosine.h"
 #include "cosine_gradient.h"
 #include "cosine_vertices.h"
-#include "footprint.h"
 #include "gaussianization/value_decoder.h"
 #include "solid_cosines.h"
 #include "structure_tiles.h"
@@ -83,7 +82,7 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
                                           const shader::LichenMaterial& material,
                                           const TileFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
-  const Footprint footprint = footprintOf(at, noise_);
+  const WaveFootprint footprint = waveFootprint(at, noise_);
   const CosineCell cell = cellOf(at, material);
   std::array<float, 3> sum{};
   float squares = 0.0f, lost = 0.0f;
@@ -96,7 +95,7 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
     std::array<std::uint32_t, 3> variants{};
     for (std::size_t v = 0; v < vertices.size(); ++v)
       variants[v] = variantOf(vertices[v].state, variants_);
-    const float ofWindow = footprint.squaredCyclesOfWindow(int(octave), material);
+    const float ofWindow = squaredCyclesOfWindow(footprint, int(octave), material);
     for (int k = 0; k < cosines_[octave]; ++k) {
       const std::size_t own = std::size_t(k) % kRowCosines;
       const CosineTexel& box = row[0][own];
@@ -180,7 +179,7 @@ std::array<float, 3> LocalRandomPhaseEvaluator::gradient(std::size_t mapIndex,
                                                          const TileFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
   CosineSlopes slopes = cosineSlopesAt(map.texels, cosines_, variants_, cellOf(at, material),
-                                       footprintOf(at, noise_), material);
+                                       waveFootprint(at, noise_), material);
   if (const std::array<int, 2> size = map.structure.size(); size[0] > 0) {
     const float x = 0.25f / float(size[0]), y = 0.25f / float(size[1]);
     const auto beside = [&](float dx, float dy) {

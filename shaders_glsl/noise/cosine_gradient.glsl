@@ -70,7 +70,8 @@ void lichenAddCosineSlopes(inout mat3 sums, inout LichenCosinesSlopes slopes, in
 LichenCosinesSlopes lichenCosinesSlopes(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
                                         LichenMaterial material, LichenNoise noise) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
-  vec3 footprint = lichenCosinesFootprint(point, vec2(noise.tileTexelsX, noise.tileTexelsY));
+  vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
+                                       vec2(noise.tileTexelsX, noise.tileTexelsY));
   LichenCosinesSlopes slopes = LichenCosinesSlopes(vec3(0.0), vec3(0.0));
   int row = 0;
   int rows = int(shape.cosines) / 2;

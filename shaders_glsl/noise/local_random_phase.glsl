@@ -15,44 +15,7 @@
 #include "decode.glsl"
 #include "method_parts.glsl"
 #include "structure.glsl"
-
-/// cos(2 pi turns), within 1.1e-4. Of four vertices, as solids have.
-vec4 lichenCosineOfTurns(vec4 turns) {
-  vec4 z = 0.25 - abs(turns - roundEven(turns));
-  vec4 square = z * z;
-  return z * (6.2812805 + square * (-41.0952 + square * 73.5855));
-}
-
-/// A squared length [texels^2] -> what is averaged beyond a texel, over which the exemplar has
-/// averaged already: 0 up to 1, and soon all of it.
-float lichenBeyondTexel(float squared) {
-  float own = max(squared, 1.0);
-  return own - 1.0 / (own * own * own);
-}
-
-/// The squared cycles that a pixel averages of a frequency f: x f.x^2 + y f.y^2 + z f.x f.y. Of the
-/// footprint's ellipse, what lies beyond a texel along each of its axes.
-vec3 lichenCosinesFootprint(LichenCosinesPoint point, vec2 tileTexels) {
-  vec2 columns = vec2(point.gradientX.x, point.gradientY.x) * tileTexels.x; // [texels / pixel]
-  vec2 rows = vec2(point.gradientX.y, point.gradientY.y) * tileTexels.y;
-  float xx = dot(columns, columns), yy = dot(rows, rows), xy = dot(columns, rows);
-  float mean = 0.5 * (xx + yy), halfDifference = 0.5 * (xx - yy);
-  float apart = sqrt(halfDifference * halfDifference + xy * xy); // the axes, from the mean
-  float longer = lichenBeyondTexel(mean + apart), shorter = lichenBeyondTexel(mean - apart);
-  const float kLeast = 1.0e-20; // of a circle, whose axes are the same
-  float slope = 0.5 * (longer - shorter) / max(apart, kLeast);
-  return vec3(0.5 * (longer + shorter) + slope * vec2(halfDifference, -halfDifference),
-              2.0 * slope * xy) / vec3(tileTexels * tileTexels, tileTexels.x * tileTexels.y);
-}
-
-/// The amplitudes that a footprint leaves of cosines, for the squares of the cycles that it spans.
-/// The mean of a cosine over x cycles is sinc x, 1 - pi^2 x^2 / 6 near 0, as this is.
-vec4 lichenCosineRetained(vec4 squaredCycles) {
-  const float kSlope = 0.548311356; // pi^2 / 18
-  // Slanted pixels can be so long that the form is below 0 by rounding.
-  vec4 left = clamp(1.0 - kSlope * squaredCycles, 0.0, 1.0);
-  return left * left * left;
-}
+#include "wave.glsl"
 
 /// The number of cosines of an octave.
 int lichenOctaveCosines(int octave, LichenCosinesNoise cosines) {
@@ -101,7 +64,8 @@ void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
 vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
                            LichenMaterial material, LichenNoise noise, LichenMap map) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
-  vec3 footprint = lichenCosinesFootprint(point, vec2(noise.tileTexelsX, noise.tileTexelsY));
+  vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
+                                       vec2(noise.tileTexelsX, noise.tileTexelsY));
   vec4 sum = vec4(0.0);
   float squares = 0.0;
   int row = 0;

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pixel in the plane averages of a cosine: the CPU twin of lichenCosinesFootprint
-// (shaders_glsl/noise/local_random_phase.glsl).
+// A wave, and what a pixel leaves of it: the CPU twin of shaders_glsl/noise/wave.glsl.
 #pragma once
-
-#include "cosine.h"
-#include "cosine_vertices.h"
 
 #include <lichen/shader_parameters.h>
 #include <lichen/tile_footprint.h>
@@ -13,28 +9,43 @@
 #include <array>
 #include <cmath>
 
-namespace lichen::local_random_phase {
+namespace lichen {
+
+/// lichenCosineOfTurns: cos(2 pi turns), within 1.1e-4.
+inline float cosineOfTurns(float turns) {
+  const float z = 0.25f - std::abs(turns - std::nearbyint(turns));
+  const float square = z * z;
+  return z * (6.2812805f + square * (-41.0952f + square * 73.5855f));
+}
+
+/// lichenCosineRetained: the amplitude that a footprint leaves of a cosine, for the square of the
+/// cycles that it spans. The mean of a cosine over x cycles is sinc x, 1 - pi^2 x^2 / 6 near 0, as
+/// this is.
+inline float retainedAt(float squaredCycles) {
+  constexpr float kSlope = 0.548311356f; // pi^2 / 18
+  // Slanted pixels can be so long that the form is below 0 by rounding.
+  const float left = std::clamp(1.0f - kSlope * squaredCycles, 0.0f, 1.0f);
+  return left * left * left;
+}
+
+/// lichenBeyondTexel: a squared length [texels^2] -> what is averaged beyond a texel, over which
+/// the exemplar has averaged already: 0 up to 1, and soon all of it.
+inline float beyondTexel(float squared) {
+  const float own = std::max(squared, 1.0f);
+  return own - 1.0f / (own * own * own);
+}
 
 /// The squared cycles that a footprint spans of a frequency, as a quadratic form.
-struct Footprint {
+struct WaveFootprint {
   float xx = 0.0f, yy = 0.0f, xy = 0.0f;
 
   [[nodiscard]] float squaredCycles(float fx, float fy) const {
     return fx * (xx * fx + xy * fy) + yy * fy * fy;
   }
-
-  /// Of the window at a vertex of an octave, by its mean square frequency.
-  [[nodiscard]] float squaredCyclesOfWindow(int octave,
-                                            const shader::LichenMaterial& material) const {
-    const auto scale = float(std::ldexp(1.0, finerOctaves(octave, material)));
-    const float columns = material.columnsPerTile * scale, rows = material.rowsPerTile * scale;
-    return kWindowSpread *
-           (xx * columns * columns + 0.75f * yy * rows * rows); // rows are sqrt(3) / 2 edges apart
-  }
 };
 
-/// beyondTexel() of the footprint's ellipse along both of its axes.
-inline Footprint footprintOf(const TileFootprint& at, const shader::LichenNoise& noise) {
+/// lichenWaveFootprint: beyondTexel() of the footprint's ellipse along both of its axes.
+inline WaveFootprint waveFootprint(const TileFootprint& at, const shader::LichenNoise& noise) {
   const std::array<float, 2> columns{at.dx[0] * noise.tileTexelsX, at.dy[0] * noise.tileTexelsX};
   const std::array<float, 2> rows{at.dx[1] * noise.tileTexelsY, at.dy[1] * noise.tileTexelsY};
   const float xx = columns[0] * columns[0] + columns[1] * columns[1];
@@ -51,4 +62,4 @@ inline Footprint footprintOf(const TileFootprint& at, const shader::LichenNoise&
           2.0f * slope * xy / (noise.tileTexelsX * noise.tileTexelsY)};
 }
 
-} // namespace lichen::local_random_phase
+} // namespace lichen
