@@ -86,7 +86,8 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
       // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
       if (tiling->dimensions == 1)
         plan.showsGreenAsAlpha[tiling->gaussian] = true;
-    } else if (std::holds_alternative<LocalRandomPhaseMap>(map.data)) {
+    } else if (std::holds_alternative<LocalRandomPhaseMap>(map.data) ||
+               std::holds_alternative<MultipleKernelsMap>(map.data)) {
       plan.fetchedOnly[imageOf(map)] = true;
     } else if (const auto* texton = std::get_if<TextonMap>(&map.data);
                texton != nullptr && !texton->laterSteps.empty()) {
@@ -159,6 +160,8 @@ std::size_t imageOf(const NoiseMap& map) {
     return tiling->gaussian;
   if (const auto* cosines = std::get_if<LocalRandomPhaseMap>(&map.data))
     return cosines->cosines;
+  if (const auto* kernels = std::get_if<MultipleKernelsMap>(&map.data))
+    return kernels->kernels;
   return map.as<TextonMap>().image;
 }
 
@@ -167,6 +170,8 @@ std::optional<std::size_t> inverseTableOf(const NoiseMap& map) {
     return tiling->inverseTable;
   if (const auto* cosines = std::get_if<LocalRandomPhaseMap>(&map.data))
     return cosines->inverseTable;
+  if (const auto* kernels = std::get_if<MultipleKernelsMap>(&map.data))
+    return kernels->inverseTable;
   return std::nullopt;
 }
 

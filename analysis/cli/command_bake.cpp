@@ -34,7 +34,8 @@ struct Arguments {
   double tileMetres = 0.0;
   ExemplarOptions exemplar;
   Method method{};
-  int bits = 0;                                            ///< per channel of the tables
+  int bits = 0; ///< per channel of the tables
+  CommonOptions common;
   std::vector<std::unique_ptr<const BakeOptions>> methods; ///< in the order of Method
   const CLI::App* verb = nullptr;
   PreviewShape preview{};
@@ -45,6 +46,14 @@ struct Arguments {
 
 /// Checks that the user gave no options of another method than the chosen one.
 Result<void> checkMethodOptions(const Arguments& arguments) {
+  if (arguments.common.spectrum && !commandOf(arguments.method).takesSpectrum()) {
+    std::string takers;
+    for (const Method method : allMethods())
+      if (commandOf(method).takesSpectrum())
+        takers += (takers.empty() ? "" : " and ") + std::string(nameOf(method));
+    return Error{ErrorKind::usage, fmt::format("--spectrum: belongs to --method {}, not to {}",
+                                               takers, nameOf(arguments.method))};
+  }
   const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
   if (!foreign)
     return {};
@@ -237,11 +246,18 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(
       verb, "--method", arguments->method, oneOf(methods), "tiling",
       "tiling keeps the exemplar's histogram; texton makes a Gaussian texture, the smallest on "
-      "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification");
+      "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification; "
+      "multiple-kernels does so with few kernels, for painted spectra");
   addValue(verb, "--precision", arguments->bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables; for textons 16- or 32-bit floats");
   for (const Method method : allMethods())
-    arguments->methods.push_back(commandOf(method).addBakeOptions(verb));
+    arguments->methods.push_back(commandOf(method).addBakeOptions(verb, arguments->common));
+  addValue(
+      verb, "--spectrum", arguments->common.spectrum, spectrumChoice(), "",
+      "A spectrum in place of the exemplar's, which gives the colours: a picture of amplitudes, "
+      "frequency 0 in the middle and a cycle per tile a pixel; or rings FROM:TO and bands "
+      "LEFT:RIGHT:TOP:BOTTOM in cycles per tile")
+      .group("Local random phase and multiple kernels");
   arguments->verb = &verb;
   verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };

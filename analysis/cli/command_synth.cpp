@@ -98,6 +98,16 @@ Result<void> writeMap(const Arguments& arguments, const Bundle& bundle, LinearIm
   return png ? replaceFile(output, png.value()) : Result<void>(png.error());
 }
 
+std::vector<std::string> notesOf(const Bundle& bundle, const SynthesisOptions& synthesis) {
+  if (!synthesis.tileable)
+    return {};
+  const Noise& noise = bundle.noises[synthesis.material.noise];
+  const auto [across, down] = pixelsPerTile(
+      bundle, noise, noise.maps[*findMap(noise, synthesis.map)], synthesis.texelsPerTile);
+  return commandOf(noise.method())
+      .periodNotes(noise, synthesis.width / across, synthesis.height / down);
+}
+
 Result<int> run(Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked = checkOutput(arguments.output, {".png", ".exr"}); !checked)
@@ -118,13 +128,15 @@ Result<int> run(Arguments& arguments) {
       !written)
     return written.error();
   progress.erase();
+  const std::vector<std::string> notes = notesOf(bundle.value(), arguments.synthesis);
+  for (const std::string& line : notes)
+    note(arguments.shared, line);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (arguments.shared.json) {
-    const nlohmann::ordered_json report{{"output", arguments.output},
-                                        {"width", arguments.synthesis.width},
-                                        {"height", arguments.synthesis.height},
-                                        {"seed", arguments.synthesis.material.seed},
-                                        {"seconds", seconds.count()}};
+    const nlohmann::ordered_json report{
+        {"output", arguments.output},           {"width", arguments.synthesis.width},
+        {"height", arguments.synthesis.height}, {"seed", arguments.synthesis.material.seed},
+        {"seconds", seconds.count()},           {"notes", notes}};
     printLine(toText(report));
   }
   say(arguments.shared,

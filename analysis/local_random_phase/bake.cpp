@@ -21,6 +21,13 @@ namespace {
 
 using namespace local_random_phase;
 
+/// Below this, what repeats is not seen to do so.
+constexpr double kLeastStructure = 0.3;
+
+double structureOf(const placement::NearPeriods& periods) {
+  return periods.strength < kLeastStructure ? 0.0 : periods.strength;
+}
+
 Result<void> checkOptions(const LocalRandomPhaseOptions& options) {
   if (options.cosines < int(kCosinesRange.least) || options.cosines > int(kCosinesRange.most))
     return Error{ErrorKind::usage, std::to_string(options.cosines) + " cosines; expected 1 to " +
@@ -103,6 +110,7 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
   const std::array<int, 2> cells = cellsOfOctave0(shared.texelsPerTileX, shared.texelsPerTileY);
   shared.columns = cells[0];
   shared.rows = cells[1];
+  shared.hasGivenSpectrum = options.spectrum.has_value();
   if (options.spectrum)
     if (Result<void> replaced = replaceSpectra(*options.spectrum, spectra); !replaced)
       return replaced.error();
@@ -110,7 +118,7 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
   const placement::NearPeriods periods =
       mayHave ? placement::nearPeriods(maps, std::size_t(kMostStructureOffsets), options.guide)
               : placement::NearPeriods();
-  bake.structure = options.structure.value_or(periods.strength);
+  bake.structure = options.structure.value_or(structureOf(periods));
   const std::vector<MapStructure> structures =
       takeStructure(spectra, bake.structure, periods.shifts, shared.structure);
   if (shared.structure.columns > 0)
@@ -141,6 +149,10 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
 }
 
 } // namespace
+
+double automaticStructure(std::span<const MapExemplar> maps) {
+  return structureOf(placement::nearPeriods(maps, 1));
+}
 
 Result<LocalRandomPhaseBake> bakeLocalRandomPhase(std::string name,
                                                   std::span<const MapExemplar> maps,

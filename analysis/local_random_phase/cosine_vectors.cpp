@@ -29,14 +29,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-/// First channel of each map, and the number of channels.
-std::vector<Index> firstChannels(const std::vector<MapSpectrum>& maps) {
-  std::vector<Index> first{0};
-  for (const MapSpectrum& map : maps)
-    first.push_back(first.back() + Index(map.channels.size()));
-  return first;
-}
-
 /// Sums f f^H over the frequencies of a box, column 0 half; f holds all channels.
 MatrixXcd crossSpectra(const std::vector<MapSpectrum>& maps, const FrequencyBox& box,
                        Index channels) {
@@ -103,7 +95,7 @@ MatrixXd covarianceOf(const CosineVectors& vectors, Index first, Index channels)
 
 CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
                             const std::vector<Cosine>& cosines) {
-  const std::vector<Index> first = firstChannels(maps);
+  const std::vector<Index> first = spectra::firstChannels(maps);
   const Index channels = first.back();
   CosineVectors result;
   result.variants = int(std::bit_ceil(std::uint64_t(std::max<Index>(1, channels))));
@@ -112,11 +104,7 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
   if (channels == 0)
     return result;
 
-  MatrixXd weights = MatrixXd::Zero(channels, channels); // of the power, as in powerPlane()
-  for (std::size_t m = 0; m < maps.size(); ++m) {
-    const MatrixXd& own = maps[m].toStored;
-    weights.block(first[m], first[m], own.cols(), own.cols()) = own.transpose() * own;
-  }
+  const MatrixXd weights = spectra::powerWeights(maps);
   // The matrix of each box has the energy of its cosine, and together they have the covariance.
   std::vector<MatrixXcd> matrices(cosines.size());
   MatrixXd whole = MatrixXd::Zero(channels, channels); // of the exemplar
@@ -134,17 +122,7 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
   for (std::size_t m = 0; m < maps.size(); ++m)
     for (std::size_t c = 0; c < maps[m].luminance.size(); ++c)
       luminance[first[m] + Index(c)] = maps[m].luminance[c];
-  // The highest frequencies of even sizes have no mirror and are in no box; they belong to the
-  // variance all the same.
-  Index channel = 0;
-  for (const MapSpectrum& map : maps)
-    for (const double variance : map.variances) {
-      if (const double own = whole(channel, channel); own > 0.0) {
-        whole.row(channel) *= std::sqrt(variance / own);
-        whole.col(channel) *= std::sqrt(variance / own);
-      }
-      ++channel;
-    }
+  spectra::scaleToVariances(whole, maps);
   const MatrixXd correction = transport::covarianceMap(fitted, whole);
   const double deviation = gaussian::kGaussianDeviation;
   tbb::parallel_for(std::size_t(0), cosines.size(), [&](std::size_t j) {

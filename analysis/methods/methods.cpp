@@ -2,6 +2,7 @@
 // The methods of the analysis, in the order of Method.
 #include "local_random_phase/local_random_phase_analysis.h"
 #include "method_analysis.h"
+#include "multiple_kernels/multiple_kernels_analysis.h"
 #include "texton/texton_analysis.h"
 #include "tiling/tiling_analysis.h"
 
@@ -11,8 +12,9 @@ const MethodAnalysis& analysisOf(Method method) {
   static const TilingAnalysis kTiling;
   static const TextonAnalysis kTexton;
   static const LocalRandomPhaseAnalysis kLocalRandomPhase;
-  static const std::array<const MethodAnalysis*, 3> kAnalyses{&kTiling, &kTexton,
-                                                              &kLocalRandomPhase};
+  static const MultipleKernelsAnalysis kMultipleKernels;
+  static const std::array<const MethodAnalysis*, 4> kAnalyses{
+      &kTiling, &kTexton, &kLocalRandomPhase, &kMultipleKernels};
   static_assert(kAnalyses.size() == std::variant_size_v<MethodMap>);
   return *kAnalyses[std::size_t(method)];
 }

@@ -119,7 +119,8 @@ Result<void> addPictures(Json& section, const Bundle& bundle, const MaterialNois
     original = pictureJson(reduced(comparison.look.picture(*before), width, height));
   Result<Json> gaussian = Json();
   if (const std::optional<SrgbImage>& texture = comparison.gaussian; texture)
-    gaussian = pictureJson(reduced(*texture, 2 * width, 2 * height));
+    gaussian = pictureJson(reduced(*texture, width * texture->width / comparison.exemplar.width,
+                                   height * texture->height / comparison.exemplar.height));
   Result<Json> exemplar = pictureJson(reduced(comparison.exemplar, width, height));
   Result<Json> shownResult = pictureJson(comparison.look.picture(result.value()));
   for (const Result<Json>* made : {&original, &exemplar, &gaussian, &shownResult})

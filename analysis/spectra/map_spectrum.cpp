@@ -99,6 +99,35 @@ Complex MapSpectrum::at(std::size_t channel, int u, int v) const {
   return Complex(spectrum.at(u, v < 0 ? v + spectrum.height : v));
 }
 
+std::vector<Index> firstChannels(const std::vector<MapSpectrum>& maps) {
+  std::vector<Index> first{0};
+  for (const MapSpectrum& map : maps)
+    first.push_back(first.back() + Index(map.channels.size()));
+  return first;
+}
+
+Eigen::MatrixXd powerWeights(const std::vector<MapSpectrum>& maps) {
+  const std::vector<Index> first = firstChannels(maps);
+  Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(first.back(), first.back());
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const Eigen::MatrixXd& own = maps[m].toStored;
+    weights.block(first[m], first[m], own.cols(), own.cols()) = own.transpose() * own;
+  }
+  return weights;
+}
+
+void scaleToVariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps) {
+  Index channel = 0;
+  for (const MapSpectrum& map : maps)
+    for (const double variance : map.variances) {
+      if (const double own = covariance(channel, channel); own > 0.0) {
+        covariance.row(channel) *= std::sqrt(variance / own);
+        covariance.col(channel) *= std::sqrt(variance / own);
+      }
+      ++channel;
+    }
+}
+
 PowerPlane powerPlane(const std::vector<MapSpectrum>& maps) {
   int width = 1, height = 1;
   for (const MapSpectrum& map : maps)

@@ -33,6 +33,18 @@ struct MapSpectrum {
 /// The transforms of a Gaussianized map. Throws std::bad_alloc.
 [[nodiscard]] MapSpectrum spectrumOf(const gaussianization::GaussianizedMap& map);
 
+/// The first channel of each map among those of all, and their number.
+[[nodiscard]] std::vector<Eigen::Index> firstChannels(const std::vector<MapSpectrum>& maps);
+
+/// What the product with its own transpose of a vector of all channels is multiplied with, so that
+/// the sum is its power as powerPlane() has it.
+[[nodiscard]] Eigen::MatrixXd powerWeights(const std::vector<MapSpectrum>& maps);
+
+/// Scales rows and columns of a sum over the plane's frequencies so that it has the maps'
+/// variances: the highest frequencies of even sizes have no mirror and are not in the plane, but
+/// belong to the variance all the same.
+void scaleToVariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps);
+
 /// The sum of the power of all stored values of all maps: a channel counts as much as it changes
 /// them. Columns and rows are those of the largest maps, without the highest frequencies of even
 /// sizes, which have no mirror.

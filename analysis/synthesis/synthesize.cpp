@@ -150,6 +150,13 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
 
 } // namespace
 
+std::array<double, 2> pixelsPerTile(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+                                    double texelsPerTile) {
+  const auto [width, height] = exemplarSize(bundle, noise, map);
+  const double pixels = texelsPerTile > 0.0 ? texelsPerTile : width;
+  return {pixels, pixels * height / width};
+}
+
 Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options) {
   const auto exhausted = [&] {
     return "not enough memory for an image of " + std::to_string(options.width) + "x" +
@@ -164,11 +171,10 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
       return usage("noise '" + bundle.noises[options.material.noise].name + "' has no map " +
                    std::string(nameOf(options.map)));
     const Noise& noise = bundle.noises[options.material.noise];
-    const auto [tileWidth, tileHeight] = exemplarSize(bundle, noise, noise.maps[*map]);
-    const double pixels = options.texelsPerTile > 0.0 ? options.texelsPerTile : tileWidth;
-    const std::array<double, 2> perTile{pixels, pixels * tileHeight / tileWidth};
+    const std::array<double, 2> perTile =
+        pixelsPerTile(bundle, noise, noise.maps[*map], options.texelsPerTile);
     const double tiles = std::min(options.width / perTile[0], options.height / perTile[1]);
-    const double largest = pixels * tiles / kLeastPeriodTiles;
+    const double largest = perTile[0] * tiles / kLeastPeriodTiles;
     if (options.tileable && tiles < kLeastPeriodTiles)
       return usage("size " + std::to_string(options.width) + "x" + std::to_string(options.height) +
                    " is under half a tile; a tileable image needs at least " +

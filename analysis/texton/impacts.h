@@ -3,6 +3,8 @@
 // shaders_glsl/noise/impacts.glsl, with the same roundings.
 #pragma once
 
+#include "sampling/poisson_count.h"
+
 #include <lichen/lattice.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/tile_footprint.h>
@@ -38,10 +40,6 @@ struct Impacts {
 [[nodiscard]] Impacts impactsWithin(float margin, const TileFootprint& at,
                                     const shader::LichenMaterial& material,
                                     const shader::LichenNoise& noise);
-
-/// Returns the number of impacts in a cell of the Poisson process: the quantile of a Poisson
-/// variable of mean 1 at hash / 2^32.
-[[nodiscard]] int poissonCount(std::uint32_t hash);
 
 /// Returns the next cell along an axis, which is 0 after the last cell of the period.
 [[nodiscard]] inline std::uint32_t nextCell(std::uint32_t cell, std::int32_t period) {

@@ -103,15 +103,15 @@ Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressP
   if (scoreOf(few.spacing, kColorSpacing) > std::max(latticeScore, coherenceScore))
     return fewColorsRisk(few);
   const std::string consequence = "which random blending breaks into pieces";
-  const Remedy remedy{{},
-                      "a photograph without joints, letters or a regular pattern; an image that "
-                      "tiles can be repeated as a plain texture instead"};
+  const std::string advice = "a photograph without joints, letters or a regular pattern; an image "
+                             "that tiles can be repeated as a plain texture instead";
   if (latticeScore > coherenceScore)
     return riskOf("structure", latticeScore,
-                  percent(lattice) + " of the variation repeats regularly", consequence, remedy);
+                  percent(lattice) + " of the variation repeats regularly", consequence,
+                  {{{"method", "local-random-phase"}}, advice});
   return riskOf("structure", coherenceScore,
                 "outlines, such as joints and letters, are " + percent(coherence) + " coherent",
-                consequence, remedy);
+                consequence, {{}, advice});
 }
 
 /// `seen` is the map, or its slopes if those are what shows.

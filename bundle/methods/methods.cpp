@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The methods of the format, in the order of Method.
 #include "local_random_phase/local_random_phase_format.h"
+#include "multiple_kernels/multiple_kernels_format.h"
 #include "texton/texton_format.h"
 #include "tiling/tiling_format.h"
 
@@ -12,7 +13,9 @@ std::span<const MethodFormat* const> methodFormats() {
   static const TilingFormat kTiling;
   static const TextonFormat kTexton;
   static const LocalRandomPhaseFormat kLocalRandomPhase;
-  static const std::array<const MethodFormat*, 3> kFormats{&kTiling, &kTexton, &kLocalRandomPhase};
+  static const MultipleKernelsFormat kMultipleKernels;
+  static const std::array<const MethodFormat*, 4> kFormats{&kTiling, &kTexton, &kLocalRandomPhase,
+                                                           &kMultipleKernels};
   static_assert(kFormats.size() == std::variant_size_v<MethodMap>);
   return kFormats;
 }
@@ -20,7 +23,8 @@ std::span<const MethodFormat* const> methodFormats() {
 const MethodFormat& formatOf(Method method) { return *methodFormats()[std::size_t(method)]; }
 
 std::span<const Method> allMethods() {
-  static constexpr std::array kMethods{Method::tiling, Method::texton, Method::localRandomPhase};
+  static constexpr std::array kMethods{Method::tiling, Method::texton, Method::localRandomPhase,
+                                       Method::multipleKernels};
   static_assert(kMethods.size() == std::variant_size_v<MethodMap>);
   return kMethods;
 }

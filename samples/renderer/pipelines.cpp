@@ -244,6 +244,8 @@ FragmentCode fragmentCodeFor(const NoiseFeatures& noises, bool hasNoise) {
   if (!hasNoise)
     return {scene_frag_bare, depth_frag_bare};
   const bool hasTextons = noises.hasMethod(LICHEN_NOISE_TEXTON);
+  if (noises.hasMethod(LICHEN_NOISE_MULTIPLE_KERNELS))
+    return {scene_frag, depth_frag};
   if (noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE))
     return hasTextons ? FragmentCode{scene_frag, depth_frag}
                       : FragmentCode{scene_frag_cosines, depth_frag_cosines};

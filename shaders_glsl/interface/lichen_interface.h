@@ -27,11 +27,19 @@
 #define LICHEN_METHOD_TILING 0
 #define LICHEN_METHOD_TEXTON 1
 #define LICHEN_METHOD_LOCAL_RANDOM_PHASE 2
+#define LICHEN_METHOD_MULTIPLE_KERNELS 3
 
 // Octaves of the lattice of local random-phase noise.
 #define LICHEN_MAX_OCTAVES 12
 
-// LichenTextonMaterial::pointProcess.
+// LichenKernelsNoise::window.
+#define LICHEN_WINDOW_GABOR 0
+#define LICHEN_WINDOW_SINC 1
+#define LICHEN_WINDOW_GAUSSIAN_SINC 2
+// Tiles along each axis that hold whole cells of all kernels.
+#define LICHEN_KERNEL_TILES 8
+
+// LichenTextonMaterial::pointProcess, LichenKernelsMaterial::pointProcess.
 #define LICHEN_POINTS_STRATIFIED 0 // one impact in each cell
 #define LICHEN_POINTS_POISSON 1    // a Poisson number of impacts, 1 in the mean
 
@@ -139,6 +147,11 @@ struct LichenCosinesMaterial {
   float offsetZ;
 };
 
+/// What only multiple-kernels noise has of a material: own0 to own2.
+struct LichenKernelsMaterial {
+  uint pointProcess; // LICHEN_POINTS_*
+};
+
 /// What only textons have of a noise: own0 and own1.
 struct LichenTextonNoise {
   int coefficientsX, coefficientsY; // in the top left corner of a frame
@@ -158,6 +171,14 @@ struct LichenCosinesNoise {
   // log2 of columns and of rows (4 bits each), offsets (8), turbulence in 65,535ths (16); 0: no
   // structure.
   uint structure;
+};
+
+/// What only multiple-kernels noise has of a noise: own0 and own1.
+struct LichenKernelsNoise {
+  uint kernels;   // rows of an image
+  uint rings;     // the last so many of them
+  uint window;    // LICHEN_WINDOW_*
+  uint reserved0; // 0: to a multiple of 16 bytes
 };
 
 /// What all maps of a noise share. Fixed by the bundle.

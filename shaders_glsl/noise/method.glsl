@@ -13,6 +13,7 @@
 #include "../interface/lichen_interface.h"
 #include "local_random_phase.glsl"
 #include "method_choice.glsl"
+#include "multiple_kernels.glsl"
 #include "texton.glsl"
 #include "tiling_options.glsl"
 

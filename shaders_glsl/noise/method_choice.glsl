@@ -9,7 +9,7 @@
 
 // Bit m: the method m (LICHEN_METHOD_...) is compiled. A literal.
 #ifndef LICHEN_METHODS
-#define LICHEN_METHODS 7
+#define LICHEN_METHODS 15
 #endif
 // Bit m: some noise has the method m, of those that are compiled. A literal, or the host's
 // specialization constant; some drivers take longer to drop the code of such a constant than to
@@ -21,7 +21,10 @@
 // DO(name, Type, LICHEN_METHOD_...) for each method that is compiled: its member of LichenPoint,
 // and the type of that, for which the method has the functions that method.glsl lists.
 #define LICHEN_EACH_METHOD(DO)                                                                     \
-  LICHEN_EACH_TILING(DO) LICHEN_EACH_TEXTON(DO) LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)
+  LICHEN_EACH_TILING(DO)                                                                           \
+  LICHEN_EACH_TEXTON(DO)                                                                           \
+  LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)                                                               \
+  LICHEN_EACH_MULTIPLE_KERNELS(DO)
 #if (LICHEN_METHODS & 1) != 0
 #define LICHEN_EACH_TILING(DO) DO(tiling, LichenTilingTaps, LICHEN_METHOD_TILING)
 #else
@@ -45,6 +48,14 @@
 #ifndef LICHEN_OMIT_SOLID
 #define LICHEN_OMIT_SOLID
 #endif
+#endif
+
+#if (LICHEN_METHODS & 8) != 0
+#define LICHEN_HAS_MULTIPLE_KERNELS
+#define LICHEN_EACH_MULTIPLE_KERNELS(DO)                                                           \
+  DO(multipleKernels, LichenKernelsPoint, LICHEN_METHOD_MULTIPLE_KERNELS)
+#else
+#define LICHEN_EACH_MULTIPLE_KERNELS(DO)
 #endif
 
 // 0 where no texton noise is mapped onto a surface. A literal, or the host's specialization

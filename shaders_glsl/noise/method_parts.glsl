@@ -35,6 +35,14 @@ LichenCosinesMaterial lichenCosinesMaterial(LichenMaterial material) {
                                int(material.own0.w), uintBitsToFloat(material.own1.x));
 }
 
+LichenKernelsMaterial lichenKernelsMaterial(LichenMaterial material) {
+  return LichenKernelsMaterial(material.own0.x);
+}
+
+LichenKernelsNoise lichenKernelsNoise(LichenNoise noise) {
+  return LichenKernelsNoise(noise.own0.x, noise.own0.y, noise.own0.z, 0u);
+}
+
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {
   return LichenCosinesNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w,
                             noise.own1.x, noise.own1.y, noise.own1.z, noise.own1.w);

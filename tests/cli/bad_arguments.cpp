@@ -137,7 +137,7 @@ TEST_CASE("the error for a structure or spectrum that no noise can have says wha
                    kBadInput, {"no such.png"});
   checkBakeRefuses({"--quiet", "--method", "local-random-phase", "--spectrum", "ring:8:12",
                     "--structure", "0.5"},
-                   kUsage, {"a structure has the phases of the exemplar"});
+                   kUsage, {"--structure 0.5 with --spectrum"});
   checkBakeRefuses({"--structure", "0.5"}, kUsage, {"--structure", "local-random-phase"});
 }
 

@@ -100,6 +100,14 @@ TEST_CASE("a report of textons shows the Gaussian version and the spots that com
   CHECK(tiling.at("kernels").is_null());
 }
 
+TEST_CASE("a report of cosines shows the Gaussian version of the exemplar") {
+  const Workplace workplace;
+  const std::string input = workplace.write("moss.png", speckled(64, 64, 3));
+  const nlohmann::json data =
+      dataOf(reportOf(workplace, input, {"--method", "local-random-phase", "--structure", "0"}));
+  CHECK(!data.at("maps").at(0).at("gaussian").is_null());
+}
+
 TEST_CASE("compare finds the measures of the report if it gets the options of the bake") {
   const Workplace workplace;
   // Light from one side, which flattening removes, and a normal map whose green channel points

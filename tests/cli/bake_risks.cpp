@@ -167,6 +167,25 @@ TEST_CASE("--flatten auto and --flatten PERIOD remove the risk, with a note") {
   CHECK(untouched.at("notes").dump().find("removes variation") == std::string::npos);
 }
 
+TEST_CASE("cosines keep the structure of bricks, which no warning then calls lost") {
+  const Workplace workplace;
+  const std::string bricks = workplace.write("bricks.png", brickwork(128));
+  const auto notesOf = [&](const Arguments& more) {
+    Arguments arguments{
+        "bake", bricks, "-o", workplace.path("bricks.glb"), "--method", "local-random-phase"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return runLichen(arguments).errors;
+  };
+  const auto lost = Catch::Contains("outlines will be lost");
+  CHECK_THAT(notesOf({}), !lost && Catch::Contains("the exemplar repeats, so "));
+  CHECK_THAT(notesOf({"--structure", "0"}), lost && Catch::Contains("--structure 1"));
+  CHECK_THAT(notesOf({"--structure", "0", "--turbulence", "0.1"}),
+             Catch::Contains("--turbulence has no effect"));
+  CHECK_THAT(notesOf({"--spectrum", "ring:8:12"}), !lost);
+  CHECK_THAT(jsonOf(workplace, {bricks}).at("notes").dump(),
+             Catch::Contains("what helps: --method local-random-phase"));
+}
+
 TEST_CASE("--flatten takes none, auto or a period in range") {
   for (const char* value : {"3", "16385", "some", "-8", "nan"})
     checkRefusal({"bake", "a.png", "-o", "a.glb", "--flatten", value}, 2,

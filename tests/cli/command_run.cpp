@@ -152,6 +152,21 @@ std::vector<std::string> Workplace::names() const {
   return names;
 }
 
+SrgbImage brickwork(int side) {
+  constexpr int kWidth = 32, kHeight = 16, kJoint = 3;
+  SrgbImage image(side, side, 1);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const int row = y / kHeight;
+      const int along = (x + row % 2 * kWidth / 2) % side;
+      const bool isJoint = y % kHeight < kJoint || along % kWidth < kJoint;
+      const auto brick = std::uint32_t(row * side + along / kWidth);
+      const float grey = float((brick * 2654435761u) >> 24u) / 255.0f;
+      *image.pixel(x, y) = isJoint ? 0.9f : 0.2f + 0.3f * grey;
+    }
+  return image;
+}
+
 SrgbImage speckled(int width, int height, int channels) {
   LinearImage noise(width, height, 1);
   std::uint32_t state = 1;

@@ -55,6 +55,9 @@ private:
 
 /// Speckles one or two texels wide, mostly dark or light; every channel differs.
 [[nodiscard]] SrgbImage speckled(int width, int height, int channels);
+/// A running bond of bricks of 32 x 16 pixels, each of another grey, with light joints. Tileable if
+/// the side is a multiple of 32.
+[[nodiscard]] SrgbImage brickwork(int side);
 /// Smooth, tileable blobs of many colours, several texels wide.
 [[nodiscard]] SrgbImage smooth(int side);
 /// The first channel of smooth(), as a grey image: fast to bake, for tests where colour does not

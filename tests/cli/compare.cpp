@@ -183,6 +183,10 @@ TEST_CASE("cosines without a structure are measured against the exemplar's Gauss
   // One cosine has not the spectrum of anything else.
   CHECK(measured("one.glb", {"--structure", "0", "--cosines", "1"})
             .value("gaussian_spectrum_distance_db") > 1.0);
+  const Compared given = measured("given.glb", {"--spectrum", "ring:8:12"});
+  CHECK(given.measures.count("gaussian_spectrum_distance_db") == 0);
+  for (const char* name : {"spectrum_distance_db", "seam_visibility"})
+    CHECK(given.measures.at(name).at("target").is_null());
   const Compared structure = measured("structure.glb", {"--structure", "0.5"});
   CHECK(structure.measures.count("gaussian_spectrum_distance_db") == 0);
   CHECK(structure.measures.at("spectrum_distance_db").at("target") == 0.6);

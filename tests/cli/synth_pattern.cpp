@@ -216,3 +216,17 @@ TEST_CASE("--texels-per-tile magnifies the same pattern") {
       }
   CHECK(sum / double(plain.values.size()) < 0.1 * deviation(plain));
 }
+
+TEST_CASE("a note says that a tileable picture of parts of exemplars breaks rows of bricks") {
+  const Workplace workplace;
+  const std::string bundle = bake(workplace, workplace.write("bricks.png", brickwork(128)),
+                                  "bricks.glb", {"--method", "local-random-phase"});
+  const auto errorsOf = [&](const std::string& size) {
+    return runLichen(
+               {"synth", bundle, "-o", workplace.path("wall.png"), "--size", size, "--tileable"})
+        .errors;
+  };
+  CHECK_THAT(errorsOf("192x128"),
+             Catch::Contains("1.5 x 1 exemplars break the rows of what repeats"));
+  CHECK_THAT(errorsOf("256x128"), !Catch::Contains("rows"));
+}

@@ -139,6 +139,29 @@ void checkCosines(const NoiseMap& map, const LocalRandomPhaseNoise& shared, cons
   require(!own.inverseTable || *own.inverseTable < bundle.tables.size(), "index of the table");
 }
 
+void checkKernels(const NoiseMap& map, const MultipleKernelsNoise& shared, const Bundle& bundle) {
+  require(isWithin(shared.texelsPerTileX, 1, int(kMaxTableSide)) &&
+              isWithin(shared.texelsPerTileY, 1, int(kMaxTableSide)),
+          "size of the exemplar");
+  require(isWithin(shared.kernels, 1, kMostKernels) && isWithin(shared.rings, 0, shared.kernels),
+          "number of kernels");
+  const auto& own = map.as<MultipleKernelsMap>();
+  require(own.kernels < bundle.tables.size(), "index of the image");
+  const Table& image = bundle.tables[own.kernels];
+  require(image.depth == 0 && image.width == kKernelTexels &&
+              image.height == std::uint32_t(shared.kernels) &&
+              image.format == TexelFormat::rgba32Sfloat,
+          "shape of an image of kernels");
+  for (const KernelRow& row : kernelRows(image)) {
+    require(isWithin(row.columns, 1, kMostKernelCells) && isWithin(row.rows, 1, kMostKernelCells),
+            "cells of a kernel");
+    const auto& q = row.toWindow;
+    require(std::abs(q[0] * q[3] - q[1] * q[2]) >= kLeastKernelDeterminant, "matrix of a kernel");
+  }
+  require(isWithin(own.dimensions, 1, int(map.channels.size())), "number of dimensions");
+  require(!own.inverseTable || *own.inverseTable < bundle.tables.size(), "index of the table");
+}
+
 void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
   const std::size_t n = map.channels.size();
   require(n >= 1 && n <= 3, "number of channels");
@@ -149,6 +172,8 @@ void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
     checkTexton(map, noise.as<TextonShape>(), bundle);
   else if (noise.method() == Method::localRandomPhase)
     checkCosines(map, noise.as<LocalRandomPhaseNoise>(), bundle);
+  else if (noise.method() == Method::multipleKernels)
+    checkKernels(map, noise.as<MultipleKernelsNoise>(), bundle);
   else
     checkTiling(map, bundle);
 }

@@ -50,6 +50,7 @@ std::vector<Bytes> seeds() {
           laterRevision(),
           encodeGlb(example::smallestTexton()).value(),
           encodeGlb(example::smallestCosines()).value(),
+          encodeGlb(example::smallestKernels()).value(),
           encodeGlb(example::smallestStructure()).value(),
           encodeGlb(example::textonMix()).value(),
           cookBundle(example::smallest().bundle),

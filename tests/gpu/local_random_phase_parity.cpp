@@ -2,6 +2,7 @@
 // Local random-phase noise in the shader, through the plugin, against the CPU twin; and the twin
 // against an oracle in double precision that sums the cosines of all vertices around a point.
 #include "../property/example_exemplar.h"
+#include "plane_parity.h"
 #include "plugin_host.h"
 #include "shared_device.h"
 
@@ -25,21 +26,6 @@ namespace {
 constexpr const char* kPass = "local_random_phase_evaluate.comp";
 /// The numbering of local_random_phase_evaluate.comp.
 enum Quantity { kValue, kGaussian, kGradient };
-
-constexpr int kWidth = 64, kHeight = 48;
-
-MapExemplar ofChannels(std::size_t channels) {
-  MapExemplar map = threeMaterials(kWidth, kHeight, 5);
-  if (channels == 3)
-    return map;
-  for (std::size_t i = 0; i < map.values.size() / 3; ++i)
-    map.values[i] = map.values[3 * i];
-  map.values.resize(map.values.size() / 3);
-  map.target = MapTarget::height;
-  map.channels = {MapChannel::height};
-  map.encoding = ValueEncoding::linear;
-  return map;
-}
 
 struct Kind {
   std::size_t channels;
@@ -66,50 +52,6 @@ BundleFile bakedFile(const Kind& kind) {
   file.previews.emplace_back();
   file.shape = PreviewShape::none;
   return file;
-}
-
-std::vector<std::byte> glbOf(const BundleFile& file) {
-  Result<std::vector<std::byte>> glb = encodeGlb(file);
-  REQUIRE(glb);
-  return std::move(glb).value();
-}
-
-/// Points some tiles around the origin. Footprints range from a quarter of a texel to a tile.
-std::vector<Point> samplePoints(std::size_t count) {
-  std::mt19937 generator(11u);
-  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f),
-      stretch(0.0f, 14.0f), angle(0.0f, 2.0f * std::numbers::pi_v<float>);
-  std::vector<Point> points(count);
-  for (Point& point : points) {
-    point.uv = {tiles(generator), tiles(generator)};
-    const float length = std::exp2(level(generator)) / float(kWidth);
-    const float other = length * std::exp2(-stretch(generator)), turn = angle(generator);
-    point.gradientX = {length * std::cos(turn), length * std::sin(turn)};
-    point.gradientY = {-other * std::sin(turn), other * std::cos(turn)};
-  }
-  return points;
-}
-
-/// Uses that together change every parameter.
-std::vector<MaterialUse> manyUses(const MaterialUse& own) {
-  std::vector<MaterialUse> all(5, own);
-  all[1] = moved(own);
-  all[2].placement.tileOrigin[0] = -(std::int64_t(1) << 40) + 3;
-  all[2].placement.tileOrigin[1] = (std::int64_t(1) << 40) - 5;
-  all[2].parameters.contrast = 1.4;
-  all[3].placement.periodTiles[0] = 2.0;
-  all[3].placement.periodTiles[1] = 3.0;
-  all[3].placement.tileOrigin[0] = -7;
-  all[4].placement.periodTiles[0] = all[4].placement.periodTiles[1] = 1.37;
-  return all;
-}
-
-TileFootprint footprintOf(const Point& point, const shader::LichenMaterial& m) {
-  const auto toTile = [&](const std::array<float, 2>& v) {
-    return std::array{m.uvToTileXX * v[0] + m.uvToTileXY * v[1],
-                      m.uvToTileYX * v[0] + m.uvToTileYY * v[1]};
-  };
-  return {toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
 }
 
 /// A slow evaluation. It takes the windows of all vertices of 7 x 7 cells, and shares only the

@@ -256,7 +256,7 @@ TEST_CASE("impacts and their grid match the specification's test vectors") {
   std::ifstream file(sourcePath("docs/gltf_extension/test_vectors.json"));
   const nlohmann::json vectors = nlohmann::json::parse(file);
   for (const nlohmann::json& v : vectors["poissonCount"])
-    CHECK(texton::poissonCount(v["word"]) == int(v["count"]));
+    CHECK(poissonCount(v["word"]) == int(v["count"]));
   std::size_t count = 0;
   for (const nlohmann::json& v : vectors["impacts"]) {
     shader::LichenMaterial material{};

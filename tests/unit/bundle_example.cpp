@@ -321,6 +321,31 @@ BundleFile smallestCosines() {
   return file;
 }
 
+BundleFile smallestKernels() {
+  BundleFile file;
+  Noise noise;
+  noise.name = "ripples";
+  noise.data = MultipleKernelsNoise{16, 12, 2, 1, KernelWindow::gabor, false};
+  NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
+  KernelRow row;
+  row.frequency = {3.0f, -1.5f};
+  row.columns = 40;
+  row.rows = 32;
+  row.toWindow = {4.0f, 0.0f, 1.0f, 3.0f};
+  row.amplitude = 0.8f;
+  row.spread = 0.1064f;
+  row.colors[0][0] = 0.1443f; // the squares of both have 1 / 36
+  KernelRow ring = row;
+  ring.frequency = {5.0f, 0.0f};
+  ring.toWindow = {4.0f, 0.0f, 0.0f, 4.0f};
+  ring.colors[0][0] = 0.0833f;
+  Table table = kernelTable({row, ring});
+  table.name = "ripples.height.kernels";
+  map.data = MultipleKernelsMap{addTable(file.bundle, std::move(table)), std::nullopt, 1};
+  addNoise(file, std::move(noise), std::move(map));
+  return file;
+}
+
 BundleFile smallestStructure() {
   BundleFile file = smallestCosines();
   auto& shared = file.bundle.noises[0].as<LocalRandomPhaseNoise>();

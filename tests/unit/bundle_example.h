@@ -41,6 +41,9 @@ void setLosses(Table& gaussian, const std::vector<float>& losses);
 /// One height map as local random-phase noise: four cosines in octaves 0 and 2, with two variants
 /// each. About 2 KB as a GLB.
 [[nodiscard]] BundleFile smallestCosines();
+
+/// One height map as multiple-kernels noise: two kernels, the second a ring. About 2 KB as a GLB.
+[[nodiscard]] BundleFile smallestKernels();
 /// The same with a structure and a list of three offsets.
 [[nodiscard]] BundleFile smallestStructure();
 

@@ -22,6 +22,7 @@ TEST_CASE("the methods' parts of a material fit its own words") {
   CHECK(sizeof(lichen::shader::LichenTilingMaterial) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenTextonMaterial) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenCosinesMaterial) <= kOwn);
+  CHECK(sizeof(lichen::shader::LichenKernelsMaterial) <= kOwn);
 }
 
 TEST_CASE("the methods' parts of a noise fit its own words") {
@@ -29,6 +30,7 @@ TEST_CASE("the methods' parts of a noise fit its own words") {
       sizeof(lichen::shader::LichenNoise) - offsetof(lichen::shader::LichenNoise, own0);
   CHECK(sizeof(lichen::shader::LichenTextonNoise) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenCosinesNoise) <= kOwn);
+  CHECK(sizeof(lichen::shader::LichenKernelsNoise) <= kOwn);
 }
 
 TEST_CASE("an array of noise constants fits any device's minUniformBufferOffsetAlignment") {

@@ -14,6 +14,7 @@ struct Interface {
   LichenCosinesMaterial cosines;
   LichenTextonNoise textonNoise;
   LichenCosinesNoise cosinesNoise;
+  LichenKernelsNoise kernelsNoise;
 };
 
 layout(std140, set = 0, binding = 0) uniform Std140 { Interface std140; };

@@ -3,7 +3,7 @@
 #include "local_random_phase_command.h"
 
 #include "../table_words.h"
-#include "spectrum_option.h"
+#include "outline_risks.h"
 
 #include <lichen/counted.h>
 #include <lichen/local_random_phase.h>
@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lichen::cli {
 namespace {
@@ -19,9 +20,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kHeading = "Local random phase";
 
-/// Risks that random phases have. Slow variation is not one of them: the noise has it.
-bool isOfRandomPhases(const Risk& risk) { return risk.name == "outlines"; }
-
 std::string offsetWords(const CosineStructure& structure) {
   return structure.offsets > 0 ? counted(std::uint64_t(structure.offsets), "offset")
                                : "any offsets";
@@ -29,25 +27,21 @@ std::string offsetWords(const CosineStructure& structure) {
 
 class Bake final : public BakeOptions {
 public:
+  explicit Bake(const CommonOptions& common) : common_(common) {}
+
   int cosines = 0;
   std::optional<double> structure, guide;
   double turbulence = 0.0;
-  std::optional<SpectrumChoice> spectrum;
 
   [[nodiscard]] Result<std::vector<std::vector<Risk>>>
   assess(std::span<const MapExemplar> maps, Periodic, const SharedOptions& shared) const override {
-    return assessEach(
-        maps, shared,
-        [](const MapExemplar& map, const Progress& progress) -> Result<std::vector<Risk>> {
-          const int support = std::max(map.width, map.height); // nothing is slower than the tile
-          Result<std::vector<Risk>> risks = assessTextonSuitability(map, support, progress);
-          if (!risks)
-            return risks;
-          std::vector<Risk> kept;
-          std::copy_if(risks.value().begin(), risks.value().end(), std::back_inserter(kept),
-                       isOfRandomPhases);
-          return kept;
-        });
+    // A structure of most of the power keeps outlines, and nobody expects them of a given spectrum.
+    constexpr double kMost = 0.7;
+    const bool mayLoseOutlines =
+        !common_.spectrum && structure.value_or(automaticStructure(maps)) < kMost;
+    if (!mayLoseOutlines)
+      return std::vector<std::vector<Risk>>(maps.size());
+    return outlineRisks(maps, shared, {{"structure", "1"}});
   }
 
   /// As tiling needs, and the spectra of all channels. A structure is at most four times as large
@@ -58,20 +52,18 @@ public:
   }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
+    if (common_.spectrum && structure.value_or(0.0) > 0.0)
+      return Error{ErrorKind::usage,
+                   fmt::format("--structure {} with --spectrum: a given spectrum has no structure; "
+                               "expected --structure 0 or auto",
+                               *structure)};
     LocalRandomPhaseOptions options;
     options.cosines = cosines;
     options.structure = structure;
     options.guide = guide;
     options.turbulence = turbulence;
-    if (spectrum) {
-      int most = 1; // what the largest map can hold
-      for (const MapExemplar& map : input.maps)
-        most = std::max(most, std::max(map.width, map.height) / 2);
-      Result<SpectrumPicture> picture = spectrumPicture(*spectrum, most);
-      if (!picture)
-        return picture.error();
-      options.spectrum = std::move(picture).value();
-    }
+    if (Result<void> given = setSpectrum(common_.spectrum, input.maps, options.spectrum); !given)
+      return given.error();
     options.bits = input.bits;
     options.periodic = input.borders;
     options.progress = input.progress;
@@ -91,10 +83,21 @@ public:
     if (bake.structure > 0.0)
       result.facts.emplace_back("Structure", fmt::format("{:.2f} of the power, {}", bake.structure,
                                                          offsetWords(shared.structure)));
+    if (bake.structure > 0.0 && !structure)
+      result.notes.push_back(
+          fmt::format("the exemplar repeats, so {:.0f} % of its variation keeps its structure; for "
+                      "none, as solids need: --structure 0",
+                      100.0 * bake.structure));
+    if (bake.structure == 0.0 && (guide || turbulence > 0.0))
+      result.notes.push_back(fmt::format("{} has no effect, since the noise has no structure",
+                                         guide ? "--guide" : "--turbulence"));
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
     return result;
   }
+
+private:
+  const CommonOptions& common_;
 };
 
 /// The method has no parameters of a material.
@@ -105,8 +108,9 @@ public:
 
 } // namespace
 
-std::unique_ptr<const BakeOptions> LocalRandomPhaseCommand::addBakeOptions(CLI::App& verb) const {
-  auto options = std::make_unique<Bake>();
+std::unique_ptr<const BakeOptions>
+LocalRandomPhaseCommand::addBakeOptions(CLI::App& verb, const CommonOptions& common) const {
+  auto options = std::make_unique<Bake>(common);
   addValue(verb, "--cosines", options->cosines,
            wholeNumber(int(kCosinesRange.least), int(kCosinesRange.most)), "50",
            "Number of cosines; more follow the spectrum more closely and cost more per pixel")
@@ -120,12 +124,6 @@ std::unique_ptr<const BakeOptions> LocalRandomPhaseCommand::addBakeOptions(CLI::
       .group(kHeading);
   addValue(verb, "--turbulence", options->turbulence, number(kTurbulenceRange, "tiles"), "0",
            "Deviation of a smooth random displacement of the structure")
-      .group(kHeading);
-  addValue(
-      verb, "--spectrum", options->spectrum, spectrumChoice(), "",
-      "A spectrum in place of the exemplar's, which gives the colours: a picture of amplitudes, "
-      "frequency 0 in the middle and a cycle per tile a pixel; or rings FROM:TO and bands "
-      "LEFT:RIGHT:TOP:BOTTOM in cycles per tile")
       .group(kHeading);
   return options;
 }
@@ -177,6 +175,17 @@ std::vector<std::string> LocalRandomPhaseCommand::linesOf(const Bundle& bundle,
   const auto& own = map.as<LocalRandomPhaseMap>();
   return {fmt::format("cosines: table {}", own.cosines),
           inverseTableWords(own.inverseTable, own.dimensions, bundle.tables)};
+}
+
+std::vector<std::string> LocalRandomPhaseCommand::periodNotes(const Noise& noise, double tilesX,
+                                                              double tilesY) const {
+  const auto isWhole = [](double tiles) { return tiles == std::round(tiles); };
+  if (noise.as<LocalRandomPhaseNoise>().structure.offsets == 0 ||
+      (isWhole(tilesX) && isWhole(tilesY)))
+    return {};
+  return {fmt::format("{:.4g} x {:.4g} exemplars break the rows of what repeats; whole numbers of "
+                      "them keep the rows",
+                      tilesX, tilesY)};
 }
 
 int LocalRandomPhaseCommand::fetches(const Bundle&, const Noise& noise, const NoiseMap& map,

@@ -9,7 +9,9 @@ namespace lichen::cli {
 class LocalRandomPhaseCommand final : public MethodCommand {
 public:
   [[nodiscard]] std::string heading() const override { return "Local random phase"; }
-  [[nodiscard]] std::unique_ptr<const BakeOptions> addBakeOptions(CLI::App& verb) const override;
+  [[nodiscard]] bool takesSpectrum() const override { return true; }
+  [[nodiscard]] std::unique_ptr<const BakeOptions>
+  addBakeOptions(CLI::App& verb, const CommonOptions& common) const override;
   [[nodiscard]] std::unique_ptr<const UseOptions> addSynthOptions(CLI::App& verb) const override;
   [[nodiscard]] std::unique_ptr<const UseOptions> addApplyOptions(CLI::App& verb) const override;
   void describe(const Noise& noise, nlohmann::ordered_json& json) const override;
@@ -19,6 +21,8 @@ public:
                 nlohmann::ordered_json& json) const override;
   [[nodiscard]] std::vector<std::string> linesOf(const Bundle& bundle,
                                                  const NoiseMap& map) const override;
+  [[nodiscard]] std::vector<std::string> periodNotes(const Noise& noise, double tilesX,
+                                                     double tilesY) const override;
   [[nodiscard]] int fetches(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                             const MaterialNoise& use) const override;
   [[nodiscard]] bool fetchesVary() const override { return false; }

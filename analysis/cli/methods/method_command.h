@@ -7,6 +7,7 @@
 #include "../command.h"
 #include "../memory_need.h"
 #include "../options.h"
+#include "spectrum_option.h"
 
 #include <lichen/exemplar.h>
 #include <lichen/noise_evaluator.h>
@@ -43,6 +44,11 @@ struct MethodBake {
   std::vector<std::pair<std::string, std::string>> facts;         ///< rows of the HTML report
 };
 
+/// Options of `lichen bake` that several methods share.
+struct CommonOptions {
+  std::optional<SpectrumChoice> spectrum; ///< for methods with takesSpectrum()
+};
+
 /// A method's options for `lichen bake`.
 class BakeOptions {
 public:
@@ -76,8 +82,12 @@ public:
 
   /// The heading above the method's options in the help.
   [[nodiscard]] virtual std::string heading() const = 0;
-  /// Declare the method's options for a verb, under its heading. The result must outlive the parse.
-  [[nodiscard]] virtual std::unique_ptr<const BakeOptions> addBakeOptions(CLI::App& verb) const = 0;
+  /// Whether a bake can take a spectrum in place of the exemplar's.
+  [[nodiscard]] virtual bool takesSpectrum() const { return false; }
+  /// Declare the method's options for a verb, under its heading. The result and `common` must
+  /// outlive the parse.
+  [[nodiscard]] virtual std::unique_ptr<const BakeOptions>
+  addBakeOptions(CLI::App& verb, const CommonOptions& common) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const UseOptions> addSynthOptions(CLI::App& verb) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const UseOptions> addApplyOptions(CLI::App& verb) const = 0;
 
@@ -90,6 +100,11 @@ public:
                         nlohmann::ordered_json& json) const = 0;
   [[nodiscard]] virtual std::vector<std::string> linesOf(const Bundle& bundle,
                                                          const NoiseMap& map) const = 0;
+  /// Notes on a picture that repeats after these exemplars, in which the noise may look otherwise
+  /// than without a period.
+  [[nodiscard]] virtual std::vector<std::string> periodNotes(const Noise&, double, double) const {
+    return {};
+  }
   /// The number of texture fetches per pixel for one map on one plane: an average if fetchesVary(),
   /// otherwise the maximum.
   [[nodiscard]] virtual int fetches(const Bundle& bundle, const Noise& noise, const NoiseMap& map,

@@ -2,6 +2,7 @@
 // The methods on the command line, in the order of Method.
 #include "local_random_phase_command.h"
 #include "method_command.h"
+#include "multiple_kernels_command.h"
 #include "texton_command.h"
 #include "tiling_command.h"
 
@@ -13,8 +14,9 @@ const MethodCommand& commandOf(Method method) {
   static const TilingCommand kTiling;
   static const TextonCommand kTexton;
   static const LocalRandomPhaseCommand kLocalRandomPhase;
-  static const std::array<const MethodCommand*, 3> kCommands{&kTiling, &kTexton,
-                                                             &kLocalRandomPhase};
+  static const MultipleKernelsCommand kMultipleKernels;
+  static const std::array<const MethodCommand*, 4> kCommands{&kTiling, &kTexton, &kLocalRandomPhase,
+                                                             &kMultipleKernels};
   static_assert(kCommands.size() == std::variant_size_v<MethodMap>);
   return *kCommands[std::size_t(method)];
 }

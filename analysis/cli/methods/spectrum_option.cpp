@@ -118,4 +118,19 @@ Result<SpectrumPicture> spectrumPicture(const SpectrumChoice& choice, int most) 
   return picture;
 }
 
+Result<void> setSpectrum(const std::optional<SpectrumChoice>& choice,
+                         std::span<const MapExemplar> maps,
+                         std::optional<SpectrumPicture>& spectrum) {
+  if (!choice)
+    return {};
+  int most = 1; // what the largest map can hold
+  for (const MapExemplar& map : maps)
+    most = std::max(most, std::max(map.width, map.height) / 2);
+  Result<SpectrumPicture> picture = spectrumPicture(*choice, most);
+  if (!picture)
+    return picture.error();
+  spectrum = std::move(picture).value();
+  return {};
+}
+
 } // namespace lichen::cli

@@ -4,11 +4,14 @@
 
 #include "../options.h"
 
-#include <lichen/local_random_phase.h>
+#include <lichen/exemplar.h>
 #include <lichen/result.h>
+#include <lichen/spectrum_picture.h>
 
 #include <array>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -34,5 +37,11 @@ using SpectrumChoice = std::variant<std::vector<SpectrumPart>, std::filesystem::
 /// luminance codes of the picture, whose middle is the frequency 0. Errors: as readImage();
 /// badInput for a picture without a value above 0, but for its middle.
 [[nodiscard]] Result<SpectrumPicture> spectrumPicture(const SpectrumChoice& choice, int most);
+
+/// Sets `spectrum` to the amplitudes of `choice`, if there is one, as far as the largest map has
+/// frequencies.
+[[nodiscard]] Result<void> setSpectrum(const std::optional<SpectrumChoice>& choice,
+                                       std::span<const MapExemplar> maps,
+                                       std::optional<SpectrumPicture>& spectrum);
 
 } // namespace lichen::cli

@@ -221,7 +221,8 @@ std::string qualityNote(const TextonMixQuality& quality, const Noise& noise) {
   return text;
 }
 
-std::unique_ptr<const BakeOptions> TextonCommand::addBakeOptions(CLI::App& verb) const {
+std::unique_ptr<const BakeOptions> TextonCommand::addBakeOptions(CLI::App& verb,
+                                                                 const CommonOptions&) const {
   auto options = std::make_unique<Bake>();
   addTextonOptions(verb, options->options, options->material);
   return options;

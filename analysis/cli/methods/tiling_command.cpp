@@ -133,7 +133,8 @@ int fetchesOfTiling(const TilingMap& map) {
 
 } // namespace
 
-std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb) const {
+std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb,
+                                                                 const CommonOptions&) const {
   auto options = std::make_unique<Bake>();
   TilingOptions& tiling = options->options;
   const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},

@@ -9,7 +9,8 @@ namespace lichen::cli {
 class TilingCommand final : public MethodCommand {
 public:
   [[nodiscard]] std::string heading() const override { return "Tiling"; }
-  [[nodiscard]] std::unique_ptr<const BakeOptions> addBakeOptions(CLI::App& verb) const override;
+  [[nodiscard]] std::unique_ptr<const BakeOptions>
+  addBakeOptions(CLI::App& verb, const CommonOptions& common) const override;
   [[nodiscard]] std::unique_ptr<const UseOptions> addSynthOptions(CLI::App& verb) const override;
   [[nodiscard]] std::unique_ptr<const UseOptions> addApplyOptions(CLI::App& verb) const override;
   void describe(const Noise& noise, nlohmann::ordered_json& json) const override;

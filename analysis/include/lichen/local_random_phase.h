@@ -34,6 +34,11 @@ inline constexpr NumberRange kCosinesRange{1.0, double(kMostCosines)};
 inline constexpr NumberRange kStructureRange{0.0, 1.0}, kGuideRange{0.0, 1.0},
     kTurbulenceRange{0.0, 1.0};
 
+/// The structure that a bake chooses if the options name none: how clearly the maps repeat, but 0
+/// below 0.3, which nobody sees. Maps as in bakeLocalRandomPhase(). O(N log N) in the number of
+/// pixels. Deterministic. Throws std::bad_alloc.
+[[nodiscard]] double automaticStructure(std::span<const MapExemplar> maps);
+
 /// The result of a bake. The maps of `noise` number its tables from 0.
 struct LocalRandomPhaseBake {
   Noise noise; ///< maps in the order given

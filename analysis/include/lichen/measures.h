@@ -26,8 +26,6 @@ struct GaussianTargets {
   double anisotropicSpectrumDb; ///< if the exemplar is strongly anisotropic
   bool hasColors;               ///< whether the noise has the histogram of the exemplar
 };
-inline constexpr GaussianTargets kTextonTargets{0.5, 0.5, false};
-inline constexpr GaussianTargets kLocalRandomPhaseTargets{1.0, 1.5, true};
 /// For a texton: a third above the flatness of normally distributed values.
 inline constexpr double kFlatnessTarget = 4.0;
 /// For a result that spans kLatticeExemplars per side; a smaller one scores higher by chance.

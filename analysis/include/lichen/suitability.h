@@ -14,8 +14,8 @@ namespace lichen {
 
 /// A setting of a bake that helps against a risk.
 struct BakeSetting {
-  std::string_view name; ///< "flatten", "support" or "method"
-  std::string value;     ///< "auto" or a period in pixels; texels; the name of a method
+  std::string_view name; ///< "flatten", "support", "structure" or "method"
+  std::string value;     ///< "auto" or a period in pixels; texels; a share; the name of a method
 };
 
 /// One risk that the noise of an exemplar disappoints.

@@ -58,4 +58,9 @@ struct SynthesisOptions {
 [[nodiscard]] Result<LinearImage>
 synthesizePreview(const Bundle& bundle, const MaterialNoise& material, MapTarget map, int tiles);
 
+/// The pixels of a result along x and y of a tile. `texelsPerTile` as in SynthesisOptions. As
+/// exemplarSize().
+[[nodiscard]] std::array<double, 2> pixelsPerTile(const Bundle& bundle, const Noise& noise,
+                                                  const NoiseMap& map, double texelsPerTile);
+
 } // namespace lichen

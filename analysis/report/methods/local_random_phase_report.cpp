@@ -4,7 +4,7 @@
 #include "local_random_phase_report.h"
 
 #include "../inverse_table_pictures.h"
-#include "../random_phase_version.h"
+#include "../random_phase_judgement.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,10 +16,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr GaussianTargets kTargets{1.0, 1.5, true};
+
 /// The power spectral density of a map's cosines without their windows, the zero frequency in the
-/// middle: white is the largest, black less by kShownDecibels or more.
-LinearImage spectrumPicture(const Table& table, const LocalRandomPhaseNoise& shared, int side) {
-  constexpr double kShownDecibels = 50.0;
+/// middle.
+LinearImage cosinesPicture(const Table& table, const LocalRandomPhaseNoise& shared, int side) {
   const int width = std::min(side, shared.texelsPerTileX);
   const int height = std::min(side, shared.texelsPerTileY);
   const CosineImageLayout layout(shared);
@@ -49,14 +50,7 @@ LinearImage spectrumPicture(const Table& table, const LocalRandomPhaseNoise& sha
     fill(low, low + sizeX, top, top + sizeY, value);
     fill(-low - sizeX, -low, -top - sizeY, -top, value);
   }
-  // 0 for a map that does not vary.
-  const double largest = std::max(*std::max_element(density.begin(), density.end()), 1e-30);
-  LinearImage image(width, height, 1);
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    const double decibels = 10.0 * std::log10(std::max(density[i] / largest, 1e-30));
-    image.values[i] = float(std::clamp(1.0 + decibels / kShownDecibels, 0.0, 1.0));
-  }
-  return image;
+  return spectrumPicture(density, width, height);
 }
 
 } // namespace
@@ -65,18 +59,11 @@ double LocalRandomPhaseReport::judgedPixels(int, int) const { return 0.0; }
 
 Result<void> LocalRandomPhaseReport::judge(const ComparedResult& result,
                                            NoiseComparison& comparison) const {
-  const MaterialNoise& material = result.options.material;
-  const Noise& noise = result.bundle.noises[material.noise];
-  if (noise.as<LocalRandomPhaseNoise>().structure.columns == 0) {
-    const Result<LinearImage> version = randomPhaseVersion(result.exemplar, material.seed);
-    if (!version)
-      return version.error();
-    comparison.gaussian = comparison.look.picture(version.value());
-  }
-  Result<std::vector<Measure>> measures =
-      comparison.gaussian ? measureGaussianResult(comparison.exemplar, *comparison.gaussian,
-                                                  comparison.result, kLocalRandomPhaseTargets)
-                          : measureResult(comparison.exemplar, comparison.result);
+  const Noise& noise = result.bundle.noises[result.options.material.noise];
+  const auto& shared = noise.as<LocalRandomPhaseNoise>();
+  if (shared.structure.columns == 0)
+    return judgeRandomPhase(result, shared.hasGivenSpectrum, kTargets, comparison);
+  Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();
@@ -84,14 +71,14 @@ Result<void> LocalRandomPhaseReport::judge(const ComparedResult& result,
 }
 
 /// As for tiling, with the spectrum in place of the Gaussian image, and a Gaussian version as large
-/// as the result.
-double LocalRandomPhaseReport::picturePixels() const { return 11.0; }
+/// as the exemplar.
+double LocalRandomPhaseReport::picturePixels() const { return 8.0; }
 
 Result<Json> LocalRandomPhaseReport::image(const Bundle& bundle, const Noise& noise,
                                            const NoiseMap& map, double, int side) const {
   Result<Json> shown =
-      pictureJson(spectrumPicture(bundle.tables[map.as<LocalRandomPhaseMap>().cosines],
-                                  noise.as<LocalRandomPhaseNoise>(), side));
+      pictureJson(cosinesPicture(bundle.tables[map.as<LocalRandomPhaseMap>().cosines],
+                                 noise.as<LocalRandomPhaseNoise>(), side));
   if (!shown)
     return shown;
   shown.value()["title"] = "Spectrum of the cosines";

@@ -16,6 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr GaussianTargets kTargets{0.5, 0.5, false};
+
 Measure flatnessMeasure(const KernelComparison& kernels) {
   return {
       "flatness",
@@ -94,8 +96,8 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
   if (!kernels)
     return kernels.error();
   comparison.kernels = kernels.value();
-  Result<std::vector<Measure>> measures = measureGaussianResult(
-      comparison.exemplar, *comparison.gaussian, comparison.result, kTextonTargets);
+  Result<std::vector<Measure>> measures =
+      measureGaussianResult(comparison.exemplar, *comparison.gaussian, comparison.result, kTargets);
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();

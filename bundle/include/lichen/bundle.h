@@ -4,6 +4,7 @@
 #pragma once
 
 #include <lichen/local_random_phase_map.h>
+#include <lichen/multiple_kernels_map.h>
 #include <lichen/result.h>
 #include <lichen/table.h>
 #include <lichen/texton_map.h>
@@ -48,16 +49,17 @@ enum class Mapping { uv, triplanar, surface, solid };
 /// The coordinate space of a mapping that evaluates the noise at 3-D positions: world space, or
 /// object space, where the noise moves, rotates and scales with the object.
 enum class NoiseSpace { world, object };
-/// The synthesis method: tiling and blending [HN18], sparse convolution of a texton [GLM17], or
-/// local random-phase noise [LRP14].
-enum class Method { tiling, texton, localRandomPhase };
+/// The synthesis method: tiling and blending [HN18], sparse convolution of a texton [GLM17], local
+/// random-phase noise [LRP14], or sparse convolution of several kernels [MKN12].
+enum class Method { tiling, texton, localRandomPhase, multipleKernels };
 
 /// All methods, in the order of the enumeration.
 [[nodiscard]] std::span<const Method> allMethods();
 /// The method revision that this version writes and evaluates. Readers ignore noises of later
 /// revisions and report others as errors.
 [[nodiscard]] int revisionOf(Method method);
-/// How a texton noise distributes its impacts: one in each cell of a grid, or as a Poisson process.
+/// How a noise distributes impacts, if it has any: one in each cell of a grid, or as a Poisson
+/// process.
 enum class PointProcess { stratified, poisson };
 /// The source of a mix weight: a constant, a direction in texture coordinates, a texture, or vertex
 /// colours.
@@ -84,8 +86,9 @@ enum class MixSource { constant, direction, texture, vertexColor };
 
 /// The data of one method: what all maps of a noise share, and what each map has. The alternatives
 /// of both variants follow the order of Method.
-using MethodNoise = std::variant<TilingNoise, TextonShape, LocalRandomPhaseNoise>;
-using MethodMap = std::variant<TilingMap, TextonMap, LocalRandomPhaseMap>;
+using MethodNoise =
+    std::variant<TilingNoise, TextonShape, LocalRandomPhaseNoise, MultipleKernelsNoise>;
+using MethodMap = std::variant<TilingMap, TextonMap, LocalRandomPhaseMap, MultipleKernelsMap>;
 
 /// One map of a noise.
 struct NoiseMap {

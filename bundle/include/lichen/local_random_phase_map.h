@@ -61,6 +61,8 @@ struct LocalRandomPhaseNoise {
   std::vector<int> cosines;
   int variants = 1; ///< a power of two, [1, kMostVariants]
   CosineStructure structure;
+  /// Whether the spectrum is not the exemplar's, which gives colours only.
+  bool hasGivenSpectrum = false;
 
   [[nodiscard]] int cosineCount() const;
 

@@ -81,12 +81,16 @@ shaderMaterial(const Bundle& bundle, const MaterialNoise& material, const Placem
 [[nodiscard]] shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material);
 [[nodiscard]] shader::LichenTextonMaterial textonPart(const shader::LichenMaterial& material);
 [[nodiscard]] shader::LichenCosinesMaterial cosinesPart(const shader::LichenMaterial& material);
+[[nodiscard]] shader::LichenKernelsMaterial kernelsPart(const shader::LichenMaterial& material);
 [[nodiscard]] shader::LichenTextonNoise textonPart(const shader::LichenNoise& noise);
 [[nodiscard]] shader::LichenCosinesNoise cosinesPart(const shader::LichenNoise& noise);
+[[nodiscard]] shader::LichenKernelsNoise kernelsPart(const shader::LichenNoise& noise);
 void setPart(shader::LichenMaterial& material, const shader::LichenTilingMaterial& part);
 void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part);
 void setPart(shader::LichenMaterial& material, const shader::LichenCosinesMaterial& part);
+void setPart(shader::LichenMaterial& material, const shader::LichenKernelsMaterial& part);
 void setPart(shader::LichenNoise& noise, const shader::LichenTextonNoise& part);
 void setPart(shader::LichenNoise& noise, const shader::LichenCosinesNoise& part);
+void setPart(shader::LichenNoise& noise, const shader::LichenKernelsNoise& part);
 
 } // namespace lichen

@@ -45,6 +45,8 @@ void LocalRandomPhaseFormat::writeNoise(const Noise& noise, Json& json) const {
                               {"rows", shared.rows},
                               {"octaves", shared.cosines},
                               {"variants", shared.variants}};
+  if (shared.hasGivenSpectrum)
+    json["localRandomPhase"]["spectrum"] = "given";
   const CosineStructure& structure = shared.structure;
   if (structure.columns == 0)
     return;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Reads the members of a local random-phase noise: what its cosines share, and each map's image.
 #include "local_random_phase_format.h"
+#include "methods/given_spectrum_reader.h"
 #include "methods/inverse_table_reader.h"
+#include "methods/texels_per_tile_reader.h"
 
 #include <lichen/counted.h>
 
@@ -18,18 +20,6 @@ constexpr const char* kMember = "localRandomPhase";
 
 /// Whether the members that the maps share were faulty.
 bool isUnknown(const LocalRandomPhaseNoise& shared) { return shared.texelsPerTileX == 0; }
-
-std::optional<std::array<int, 2>> readTexels(ObjectReader& reader) {
-  const auto values = reader.pair("texelsPerTile", {1.0, double(kMaxTableSide)});
-  if (!values)
-    return std::nullopt;
-  for (const double value : *values)
-    if (value != std::floor(value)) {
-      reader.error("type", "texelsPerTile", json(value).dump() + "; expected an integer");
-      return std::nullopt;
-    }
-  return std::array{int((*values)[0]), int((*values)[1])};
-}
 
 /// The number of cosines of each octave.
 std::optional<std::vector<int>> readOctaves(ObjectReader& reader) {
@@ -164,11 +154,12 @@ MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList&
     return LocalRandomPhaseNoise();
   ObjectReader member(*value, reader.pointerTo(kMember), findings);
   LocalRandomPhaseNoise shared;
-  const auto texels = readTexels(member);
+  const auto texels = readTexelsPerTile(member);
   const auto columns = member.integer("columns", kMostOctaveCells, "range", 1);
   const auto rows = member.integer("rows", kMostOctaveCells, "range", 2);
   const auto octaves = readOctaves(member);
   const auto variants = member.integer("variants", kMostVariants, "range", 1);
+  const std::optional<bool> isGiven = readGivenSpectrum(member);
   const std::optional<CosineStructure> structure = readStructure(member, findings);
   member.warnOfUnknown();
   if (rows && *rows % 2 != 0) {
@@ -179,7 +170,7 @@ MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList&
     member.error("variants", "variants", std::to_string(*variants) + "; expected a power of two");
     return LocalRandomPhaseNoise();
   }
-  if (!texels || !columns || !rows || !octaves || !variants || !structure)
+  if (!texels || !columns || !rows || !octaves || !variants || !isGiven || !structure)
     return LocalRandomPhaseNoise();
   shared.texelsPerTileX = (*texels)[0];
   shared.texelsPerTileY = (*texels)[1];
@@ -188,6 +179,7 @@ MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList&
   shared.cosines = *octaves;
   shared.variants = int(*variants);
   shared.structure = *structure;
+  shared.hasGivenSpectrum = *isGiven;
   return shared;
 }
 

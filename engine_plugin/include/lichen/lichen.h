@@ -153,6 +153,7 @@ typedef enum LichenNoiseMethod {
   LICHEN_NOISE_TILING = 0,             /* tiling and blending, [HN18] */
   LICHEN_NOISE_TEXTON = 1,             /* sparse convolution of a texton, [GLM17] */
   LICHEN_NOISE_LOCAL_RANDOM_PHASE = 2, /* windowed cosines with random phases, [LRP14] */
+  LICHEN_NOISE_MULTIPLE_KERNELS = 3,   /* sparse convolution of several kernels, [MKN12] */
   LICHEN_NOISE_METHOD_MAX_ENUM = 0x7FFFFFFF
 } LichenNoiseMethod;
 
@@ -428,7 +429,7 @@ typedef struct LichenMaterialParameters {
   double planeSharpness; /* [1, 64] of the mapping triplanar: exponent of the planes' weights */
   double impacts; /* [1, 1000] of texton noise: the mean number of impacts that reach a point, on
                    * surfaces twice as many; cost is proportional */
-  LichenPointProcess pointProcess; /* of texton noise */
+  LichenPointProcess pointProcess; /* of texton and multiple-kernels noise */
   /* Of a mix: the weight of LICHEN_MIX_CONSTANT; the texture coordinates of 0 and 1 of
    * LICHEN_MIX_DIRECTION. */
   LichenMixSource mixSource;

@@ -87,6 +87,16 @@ vec3 localRandomPhaseDebug(LichenCosinesPoint point) {
 }
 #endif
 
+#ifdef LICHEN_HAS_MULTIPLE_KERNELS
+vec3 multipleKernelsDebug(LichenKernelsPoint point) {
+  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
+    return kNothingToShow;
+  return shownGaussian(
+      lichenKernelsGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), point, lichenMaterial, lichenNoise)
+          .rgb);
+}
+#endif
+
 #ifndef LICHEN_OMIT_SOLID
 vec3 solidDebug(LichenSolidPoint point) {
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
@@ -177,6 +187,10 @@ vec3 noiseDebug(Footprint footprint) {
 #ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
   if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, lichenNoise))
     return localRandomPhaseDebug(shading.point.localRandomPhase);
+#endif
+#ifdef LICHEN_HAS_MULTIPLE_KERNELS
+  if (lichenHasMethod(LICHEN_METHOD_MULTIPLE_KERNELS, lichenNoise))
+    return multipleKernelsDebug(shading.point.multipleKernels);
 #endif
   return tilingDebug(shading.point.tiling);
 }

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A power spectrum -> few kernels whose noise has it.
+#pragma once
+
+#include "kernel_spectrum.h"
+#include "spectra/power_tree.h"
+
+#include <vector>
+
+namespace lichen::multiple_kernels {
+
+/// Fits at most `most` kernels to a power plane whose values, each counted for its frequency and
+/// for the mirror, sum to the variance. Rings if few of them have the spectrum nearly as closely;
+/// otherwise kernels at rectangles of nearly constant power, whose parameters are then fitted
+/// together (Gabor) or whose energies alone are (on the square). Deterministic. Throws
+/// std::bad_alloc. Empty for a plane without power.
+[[nodiscard]] std::vector<Kernel> fitKernels(const spectra::PowerPlane& power,
+                                             const WindowSpectrum& spectrum, std::size_t most);
+
+/// The root mean square of the difference of a power plane and the kernels' power in decibels, over
+/// blocks of frequencies that grow with the frequency.
+[[nodiscard]] double spectrumErrorDb(const spectra::PowerPlane& power,
+                                     const WindowSpectrum& spectrum,
+                                     const std::vector<Kernel>& kernels);
+
+} // namespace lichen::multiple_kernels

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// The impacts of one kernel that may reach a point: the CPU twin of lichenKernelAt and
+// lichenKernelSums (shaders_glsl/noise/multiple_kernels.glsl).
+#pragma once
+
+#include "sampling/poisson_count.h"
+#include "sampling/wave.h"
+
+#include <lichen/lattice.h>
+#include <lichen/multiple_kernels_map.h>
+#include <lichen/shader_parameters.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace lichen::multiple_kernels {
+
+/// Where a point lies: the group of kKernelTiles tiles, modulo 2^32, and the place in it, or the
+/// place in the period.
+struct KernelPlace {
+  std::array<std::uint32_t, 2> group{};
+  std::array<float, 2> inside{}; ///< [0, 1)
+};
+[[nodiscard]] inline KernelPlace kernelPlaceAt(const shader::LichenMaterial& material,
+                                               const std::array<float, 2>& position) {
+  const bool isPeriodic = material.periodRows != 0;
+  const std::array<float, 2> tiles{isPeriodic ? material.periodTilesX : float(kKernelTiles),
+                                   isPeriodic ? material.periodTilesY : float(kKernelTiles)};
+  const std::array<std::int32_t, 2> origin{material.cellI, material.cellJ};
+  KernelPlace place;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const float at = position[k] / tiles[k];
+    const float group = std::floor(at);
+    place.inside[k] = at - group;
+    place.group[k] = std::uint32_t(std::int32_t(group)) + std::uint32_t(origin[k]);
+  }
+  return place;
+}
+
+/// A kernel and the cell of its grid that holds a point. Offsets are in cells.
+struct PlacedKernel {
+  std::array<float, 2> perCell{};        ///< [tiles] sides of a cell
+  std::array<float, 4> toWindow{};       ///< from an offset in cells, row by row
+  std::array<std::uint32_t, 2> corner{}; ///< the cell
+  std::array<float, 2> place{};          ///< in it, [0, 1)
+  std::array<std::int32_t, 2> period{};  ///< [cells]; 0 without one
+  float amplitude = 0.0f;
+};
+[[nodiscard]] inline PlacedKernel placedKernel(const KernelRow& row, const KernelPlace& at,
+                                               const shader::LichenMaterial& material) {
+  PlacedKernel kernel;
+  const std::array<int, 2> own{row.columns, row.rows};
+  const std::array<float, 2> tiles{material.periodTilesX, material.periodTilesY};
+  kernel.amplitude = row.amplitude;
+  float fitted = 1.0f;
+  for (std::size_t k = 0; k < 2; ++k) {
+    auto cells = float(own[k]);
+    float perTile = cells / float(kKernelTiles);
+    if (material.periodRows != 0) {
+      cells = std::max(std::floor(perTile * tiles[k] + 0.5f), 1.0f);
+      kernel.period[k] = std::int32_t(cells);
+      fitted *= perTile / (cells / tiles[k]);
+      perTile = cells / tiles[k];
+    }
+    const float position = at.inside[k] * cells;
+    const float corner = std::floor(position);
+    kernel.place[k] = position - corner;
+    kernel.corner[k] = std::uint32_t(std::int32_t(corner));
+    if (material.periodRows == 0)
+      kernel.corner[k] += at.group[k] * std::uint32_t(std::int32_t(cells));
+    kernel.perCell[k] = 1.0f / perTile;
+  }
+  kernel.amplitude *= std::sqrt(fitted);
+  for (std::size_t i = 0; i < 4; ++i)
+    kernel.toWindow[i] = row.toWindow[i] * kernel.perCell[i % 2];
+  return kernel;
+}
+
+/// Calls act(word, offset from the impact to the point [cells]) for each impact in the cells that
+/// the support may reach.
+template <class Act>
+void forEachKernelImpact(const PlacedKernel& kernel, bool isDisk, std::uint32_t seed,
+                         bool isPoisson, const Act& act) {
+  const auto& q = kernel.toWindow;
+  const float xx = q[0] * q[0] + q[2] * q[2], xy = q[0] * q[1] + q[2] * q[3],
+              yy = q[1] * q[1] + q[3] * q[3];
+  const float determinant = xx * yy - xy * xy;
+  const float reachY = isDisk ? std::sqrt(xx / determinant) : 1.0f / std::abs(q[3]);
+  const float shear = isDisk ? xy / xx : 0.0f;
+  const auto wrapped = [](std::uint32_t cell, std::int32_t period) {
+    if (period == 0)
+      return cell;
+    const std::int32_t rest = std::int32_t(cell) % period;
+    return std::uint32_t(rest < 0 ? rest + period : rest);
+  };
+  const auto placeOf = [](std::uint32_t word) {
+    constexpr float kStep = 1.0f / 2048.0f; // 11 bits per axis
+    return std::array<float, 2>{(float(word >> 21) + 0.5f) * kStep,
+                                (float(word >> 10 & 2047u) + 0.5f) * kStep};
+  };
+  const int last = int(std::floor(kernel.place[1] + reachY));
+  for (int j = int(std::floor(kernel.place[1] - reachY)); j <= last; ++j) {
+    const float low = kernel.place[1] - float(j) - 1.0f, high = kernel.place[1] - float(j);
+    const float near = std::clamp(0.0f, low, high);
+    const float chord =
+        std::sqrt(std::max(1.0f - (isDisk ? near * near * determinant / xx : 0.0f), 0.0f) / xx);
+    const float middleLow = -shear * low, middleHigh = -shear * high;
+    const int end = int(std::floor(kernel.place[0] - std::min(middleLow, middleHigh) + chord));
+    const std::uint32_t row = wrapped(kernel.corner[1] + std::uint32_t(j), kernel.period[1]);
+    for (int i = int(std::floor(kernel.place[0] - std::max(middleLow, middleHigh) - chord));
+         i <= end; ++i) {
+      const std::uint32_t column = wrapped(kernel.corner[0] + std::uint32_t(i), kernel.period[0]);
+      const std::uint32_t word = vertexHash(column, row, seed);
+      const auto impact = [&](std::uint32_t own) {
+        const std::array<float, 2> place = placeOf(own);
+        act(own, std::array<float, 2>{kernel.place[0] - float(i) - place[0],
+                                      kernel.place[1] - float(j) - place[1]});
+      };
+      if (!isPoisson) {
+        impact(word);
+        continue;
+      }
+      const int count = poissonCount(pcg(word));
+      for (int k = 0; k < count; ++k)
+        impact(pcg(word + std::uint32_t(k)));
+    }
+  }
+}
+
+/// lichenKernelSinc
+inline float kernelSinc(float t) {
+  constexpr float kPerTurn = 0.159154943f, kLeast = 1e-3f;
+  return std::abs(t) < kLeast ? 1.0f : cosineOfTurns(t - 0.25f) * kPerTurn / t;
+}
+
+/// lichenKernelWindow
+inline float kernelWindow(float p, float q, KernelWindow window) {
+  if (window == KernelWindow::gabor) {
+    const float left = std::max(1.0f - p * p - q * q, 0.0f);
+    return left * left * left;
+  }
+  const float leftP = std::max(1.0f - p * p, 0.0f), leftQ = std::max(1.0f - q * q, 0.0f);
+  if (leftP * leftQ == 0.0f)
+    return 0.0f;
+  const float product = kernelSinc(p) * kernelSinc(q), taper = leftP * leftQ;
+  return window == KernelWindow::sinc ? product : product * taper * taper;
+}
+
+} // namespace lichen::multiple_kernels

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// Windows -> their transforms as tables -> the power of a kernel at a frequency.
+//
+// A kernel has a sign at each impact, so its power is that of w cos: the transforms of the window
+// at f and at -f add up before they are squared. [MKN12] eq. 3 leaves their overlap out.
+#include "kernel_spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lichen::multiple_kernels {
+namespace {
+
+using std::numbers::pi;
+
+/// Tables reach this far [cycles per unit], where less than 1e-4 of any window's energy is left but
+/// for the sinc's.
+constexpr double kFarthest = 12.0;
+constexpr std::size_t kEntries = 1u << 14; // evenly in the square root of the square
+
+double entryFrequency(std::size_t entry) { return kFarthest * double(entry) / double(kEntries); }
+
+/// The transform of (1 - r^2)^order over the unit disk at the frequency z.
+double diskTransform(int order, double z) {
+  // Sonine's first integral.
+  const double factor = std::tgamma(order + 1.0) / std::pow(pi, order);
+  if (z < 1e-3) // the integral itself
+    return pi / (order + 1.0);
+  return factor * std::cyl_bessel_j(order + 1.0, 2.0 * pi * z) / std::pow(z, order + 1.0);
+}
+
+/// The transform of a power of one factor of a window on the square.
+double axisTransform(Window window, int power, double z) {
+  constexpr int kSteps = 512;
+  double sum = 0.0;
+  for (int k = 0; k < kSteps; ++k) {
+    const double p = (k + 0.5) / kSteps;
+    sum += std::pow(windowAt(window, p, 0.0), power) * std::cos(2.0 * pi * z * p);
+  }
+  return 2.0 * sum / kSteps;
+}
+
+} // namespace
+
+double WindowSpectrum::Profile::at(double square, double& slope) const {
+  const double place = std::sqrt(std::max(square, 0.0)) / kFarthest * double(values.size() - 1);
+  const auto entry = std::size_t(place);
+  if (entry + 1 >= values.size()) {
+    slope = 0.0;
+    return 0.0;
+  }
+  const double step = values[entry + 1] - values[entry];
+  const double low = entryFrequency(entry), high = entryFrequency(entry + 1);
+  slope = step / (high * high - low * low);
+  return values[entry] + (place - double(entry)) * step;
+}
+
+WindowSpectrum::WindowSpectrum(Window window) : window_(window) {
+  spectrum_.values.resize(kEntries + 1);
+  overlap_.values.resize(kEntries + 1);
+  const bool isDisk = window == Window::gabor;
+  const double energy = isDisk ? diskTransform(6, 0.0) : axisTransform(window, 2, 0.0);
+  for (std::size_t k = 0; k <= kEntries; ++k) {
+    const double z = entryFrequency(k);
+    spectrum_.values[k] =
+        (isDisk ? diskTransform(3, z) : axisTransform(window, 1, z)) / std::sqrt(energy);
+    overlap_.values[k] = (isDisk ? diskTransform(6, z) : axisTransform(window, 2, z)) / energy;
+  }
+}
+
+double WindowSpectrum::valueAt(const Profile& profile, double x, double y,
+                               std::array<double, 2>& slopes) const {
+  if (window_ == Window::gabor) {
+    const double value = profile.at(x * x + y * y, slopes[0]);
+    slopes = {2.0 * x * slopes[0], 2.0 * y * slopes[0]};
+    return value;
+  }
+  std::array<double, 2> own{};
+  const double across = profile.at(x * x, own[0]), down = profile.at(y * y, own[1]);
+  slopes = {2.0 * x * own[0] * down, 2.0 * y * across * own[1]};
+  return across * down;
+}
+
+double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u, double v,
+                 KernelSlopes* slopes) {
+  const auto [across, down] = kernel.stretch;
+  const double root = std::sqrt(across * down);
+  double sum = 0.0;
+  std::array<double, 5> derivatives{}; // of the sum: frequencies, logarithms of stretches, shear
+  for (const double side : {1.0, -1.0}) {
+    const double du = u - side * kernel.frequency[0], dv = v - side * kernel.frequency[1];
+    const double x = across * du + kernel.shear * dv, y = down * dv;
+    std::array<double, 2> own{};
+    const double value = root * spectrum.at(x, y, own);
+    sum += value;
+    if (slopes == nullptr)
+      continue;
+    const double byX = root * own[0], byY = root * own[1];
+    derivatives[0] -= side * byX * across;
+    derivatives[1] -= side * (byX * kernel.shear + byY * down);
+    derivatives[2] += 0.5 * value + byX * across * du;
+    derivatives[3] += 0.5 * value + byY * y;
+    derivatives[4] += byX * dv;
+  }
+  const auto [u2, v2] = std::array{2.0 * kernel.frequency[0], 2.0 * kernel.frequency[1]};
+  std::array<double, 2> own{};
+  const double overlap = spectrum.overlap(across * u2 + kernel.shear * v2, down * v2, own);
+  // The integral of the squared sum is 2 + 2 overlap.
+  const double scale = kernel.energy / (2.0 + 2.0 * overlap);
+  const double density = scale * sum * sum;
+  if (slopes != nullptr) {
+    const std::array ofOverlap{2.0 * own[0] * across, 2.0 * (own[0] * kernel.shear + own[1] * down),
+                               own[0] * across * u2, own[1] * down * v2, own[0] * v2};
+    (*slopes)[0] = density;
+    for (std::size_t k = 0; k < derivatives.size(); ++k)
+      (*slopes)[k + 1] =
+          2.0 * scale * sum * derivatives[k] - density / (1.0 + overlap) * ofOverlap[k];
+  }
+  return density;
+}
+
+double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double frequency) {
+  // As many directions as their steps along the ring stay below the width of the spectrum.
+  constexpr double kStepsPerWidth = 12.0;
+  const double radius = kernel.frequency[0];
+  const int directions =
+      std::clamp(int(kStepsPerWidth * radius * kernel.stretch[0]), 16, 2048); // of a half turn
+  Kernel turned = kernel;
+  double sum = 0.0;
+  for (int k = 0; k < directions; ++k) {
+    const double angle = pi * (k + 0.5) / directions;
+    turned.frequency = {radius * std::cos(angle), radius * std::sin(angle)};
+    sum += densityAt(spectrum, turned, frequency, 0.0);
+  }
+  return sum / directions;
+}
+
+} // namespace lichen::multiple_kernels

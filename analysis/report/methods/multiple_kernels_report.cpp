@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// A multiple-kernels noise and its exemplar -> measures, and pictures of its spectrum and of its
+// table.
+#include "multiple_kernels_report.h"
+
+#include "../inverse_table_pictures.h"
+#include "../random_phase_judgement.h"
+#include "multiple_kernels/kernel_spectrum.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr GaussianTargets kTargets{0.5, 1.5, true};
+
+/// The power spectral density of a map's kernels, the zero frequency in the middle.
+LinearImage kernelsPicture(const Table& table, const MultipleKernelsNoise& shared, int side) {
+  using namespace multiple_kernels;
+  const int width = std::min(side, shared.texelsPerTileX);
+  const int height = std::min(side, shared.texelsPerTileY);
+  const WindowSpectrum spectrum(shared.window);
+  const std::vector<KernelRow> rows = kernelRows(table);
+  std::vector<double> density(std::size_t(width) * std::size_t(height), 0.0);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Kernel kernel = kernelOf(rows[k], int(k) >= shared.kernels - shared.rings);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x) {
+        const double u = (x - width / 2) * double(shared.texelsPerTileX) / width;
+        const double v = (y - height / 2) * double(shared.texelsPerTileY) / height;
+        density[std::size_t(y) * std::size_t(width) + std::size_t(x)] +=
+            kernel.isRing ? ringDensityAt(spectrum, kernel, std::hypot(u, v))
+                          : densityAt(spectrum, kernel, u, v);
+      }
+  }
+  return spectrumPicture(density, width, height);
+}
+
+} // namespace
+
+double MultipleKernelsReport::judgedPixels(int, int) const { return 0.0; }
+
+Result<void> MultipleKernelsReport::judge(const ComparedResult& result,
+                                          NoiseComparison& comparison) const {
+  const Noise& noise = result.bundle.noises[result.options.material.noise];
+  return judgeRandomPhase(result, noise.as<MultipleKernelsNoise>().hasGivenSpectrum, kTargets,
+                          comparison);
+}
+
+/// As for local random phase.
+double MultipleKernelsReport::picturePixels() const { return 8.0; }
+
+Result<Json> MultipleKernelsReport::image(const Bundle& bundle, const Noise& noise,
+                                          const NoiseMap& map, double, int side) const {
+  Result<Json> shown = pictureJson(kernelsPicture(
+      bundle.tables[map.as<MultipleKernelsMap>().kernels], noise.as<MultipleKernelsNoise>(), side));
+  if (!shown)
+    return shown;
+  shown.value()["title"] = "Spectrum of the kernels";
+  shown.value()["text"] = "The power of each frequency of the noise, the zero frequency in the "
+                          "middle. Each spot and its mirror are a kernel.";
+  return shown;
+}
+
+Result<Json> MultipleKernelsReport::table(const Bundle& bundle, const NoiseMap& map,
+                                          const MapLook& look) const {
+  return inverseTablePictures(bundle, map, look);
+}
+
+} // namespace lichen

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// What comparison and report show of multiple-kernels noise.
+#pragma once
+
+#include "method_report.h"
+
+namespace lichen {
+
+class MultipleKernelsReport final : public MethodReport {
+public:
+  [[nodiscard]] bool enlargesMaps() const override { return false; }
+  [[nodiscard]] double judgedPixels(int exemplarWidth, int exemplarHeight) const override;
+  [[nodiscard]] Result<void> judge(const ComparedResult& result,
+                                   NoiseComparison& comparison) const override;
+  [[nodiscard]] double picturePixels() const override;
+  [[nodiscard]] Result<nlohmann::ordered_json> image(const Bundle& bundle, const Noise& noise,
+                                                     const NoiseMap& map, double mixWeight,
+                                                     int side) const override;
+  [[nodiscard]] Result<nlohmann::ordered_json> table(const Bundle& bundle, const NoiseMap& map,
+                                                     const MapLook& look) const override;
+};
+
+} // namespace lichen

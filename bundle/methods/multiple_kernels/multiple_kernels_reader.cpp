@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Reads the members of a multiple-kernels noise: what its kernels share, and each map's image.
+#include "methods/given_spectrum_reader.h"
+#include "methods/inverse_table_reader.h"
+#include "methods/texels_per_tile_reader.h"
+#include "multiple_kernels_format.h"
+
+#include <lichen/counted.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kMember = "multipleKernels";
+
+/// Whether the members that the maps share were faulty.
+bool isUnknown(const MultipleKernelsNoise& shared) { return shared.texelsPerTileX == 0; }
+
+std::optional<KernelWindow> readWindow(ObjectReader& reader) {
+  const std::optional<std::string> name = reader.text("window");
+  if (!name)
+    return std::nullopt;
+  const std::optional<KernelWindow> window = kernelWindowFrom(*name);
+  if (!window)
+    reader.error("kernels-window", "window",
+                 quoted(*name) + "; expected gabor, sinc or gaussian-sinc");
+  return window;
+}
+
+/// Checks the numbers, beyond which cells could not be counted and values could be infinite.
+void checkTexels(ObjectReader& reader, const MultipleKernelsNoise& shared, const Table& image) {
+  const std::vector<float> texels = decodeLevel(image, 0);
+  const auto error = [&](std::size_t kernel, const std::string& message) {
+    reader.error("kernels-texels", "kernels", "kernel " + std::to_string(kernel) + ": " + message);
+  };
+  const auto isWithin = [](float value, float most) { return std::abs(value) <= most; };
+  for (std::size_t k = 0; k < image.height; ++k) {
+    const float* own = &texels[4 * kKernelTexels * k];
+    if (!isWithin(own[0], kMostKernelFrequency) || !isWithin(own[1], kMostKernelFrequency))
+      return error(k, "a frequency beyond -" + json(kMostKernelFrequency).dump() + " to " +
+                          json(kMostKernelFrequency).dump());
+    for (const float cells : {own[2], own[3]})
+      if (!(cells >= 1.0f && cells <= float(kMostKernelCells)) || cells != std::floor(cells))
+        return error(k, json(double(cells)).dump() +
+                            " columns or rows; expected a whole number from 1 to " +
+                            std::to_string(kMostKernelCells));
+    const float* window = own + 4;
+    if (!std::all_of(window, window + 4, [&](float v) { return isWithin(v, kMostToWindow); }) ||
+        !(std::abs(window[0] * window[3] - window[1] * window[2]) >= kLeastKernelDeterminant))
+      return error(k, "a matrix without an inverse, or with numbers beyond -" +
+                          json(kMostToWindow).dump() + " to " + json(kMostToWindow).dump());
+    const bool isOnSquare = shared.window != KernelWindow::gabor;
+    if (isOnSquare && (window[1] != 0.0f || window[2] != 0.0f))
+      return error(k, "a matrix that is not diagonal, which only gabor may have");
+    const bool isRing = int(k) >= shared.kernels - shared.rings;
+    if (isRing && own[1] != 0.0f)
+      return error(k, "a ring whose frequency along y is not 0");
+    if (!std::all_of(own + 8, own + 4 * kKernelTexels,
+                     [&](float v) { return isWithin(v, kMostKernelValue); }))
+      return error(k, "an amplitude, spread or colour beyond -" + json(kMostKernelValue).dump() +
+                          " to " + json(kMostKernelValue).dump());
+  }
+}
+
+void checkImage(ObjectReader& reader, const MultipleKernelsNoise& shared, const Table& image) {
+  const auto error = [&](const std::string& message) {
+    reader.error("map-kernels", "kernels", message);
+  };
+  if (image.depth != 0 || image.width != kKernelTexels ||
+      image.height != std::uint32_t(shared.kernels))
+    return error(shapeOf(image) + " texels; expected " + std::to_string(kKernelTexels) + " x " +
+                 std::to_string(shared.kernels) + " for its noise's kernels");
+  if (image.mipLevels != 1)
+    return error(counted(image.mipLevels, "mip level") + "; expected 1");
+  if (image.format != TexelFormat::rgba32Sfloat)
+    return error("texels of another format; expected RGBA32F");
+  checkTexels(reader, shared, image);
+}
+
+} // namespace
+
+MethodNoise MultipleKernelsFormat::readNoise(ObjectReader& reader, FindingList& findings) const {
+  const json* value = reader.required(kMember);
+  if (value == nullptr)
+    return MultipleKernelsNoise();
+  ObjectReader member(*value, reader.pointerTo(kMember), findings);
+  const auto texels = readTexelsPerTile(member);
+  const auto kernels = member.integer("kernels", kMostKernels, "range", 1);
+  const int rings = member.integerOr("rings", kMostKernels, 0);
+  const std::optional<KernelWindow> window = readWindow(member);
+  const std::optional<bool> isGiven = readGivenSpectrum(member);
+  member.warnOfUnknown();
+  if (!texels || !kernels || !window || !isGiven)
+    return MultipleKernelsNoise();
+  if (rings > int(*kernels)) {
+    member.error("kernels-rings", "rings",
+                 std::to_string(rings) + "; expected at most the number of kernels");
+    return MultipleKernelsNoise();
+  }
+  return MultipleKernelsNoise{(*texels)[0], (*texels)[1], int(*kernels), rings, *window, *isGiven};
+}
+
+MethodMap MultipleKernelsFormat::readMap(ObjectReader& reader, const Noise& noise,
+                                         const NoiseMap& map, const Tables& tables,
+                                         FindingList&) const {
+  MultipleKernelsMap own;
+  const InverseTableMembers inverse = readInverseTable(reader, map, tables);
+  own.dimensions = inverse.dimensions;
+  own.inverseTable = inverse.table;
+  const Table* image = readTableIndex(reader, "kernels", "map-kernels-index", tables, own.kernels);
+  const auto& shared = noise.as<MultipleKernelsNoise>();
+  if (image != nullptr && !isUnknown(shared))
+    checkImage(reader, shared, *image);
+  return own;
+}
+
+} // namespace lichen

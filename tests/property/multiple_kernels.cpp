@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: MIT
+// Multiple-kernels noise: its kernels' spectra against quadrature and closed forms, and the noise's
+// covariance and spectrum against what its kernels say.
+#include "bundle_of.h"
+#include "example_exemplar.h"
+
+#include <lichen/fft.h>
+#include <lichen/multiple_kernels.h>
+#include <lichen/multiple_kernels_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <multiple_kernels/kernel_fit.h>
+#include <multiple_kernels/kernel_impacts.h>
+#include <multiple_kernels/kernel_spectrum.h>
+#include <numbers>
+
+using namespace lichen;
+using namespace lichen::multiple_kernels;
+
+namespace {
+
+constexpr int kTexels = 128;
+constexpr double kDeviation = 1.0 / 6.0;
+
+const std::array kWindows{KernelWindow::gabor, KernelWindow::sinc, KernelWindow::gaussianSinc};
+
+const Bundle& example() {
+  static const Bundle bundle = [] {
+    const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+    return test::bundleOf(bakeMultipleKernels("example", {&map, 1}, {}));
+  }();
+  return bundle;
+}
+
+/// Two Gabors, one of them round the frequency 0, and a ring.
+std::vector<Kernel> someKernels() {
+  return {{0.5, {9.0, -4.0}, {0.15, 0.1}, 0.04, false},
+          {0.2, {0.5, 0.3}, {0.2, 0.3}, 0.0, false},
+          {0.3, {14.0, 0.0}, {0.2, 0.2}, 0.0, true}};
+}
+
+double densityOf(const WindowSpectrum& spectrum, const Kernel& kernel, double u, double v) {
+  return kernel.isRing ? ringDensityAt(spectrum, kernel, std::hypot(u, v))
+                       : densityAt(spectrum, kernel, u, v);
+}
+
+/// A bundle whose noise is Gaussian and has these kernels in three unrelated channels.
+Bundle bundleWith(const std::vector<Kernel>& kernels, double impacts) {
+  Bundle bundle = example();
+  auto& shared = bundle.noises[0].as<MultipleKernelsNoise>();
+  shared.kernels = int(kernels.size());
+  shared.rings =
+      int(std::count_if(kernels.begin(), kernels.end(), [](const Kernel& k) { return k.isRing; }));
+  std::vector<KernelRow> rows;
+  double energy = 0.0;
+  for (const Kernel& kernel : kernels)
+    energy += kernel.energy;
+  for (const Kernel& kernel : kernels) {
+    KernelRow row;
+    const double cell =
+        std::sqrt(kernel.area(KernelWindow::gabor) / (impacts * kernel.energy / energy));
+    row.columns = row.rows = std::max(1, int(std::lround(kKernelTiles / cell)));
+    row.frequency = {float(kernel.frequency[0]), float(kernel.frequency[1])};
+    const Eigen::Matrix2d q = kernel.toWindow();
+    row.toWindow = {float(q(0, 0)), float(q(0, 1)), float(q(1, 0)), float(q(1, 1))};
+    const double density = double(row.columns * row.rows) / (kKernelTiles * kKernelTiles);
+    row.amplitude = float(1.0 / std::sqrt(density * squareIntegral(KernelWindow::gabor, kernel)));
+    row.spread = float(windowSpread(KernelWindow::gabor));
+    for (std::size_t c = 0; c < 3; ++c)
+      row.colors[c][c] = float(kDeviation * std::sqrt(kernel.energy / energy));
+    rows.push_back(row);
+  }
+  bundle.tables[bundle.noises[0].maps[0].as<MultipleKernelsMap>().kernels] = kernelTable(rows);
+  return bundle;
+}
+
+} // namespace
+
+TEST_CASE("the integral and the spread of the Gabor's window are those of a closed form") {
+  // The integrals of (1 - r^2)^6 and of the squared slope of (1 - r^2)^3 over the disk.
+  const Kernel low{1.0, {0.0, 0.0}, {1.0, 1.0}, 0.0, false};
+  CHECK(squareIntegral(KernelWindow::gabor, low) == Approx(std::numbers::pi / 7.0).epsilon(1e-3));
+  CHECK(windowSpread(KernelWindow::gabor) ==
+        Approx(0.5 * 1.2 * 7.0 / (4.0 * std::numbers::pi * std::numbers::pi)).epsilon(1e-3));
+  // A fast cosine takes half of the square.
+  const Kernel fast{1.0, {20.0, 0.0}, {1.0, 1.0}, 0.0, false};
+  CHECK(squareIntegral(KernelWindow::gabor, fast) == Approx(std::numbers::pi / 14.0).epsilon(1e-3));
+}
+
+TEST_CASE("the spectrum of a window is its Fourier transform") {
+  for (const KernelWindow window : kWindows) {
+    const WindowSpectrum spectrum(window);
+    constexpr int kSide = 400;
+    double squares = 0.0;
+    std::array<double, 3> sums{};
+    const std::array<std::array<double, 2>, 3> frequencies{{{0.0, 0.0}, {0.4, 0.1}, {0.3, -0.7}}};
+    for (int j = 0; j < kSide; ++j)
+      for (int i = 0; i < kSide; ++i) {
+        const double p = (2.0 * i + 1.0) / kSide - 1.0, q = (2.0 * j + 1.0) / kSide - 1.0;
+        const double value = windowAt(window, p, q) * 4.0 / (kSide * kSide);
+        squares += value * windowAt(window, p, q);
+        for (std::size_t k = 0; k < sums.size(); ++k)
+          sums[k] += value * std::cos(2.0 * std::numbers::pi *
+                                      (frequencies[k][0] * p + frequencies[k][1] * q));
+      }
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      std::array<double, 2> slopes{};
+      INFO(nameOf(window) << " " << k);
+      CHECK(spectrum.at(frequencies[k][0], frequencies[k][1], slopes) ==
+            Approx(sums[k] / std::sqrt(squares)).margin(2e-3));
+    }
+  }
+}
+
+TEST_CASE("the power of a kernel sums to its energy over all frequencies") {
+  for (const KernelWindow window : kWindows) {
+    const WindowSpectrum spectrum(window);
+    for (Kernel kernel : someKernels()) {
+      if (window != KernelWindow::gabor)
+        kernel.shear = 0.0;
+      if (kernel.isRing && window != KernelWindow::gabor)
+        continue; // its window is not round
+      double sum = 0.0;
+      for (int v = -60; v <= 60; ++v)
+        for (int u = -60; u <= 60; ++u)
+          sum += densityOf(spectrum, kernel, u, v);
+      INFO(nameOf(window));
+      CHECK(sum == Approx(kernel.energy).epsilon(0.02)); // what lies beyond, most of it of sincs
+    }
+  }
+}
+
+TEST_CASE("the derivatives of a kernel's power are those of differences") {
+  for (const KernelWindow window : kWindows) {
+    const WindowSpectrum spectrum(window);
+    for (const Kernel& kernel : someKernels()) {
+      if (kernel.isRing)
+        continue;
+      const auto moved = [&](std::size_t parameter, double by) {
+        Kernel other = kernel;
+        switch (parameter) {
+        case 0:
+          other.energy *= std::exp(by);
+          break;
+        case 1:
+        case 2:
+          other.frequency[parameter - 1] += by;
+          break;
+        case 3:
+        case 4:
+          other.stretch[parameter - 3] *= std::exp(by);
+          break;
+        default:
+          other.shear += by;
+        }
+        return other;
+      };
+      for (const auto& [u, v] : {std::array{8.0, -3.0}, std::array{1.0, 2.0}}) {
+        KernelSlopes slopes{};
+        const double here = densityAt(spectrum, kernel, u, v, &slopes);
+        for (std::size_t p = 0; p < kKernelParameters; ++p) {
+          const double step = p == 1 || p == 2 ? 0.02 : p == 5 ? 0.002 : 0.01;
+          const double difference = (densityAt(spectrum, moved(p, step), u, v) -
+                                     densityAt(spectrum, moved(p, -step), u, v)) /
+                                    (2.0 * step);
+          INFO(nameOf(window) << ", parameter " << p << " at " << u << ", " << v);
+          CHECK(slopes[p] == Approx(difference).epsilon(0.05).margin(0.01 * here));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("fitted kernels find the kernels that a spectrum was made of") {
+  const WindowSpectrum spectrum(KernelWindow::gabor);
+  constexpr int kHalf = 48;
+  spectra::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+  const std::vector<Kernel> made{{0.6, {12.0, -9.0}, {0.05, 0.03}, 0.01, false},
+                                 {0.4, {3.0, 2.0}, {0.04, 0.06}, 0.0, false}};
+  for (int v = 1 - kHalf; v < kHalf; ++v)
+    for (int u = 0; u < kHalf; ++u)
+      power.values.push_back(densityAt(spectrum, made[0], u, v) +
+                             densityAt(spectrum, made[1], u, v));
+  const std::vector<Kernel> found = fitKernels(power, spectrum, 4);
+  CHECK(spectrumErrorDb(power, spectrum, found) < 0.3);
+  // Rectangles alone are far from it.
+  const WindowSpectrum sincs(KernelWindow::sinc);
+  CHECK(spectrumErrorDb(power, sincs, fitKernels(power, sincs, 4)) > 1.0);
+}
+
+TEST_CASE("the noise has the spectrum of its kernels, variance 1 and no mean") {
+  // Kernels in three channels that share no sign: 3 x 16 independent pictures of the spectrum.
+  const std::vector<Kernel> kernels = someKernels();
+  const Bundle bundle = bundleWith(kernels, 30.0);
+  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(bundle, 0).value();
+  constexpr int kTiles = 2, kSide = 128;
+  constexpr std::uint32_t kSeeds = 16;
+  Placement placement;
+  placement.periodic = true;
+  placement.periodTilesX = placement.periodTilesY = kTiles;
+  std::vector<double> power(std::size_t(kSide) * kSide / 4, 0.0);
+  double sum = 0.0, squares = 0.0;
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    MaterialNoise use;
+    use.seed = seed;
+    const shader::LichenMaterial material = shaderMaterial(bundle, use, placement).material;
+    std::array<std::vector<float>, 3> planes;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const float scale = float(kTiles) / kSide;
+        const auto value = evaluator.gaussian(
+            0, material, TileFootprint{{float(x) * scale, float(y) * scale}, {}, {}});
+        for (std::size_t c = 0; c < 3; ++c) {
+          planes[c].push_back((value[c] - 0.5f) / float(kDeviation));
+          sum += double(planes[c].back());
+          squares += double(planes[c].back()) * double(planes[c].back());
+        }
+      }
+    for (const std::vector<float>& plane : planes) {
+      const HalfSpectrum spectrum = forwardFft(plane, kSide, kSide);
+      for (int v = 0; v < kSide / 2; ++v)
+        for (int u = 0; u < kSide / 2; ++u)
+          power[std::size_t(v) * kSide / 2 + std::size_t(u)] +=
+              double(std::norm(spectrum.at(u, v))) / std::pow(double(kSide), 4.0);
+    }
+  }
+  const double count = 3.0 * kSeeds;
+  CHECK(std::abs(sum / (count * kSide * kSide)) < 0.02);
+  CHECK(squares / (count * kSide * kSide) == Approx(1.0).margin(0.03));
+  // Blocks of 8 x 8 frequencies, half a cycle per tile each: 3,072 powers, 2 % of deviation.
+  const WindowSpectrum window(KernelWindow::gabor);
+  for (int top = 0; top < 48; top += 8)
+    for (int left = 0; left < 48; left += 8) {
+      double found = 0.0, expected = 0.0;
+      for (int v = top; v < top + 8; ++v)
+        for (int u = left; u < left + 8; ++u) {
+          if (u == 0 && v == 0)
+            continue;
+          found += power[std::size_t(v) * kSide / 2 + std::size_t(u)] / count;
+          for (const Kernel& kernel : kernels)
+            expected += densityOf(window, kernel, double(u) / kTiles, double(v) / kTiles) /
+                        (kTiles * kTiles);
+        }
+      if (expected < 1e-3)
+        continue;
+      INFO("block " << left << ", " << top);
+      CHECK(found == Approx(expected).epsilon(0.15));
+    }
+}
+
+TEST_CASE("the noise of an exemplar has the covariance of its Gaussian values") {
+  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(example(), 0).value();
+  constexpr std::uint32_t kSeeds = 8;
+  constexpr int kSide = 160;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    MaterialNoise use;
+    use.seed = seed;
+    const shader::LichenMaterial material = shaderMaterial(example(), use, {}).material;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const auto value = evaluator.gaussian(
+            0, material, TileFootprint{{0.1f * float(x), 0.1f * float(y)}, {}, {}});
+        const Eigen::Vector3d own(value[0] - 0.5, value[1] - 0.5, value[2] - 0.5);
+        covariance += own * own.transpose() / (kDeviation * kDeviation);
+      }
+  }
+  covariance /= double(kSeeds * kSide * kSide);
+  // 204,800 points, some of them related: a standard error below 1 %.
+  CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.03);
+}
+
+TEST_CASE("at most 80 cells are visited for the default of 30 impacts") {
+  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(example(), 0).value();
+  const shader::LichenMaterial material = shaderMaterial(example(), MaterialNoise(), {}).material;
+  double cells = 0.0, impacts = 0.0;
+  constexpr int kPoints = 2000;
+  for (int k = 0; k < kPoints; ++k) {
+    const float x = float(k) * 0.618034f, y = float(k) * 0.754878f;
+    const auto visited = evaluator.visited(material, TileFootprint{{x, y}, {}, {}});
+    cells += visited.cells;
+    impacts += visited.impacts;
+  }
+  CHECK(impacts / kPoints == Approx(30.0).epsilon(0.1));
+  CHECK(cells / kPoints < 80.0);
+}
+
+TEST_CASE("the noise repeats after its period, and does not depend on where its origin lies") {
+  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(example(), 0).value();
+  Placement periodic;
+  periodic.periodic = true;
+  periodic.periodTilesX = 1.5;
+  periodic.periodTilesY = 2.25;
+  const shader::LichenMaterial repeating =
+      shaderMaterial(example(), MaterialNoise(), periodic).material;
+  Placement far;
+  far.tileOriginX = 24;
+  far.tileOriginY = -13;
+  const shader::LichenMaterial there = shaderMaterial(example(), MaterialNoise(), far).material;
+  const shader::LichenMaterial here = shaderMaterial(example(), MaterialNoise(), {}).material;
+  for (int k = 0; k < 200; ++k) {
+    const float x = std::fmod(float(k) * 0.618034f, 3.0f),
+                y = std::fmod(float(k) * 0.754878f, 3.0f);
+    const auto at = [&](const shader::LichenMaterial& material, float dx, float dy) {
+      return evaluator.gaussian(0, material, TileFootprint{{x + dx, y + dy}, {}, {}});
+    };
+    for (std::size_t c = 0; c < 3; ++c) {
+      CHECK(at(repeating, 1.5f, 0.0f)[c] == Approx(at(repeating, 0.0f, 0.0f)[c]).margin(2e-4));
+      CHECK(at(repeating, 0.0f, -2.25f)[c] == Approx(at(repeating, 0.0f, 0.0f)[c]).margin(2e-4));
+      CHECK(at(there, 0.0f, 0.0f)[c] == Approx(at(here, 24.0f, -13.0f)[c]).margin(1e-3));
+    }
+  }
+}
