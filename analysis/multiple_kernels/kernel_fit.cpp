@@ -418,11 +418,11 @@ std::vector<Kernel> fitKernels(const PowerPlane& power, const WindowSpectrum& sp
     return kernels;
   if (spectrum.window() == Window::gabor) {
     // A spectrum without a direction needs few rings, and fewer cells are visited for them.
-    constexpr double kNearlyDb = 0.15;
+    constexpr double kNearlyFactor = 1.3, kNearlyDb = 0.1;
     const double error = errorOf(blocks, spectrum, kernels);
     for (std::size_t count = 1; count <= std::min<std::size_t>(most, 4); ++count)
       if (std::vector<Kernel> rings = fittedRings(blocks, power, spectrum, count);
-          !rings.empty() && errorOf(blocks, spectrum, rings) < error + kNearlyDb) {
+          !rings.empty() && errorOf(blocks, spectrum, rings) < kNearlyFactor * error + kNearlyDb) {
         kernels = std::move(rings);
         break;
       }

@@ -192,6 +192,25 @@ TEST_CASE("fitted kernels find the kernels that a spectrum was made of") {
   CHECK(spectrumErrorDb(power, sincs, fitKernels(power, sincs, 4)) > 1.0);
 }
 
+TEST_CASE("a spectrum without a direction becomes rings, and one with a direction does not") {
+  const WindowSpectrum spectrum(KernelWindow::gabor);
+  constexpr int kHalf = 48;
+  const auto fittedTo = [&](const Kernel& kernel) {
+    spectra::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+    for (int v = 1 - kHalf; v < kHalf; ++v)
+      for (int u = 0; u < kHalf; ++u)
+        power.values.push_back(densityOf(spectrum, kernel, u, v));
+    return fitKernels(power, spectrum, 10);
+  };
+  const std::vector<Kernel> rings = fittedTo({1.0, {20.0, 0.0}, {0.08, 0.08}, 0.0, true});
+  REQUIRE(rings.size() == 1);
+  CHECK(rings[0].isRing);
+  CHECK(rings[0].frequency[0] == Approx(20.0).epsilon(0.03));
+  CHECK(rings[0].energy == Approx(1.0).epsilon(0.05));
+  for (const Kernel& kernel : fittedTo({1.0, {20.0, 5.0}, {0.08, 0.08}, 0.0, false}))
+    CHECK_FALSE(kernel.isRing);
+}
+
 TEST_CASE("the noise has the spectrum of its kernels, variance 1 and no mean") {
   // Kernels in three channels that share no sign: 3 x 16 independent pictures of the spectrum.
   const std::vector<Kernel> kernels = someKernels();

@@ -63,10 +63,11 @@ public:
   }
 
   static std::string kernelWords(const MultipleKernelsNoise& shared) {
-    std::string words = fmt::format("{} {}", nameOf(shared.window),
-                                    counted(std::uint64_t(shared.kernels), "kernel"));
+    std::string words =
+        fmt::format("{} with the window {}", counted(std::uint64_t(shared.kernels), "kernel"),
+                    nameOf(shared.window));
     if (shared.rings > 0)
-      words += fmt::format(", {} of them rings", shared.rings);
+      words += fmt::format(", {} of them {}", shared.rings, shared.rings == 1 ? "a ring" : "rings");
     return words;
   }
 
