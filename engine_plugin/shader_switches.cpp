@@ -19,9 +19,8 @@ struct Needs {
   bool tables = false, gaussianOnly = false; // of tiling
   bool valuesAboveOne = false;
   bool triplanar = false, otherMappings = false, surface = false, solid = false;
-  bool poisson = false;                               // of textons and of kernels
-  bool mixes = false, cubic = false, nearest = false; // of textons
-  bool structure = false;                             // of local random phase
+  bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
+  bool structure = false;                                              // of local random phase
   bool rotation = false, sharpness = false, period = false, anisotropy = false;
 };
 
@@ -35,10 +34,12 @@ void addTiling(const LichenMaterialParameters& parameters, Needs& needs) {
   needs.sharpness = needs.sharpness || parameters.blendSharpness != 1.0;
 }
 
-void addTextons(const NoiseSummary& noise, Needs& needs) {
+void addTextons(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
+                Needs& needs) {
   const shader::LichenTextonNoise texton = textonPart(noise.constants);
   constexpr std::uint32_t kCubic = 3;
   needs.mixes = needs.mixes || texton.steps > 1;
+  needs.poisson = needs.poisson || parameters.pointProcess == LICHEN_POINT_PROCESS_POISSON;
   needs.cubic = needs.cubic || texton.order == kCubic;
   needs.nearest = needs.nearest || texton.order == 0;
 }
@@ -51,11 +52,8 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? needs.triplanar : needs.otherMappings) = true;
   needs.surface = needs.surface || parameters.mapping == LICHEN_MAPPING_SURFACE;
   needs.solid = needs.solid || parameters.mapping == LICHEN_MAPPING_SOLID;
-  if (noise.constants.method == LICHEN_METHOD_TEXTON ||
-      noise.constants.method == LICHEN_METHOD_MULTIPLE_KERNELS)
-    needs.poisson = needs.poisson || parameters.pointProcess == LICHEN_POINT_PROCESS_POISSON;
   if (noise.constants.method == LICHEN_METHOD_TEXTON)
-    addTextons(noise, needs);
+    addTextons(parameters, noise, needs);
   else
     addTables(noise, needs);
   if (noise.constants.method == LICHEN_METHOD_TILING)
@@ -80,10 +78,7 @@ std::string switchesOf(const Needs& needs) {
   if (has(LICHEN_METHOD_TEXTON)) {
     unless(needs.surface, "OMIT_SURFACE_TEXTONS");
     unless(needs.mixes, "MIXED_TEXTONS=0");
-  }
-  if (has(LICHEN_METHOD_TEXTON) || has(LICHEN_METHOD_MULTIPLE_KERNELS))
     unless(needs.poisson, "POISSON_POINTS=0");
-  if (has(LICHEN_METHOD_TEXTON)) {
     unless(needs.cubic, "CUBIC_TEXTONS=0");
     unless(needs.nearest, "NEAREST_TEXTONS=0");
   }

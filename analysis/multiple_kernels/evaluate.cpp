@@ -91,7 +91,6 @@ Value MultipleKernelsEvaluator::gaussian(std::size_t mapIndex,
   const std::vector<KernelRow>& rows = (*maps_)[mapIndex].rows;
   const shader::LichenKernelsNoise shared = kernelsPart(noise_);
   const auto window = KernelWindow(shared.window);
-  const bool isPoisson = kernelsPart(material).pointProcess == LICHEN_POINTS_POISSON;
   const WaveFootprint footprint = waveFootprint(at, noise_);
   const KernelPlace place = kernelPlaceAt(material, positionOf(at, material));
   std::array<float, 3> sum{};
@@ -111,7 +110,7 @@ Value MultipleKernelsEvaluator::gaussian(std::size_t mapIndex,
     const PlacedKernel kernel = placedKernel(row, place, material);
     std::array<float, 4> sums{};
     forEachKernelImpact(
-        kernel, window == KernelWindow::gabor, pcg(material.seedWord + std::uint32_t(k)), isPoisson,
+        kernel, window == KernelWindow::gabor, pcg(material.seedWord + std::uint32_t(k)),
         [&](std::uint32_t word, const std::array<float, 2>& offset) {
           const float value = kernelValue(word, offset, row, kernel, isRing, window);
           for (std::size_t s = 0; s < sums.size(); ++s)
@@ -162,7 +161,7 @@ MultipleKernelsEvaluator::visited(const shader::LichenMaterial& material,
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const PlacedKernel kernel = placedKernel(rows[k], place, material);
     forEachKernelImpact(kernel, window == KernelWindow::gabor,
-                        pcg(material.seedWord + std::uint32_t(k)), false,
+                        pcg(material.seedWord + std::uint32_t(k)),
                         [&](std::uint32_t, const std::array<float, 2>& offset) {
                           ++result.cells;
                           const auto& q = kernel.toWindow;

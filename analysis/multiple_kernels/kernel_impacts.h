@@ -3,7 +3,6 @@
 // lichenKernelSums (shaders_glsl/noise/multiple_kernels.glsl).
 #pragma once
 
-#include "sampling/poisson_count.h"
 #include "sampling/wave.h"
 
 #include <lichen/lattice.h>
@@ -82,7 +81,7 @@ struct PlacedKernel {
 /// the support may reach.
 template <class Act>
 void forEachKernelImpact(const PlacedKernel& kernel, bool isDisk, std::uint32_t seed,
-                         bool isPoisson, const Act& act) {
+                         const Act& act) {
   const auto& q = kernel.toWindow;
   const float xx = q[0] * q[0] + q[2] * q[2], xy = q[0] * q[1] + q[2] * q[3],
               yy = q[1] * q[1] + q[3] * q[3];
@@ -113,18 +112,9 @@ void forEachKernelImpact(const PlacedKernel& kernel, bool isDisk, std::uint32_t 
          i <= end; ++i) {
       const std::uint32_t column = wrapped(kernel.corner[0] + std::uint32_t(i), kernel.period[0]);
       const std::uint32_t word = vertexHash(column, row, seed);
-      const auto impact = [&](std::uint32_t own) {
-        const std::array<float, 2> place = placeOf(own);
-        act(own, std::array<float, 2>{kernel.place[0] - float(i) - place[0],
-                                      kernel.place[1] - float(j) - place[1]});
-      };
-      if (!isPoisson) {
-        impact(word);
-        continue;
-      }
-      const int count = poissonCount(pcg(word));
-      for (int k = 0; k < count; ++k)
-        impact(pcg(word + std::uint32_t(k)));
+      const std::array<float, 2> place = placeOf(word);
+      act(word, std::array<float, 2>{kernel.place[0] - float(i) - place[0],
+                                     kernel.place[1] - float(j) - place[1]});
     }
   }
 }

@@ -12,7 +12,9 @@
 #include <depth.frag.bare.h>
 #include <depth.frag.cosines.h>
 #include <depth.frag.h>
+#include <depth.frag.kernels.h>
 #include <depth.frag.plane.h>
+#include <depth.frag.plane_kernels.h>
 #include <depth.frag.surface.h>
 #include <depth.frag.textons.h>
 #include <depth.frag.tiling.h>
@@ -26,7 +28,9 @@
 #include <scene.frag.bare.h>
 #include <scene.frag.cosines.h>
 #include <scene.frag.h>
+#include <scene.frag.kernels.h>
 #include <scene.frag.plane.h>
+#include <scene.frag.plane_kernels.h>
 #include <scene.frag.surface.h>
 #include <scene.frag.textons.h>
 #include <scene.frag.tiling.h>
@@ -244,8 +248,13 @@ FragmentCode fragmentCodeFor(const NoiseFeatures& noises, bool hasNoise) {
   if (!hasNoise)
     return {scene_frag_bare, depth_frag_bare};
   const bool hasTextons = noises.hasMethod(LICHEN_NOISE_TEXTON);
-  if (noises.hasMethod(LICHEN_NOISE_MULTIPLE_KERNELS))
-    return {scene_frag, depth_frag};
+  if (noises.hasMethod(LICHEN_NOISE_MULTIPLE_KERNELS)) {
+    if (hasTextons || noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE))
+      return {scene_frag, depth_frag};
+    return noises.triplanarNoises
+               ? FragmentCode{scene_frag_kernels, depth_frag_kernels}
+               : FragmentCode{scene_frag_plane_kernels, depth_frag_plane_kernels};
+  }
   if (noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE))
     return hasTextons ? FragmentCode{scene_frag, depth_frag}
                       : FragmentCode{scene_frag_cosines, depth_frag_cosines};

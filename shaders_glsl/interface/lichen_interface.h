@@ -39,7 +39,7 @@
 // Tiles along each axis that hold whole cells of all kernels.
 #define LICHEN_KERNEL_TILES 8
 
-// LichenTextonMaterial::pointProcess, LichenKernelsMaterial::pointProcess.
+// LichenTextonMaterial::pointProcess. LichenKernelsMaterial::pointProcess is stratified.
 #define LICHEN_POINTS_STRATIFIED 0 // one impact in each cell
 #define LICHEN_POINTS_POISSON 1    // a Poisson number of impacts, 1 in the mean
 

@@ -14,7 +14,6 @@
 #include "hash.glsl"
 #include "method_parts.glsl"
 #include "periodic_lattice.glsl"
-#include "poisson_count.glsl"
 #include "wave.glsl"
 
 /// What all maps of a noise share at one point.
@@ -89,10 +88,8 @@ float lichenKernelWindow(vec2 place, uint window) {
     return left * left * left;
   }
   vec2 left = max(1.0 - place * place, 0.0);
-  if (left.x * left.y == 0.0)
-    return 0.0;
-  float product = lichenKernelSinc(place.x) * lichenKernelSinc(place.y);
   float taper = left.x * left.y;
+  float product = taper > 0.0 ? lichenKernelSinc(place.x) * lichenKernelSinc(place.y) : 0.0;
   return window == uint(LICHEN_WINDOW_SINC) ? product : product * taper * taper;
 }
 
@@ -100,8 +97,6 @@ float lichenKernelWindow(vec2 place, uint window) {
 /// from it to the point.
 vec4 lichenKernelImpact(uint word, vec2 offset, LichenKernel kernel, uint window) {
   float value = lichenKernelWindow(kernel.toWindow * offset, window);
-  if (value == 0.0)
-    return vec4(0.0);
   float turns;
   if (kernel.isRing) {
     const float kPerBit = 1.0 / 4294967296.0;
@@ -124,7 +119,7 @@ vec2 lichenKernelPlace(uint word) {
 }
 
 /// The sums over the impacts of a kernel that reach the point.
-vec4 lichenKernelSums(LichenKernel kernel, uint seed, uint window, bool isPoisson) {
+vec4 lichenKernelSums(LichenKernel kernel, uint seed, uint window) {
   // The offsets that the window reaches: |Q d| < 1 of a disk. In a row of cells at least as far as
   // `near` along y, the chord of the ellipse; of a square, all of it.
   mat2 q = kernel.toWindow;
@@ -152,16 +147,8 @@ vec4 lichenKernelSums(LichenKernel kernel, uint seed, uint window, bool isPoisso
         column =
             uint(int(column) - lichenFloorDivide(int(column), kernel.period.x) * kernel.period.x);
       uint word = lichenVertexHash(column, row, seed);
-      vec2 toCorner = kernel.place - vec2(float(i), float(j));
-      if (!isPoisson) {
-        sums += lichenKernelImpact(word, toCorner - lichenKernelPlace(word), kernel, window);
-        continue;
-      }
-      uint count = lichenPoissonCount(lichenPcg(word));
-      for (uint k = 0u; k < count; ++k) {
-        uint own = lichenPcg(word + k);
-        sums += lichenKernelImpact(own, toCorner - lichenKernelPlace(own), kernel, window);
-      }
+      vec2 offset = kernel.place - vec2(float(i), float(j)) - lichenKernelPlace(word);
+      sums += lichenKernelImpact(word, offset, kernel, window);
     }
   }
   return kernel.amplitude * sums;
@@ -174,8 +161,6 @@ vec4 lichenKernelsGaussian(LICHEN_IMAGE_2D image, LichenKernelsPoint point, Lich
   LichenKernelsNoise kernels = lichenKernelsNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));
-  bool isPoisson = bool(LICHEN_POISSON_POINTS) &&
-                   lichenKernelsMaterial(material).pointProcess == uint(LICHEN_POINTS_POISSON);
   vec3 sum = vec3(0.0);
   float squares = 0.0, lost = 0.0;
   for (int row = 0; row < int(kernels.kernels); ++row) {
@@ -197,11 +182,10 @@ vec4 lichenKernelsGaussian(LICHEN_IMAGE_2D image, LichenKernelsPoint point, Lich
     float own = dot(color0, color0) + dot(color1, color1) + dot(color2, color2);
     squares += own;
     lost += own * (1.0 - retained * retained);
-    if (retained == 0.0)
-      continue;
-    vec4 sums = lichenKernelSums(kernel, lichenPcg(point.seedWord + uint(row)), kernels.window,
-                                 isPoisson);
-    sum += retained * vec3(dot(color0, sums), dot(color1, sums), dot(color2, sums));
+    if (retained > 0.0) {
+      vec4 sums = lichenKernelSums(kernel, lichenPcg(point.seedWord + uint(row)), kernels.window);
+      sum += retained * vec3(dot(color0, sums), dot(color1, sums), dot(color2, sums));
+    }
   }
   const float kLeast = 1.0e-20; // of a map that does not vary
   return vec4(0.5 + material.contrast * sum, lost / max(squares, kLeast));

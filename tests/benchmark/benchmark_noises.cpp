@@ -63,6 +63,10 @@ std::vector<std::byte> localRandomPhaseGlb(double structure) {
   return bundleGlb(localRandomPhaseBundle(exemplars::rust(kShaderExemplarSide), options));
 }
 
+std::vector<std::byte> multipleKernelsGlb() {
+  return bundleGlb(multipleKernelsBundle(exemplars::rust(kShaderExemplarSide)));
+}
+
 std::vector<std::byte> bricksGlb() {
   return bundleGlb(localRandomPhaseBundle(exemplars::bricks(kShaderExemplarSide)));
 }

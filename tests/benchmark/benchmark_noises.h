@@ -20,6 +20,8 @@ namespace lichen::bench {
 /// Local random-phase noise of the exemplar of tilingGlb(), 50 cosines.
 /// With this share of structure, and tiles of any offset.
 [[nodiscard]] std::vector<std::byte> localRandomPhaseGlb(double structure);
+/// Multiple-kernels noise of the exemplar of tilingGlb().
+[[nodiscard]] std::vector<std::byte> multipleKernelsGlb();
 /// Bricks as local random-phase noise, which is all structure, with a list of offsets.
 [[nodiscard]] std::vector<std::byte> bricksGlb();
 /// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other

@@ -4,6 +4,7 @@
 #include "checkout_paths.h"
 
 #include <lichen/image_io.h>
+#include <lichen/multiple_kernels.h>
 #include <lichen/texton.h>
 
 #include <algorithm>
@@ -147,6 +148,11 @@ Bundle textonBundle(const SrgbImage& image) {
 Bundle localRandomPhaseBundle(const SrgbImage& image, const LocalRandomPhaseOptions& options) {
   const MapExemplar map = baseColorMap(image);
   return bundleOf(bakeLocalRandomPhase("benchmark", {&map, 1}, options));
+}
+
+Bundle multipleKernelsBundle(const SrgbImage& image) {
+  const MapExemplar map = baseColorMap(image);
+  return bundleOf(bakeMultipleKernels("benchmark", {&map, 1}, {}));
 }
 
 Bundle bakedBundle(std::span<const MapExemplar> maps, const TilingOptions& options) {

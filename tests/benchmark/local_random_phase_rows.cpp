@@ -1,42 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Local random-phase noise: the time of a bake, and its results compared with the Gaussian version
-// of each exemplar: its Gaussian values with random phases, decoded by the same table.
+// of each exemplar.
 #include "exemplars.h"
+#include "gaussian_versions.h"
 #include "rows.h"
 #include "synthesized.h"
 
 #include <lichen/quality.h>
 
 #include <algorithm>
-#include <report/random_phase_version.h>
 
 namespace lichen::bench {
 namespace {
 
 constexpr int kSide = 1024; // as the prototype in TARGETS.md: 256 x 256 -> 1024 x 1024
 constexpr std::uint32_t kSeeds = 3;
-constexpr std::uint32_t kReferences = 4;
-
-/// Gaussian versions of an exemplar.
-std::vector<SrgbImage> gaussianVersions(const SrgbImage& exemplar) {
-  std::vector<SrgbImage> versions;
-  for (std::uint32_t seed = 1; seed <= kReferences; ++seed)
-    versions.push_back(toSrgb(require(randomPhaseVersion(baseColorMap(exemplar), seed))));
-  return versions;
-}
-
-/// A measure of each exemplar, and where the largest is.
-struct Measured {
-  std::vector<double> values;
-  std::string worst;
-
-  void note(double value, const std::string& name) {
-    if (values.empty() || value > *std::max_element(values.begin(), values.end()))
-      worst = name;
-    values.push_back(value);
-  }
-  [[nodiscard]] double largest() const { return *std::max_element(values.begin(), values.end()); }
-};
 
 } // namespace
 

@@ -18,7 +18,7 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 14> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 15> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
@@ -28,6 +28,7 @@ constexpr std::array<Family, 14> kFamilies{{{"bake", bakeRows},
                                             {"lit", litRows},
                                             {"texton", textonRows},
                                             {"local-random-phase", localRandomPhaseRows},
+                                            {"multiple-kernels", multipleKernelsRows},
                                             {"structure", structureRows},
                                             {"load", loadRows},
                                             {"shader", shaderRows},

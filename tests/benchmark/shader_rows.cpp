@@ -18,6 +18,7 @@
 #include <local_random_phase.frag.h>
 #include <local_random_phase.frag.structured.h>
 #include <materials.h>
+#include <multiple_kernels.frag.h>
 #include <plain.frag.h>
 #include <stdexcept>
 #include <texton.frag.h>
@@ -119,6 +120,8 @@ std::vector<Row> measure() {
             localRandomPhaseGlb(0.0), {54.0, 60.0}),
       noise("the same with a structure", local_random_phase_frag_structured, screen,
             localRandomPhaseGlb(0.5), {}),
+      noise("multiple kernels, 30 impacts", multiple_kernels_frag, screen, multipleKernelsGlb(),
+            {}),
       noise("structure of bricks with a list", local_random_phase_frag_structured, screen,
             bricksGlb(), {})};
   std::vector<Row> rows;

@@ -48,4 +48,7 @@ TEST_CASE("a generated photograph, baked and rendered, matches its golden image"
   checkWholeWay("cosines", {"--method", "local-random-phase", "--structure", "0"}, "uv");
   checkWholeWay("structure", {"--method", "local-random-phase", "--structure", "0.5"}, "triplanar");
   checkWholeWay("solid", {"--method", "local-random-phase", "--structure", "0"}, "solid");
+  checkWholeWay("kernels", {"--method", "multiple-kernels"}, "uv");
+  checkWholeWay("kernels_triplanar", {"--method", "multiple-kernels", "--spectrum", "ring:8:12"},
+                "triplanar");
 }

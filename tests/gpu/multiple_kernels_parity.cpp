@@ -28,7 +28,6 @@ struct Kind {
   std::size_t channels;
   GaussianOnly gaussian;
   KernelWindow window;
-  PointProcess points = PointProcess::stratified;
   int rings = 0; // so many of the kernels are turned into rings
 };
 
@@ -57,7 +56,6 @@ BundleFile bakedFile(const Kind& kind) {
   image = kernelTable(rows);
   image.name = name;
   file.bundle.materials = {MaterialNoise()};
-  file.bundle.materials[0]->pointProcess = kind.points;
   file.previews.emplace_back();
   file.shape = PreviewShape::none;
   return file;
@@ -107,12 +105,10 @@ std::array<double, 3> reference(const Bundle& bundle, double x, double y, std::u
 
 TEST_CASE("the multiple-kernels shader matches its CPU twin: 99.9 % within 1/1024, all within "
           "1/255") {
-  for (const Kind& kind :
-       {Kind{3, GaussianOnly::no, KernelWindow::gabor},
-        Kind{1, GaussianOnly::no, KernelWindow::sinc},
-        Kind{3, GaussianOnly::yes, KernelWindow::gaussianSinc},
-        Kind{3, GaussianOnly::no, KernelWindow::gabor, PointProcess::poisson},
-        Kind{1, GaussianOnly::no, KernelWindow::gabor, PointProcess::stratified, 2}}) {
+  for (const Kind& kind : {Kind{3, GaussianOnly::no, KernelWindow::gabor},
+                           Kind{1, GaussianOnly::no, KernelWindow::sinc},
+                           Kind{3, GaussianOnly::yes, KernelWindow::gaussianSinc},
+                           Kind{1, GaussianOnly::no, KernelWindow::gabor, 2}}) {
     VulkanDevice* const device = sharedDevice();
     const std::vector<std::byte> glb = glbOf(bakedFile(kind));
     const Bundle bundle = parseBundle(glb, "noise").value();
@@ -138,8 +134,8 @@ TEST_CASE("the multiple-kernels shader matches its CPU twin: 99.9 % within 1/102
             ++count;
           }
       }
-      INFO("channels " << kind.channels << ", " << nameOf(kind.window) << ", "
-                       << nameOf(kind.points) << ", rings " << kind.rings << ", use " << number++);
+      INFO("channels " << kind.channels << ", " << nameOf(kind.window) << ", rings " << kind.rings
+                       << ", use " << number++);
       CHECK(largest <= 1.0 / 255.0);
       CHECK(double(beyond) <= 0.001 * double(count));
     }
@@ -149,10 +145,7 @@ TEST_CASE("the multiple-kernels shader matches its CPU twin: 99.9 % within 1/102
 
 TEST_CASE("multiple-kernels noise is the sum of its kernels over the impacts of all cells") {
   const Bundle bundle =
-      parseBundle(
-          glbOf(bakedFile({3, GaussianOnly::no, KernelWindow::gabor, PointProcess::stratified, 1})),
-          "noise")
-          .value();
+      parseBundle(glbOf(bakedFile({3, GaussianOnly::no, KernelWindow::gabor, 1})), "noise").value();
   const MultipleKernelsEvaluator twin = MultipleKernelsEvaluator::create(bundle, 0).value();
   std::mt19937 generator(3u);
   std::uniform_real_distribution<float> tiles(-9.0f, 9.0f);

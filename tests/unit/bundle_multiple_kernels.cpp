@@ -88,13 +88,11 @@ TEST_CASE("the constants of a noise and a material have the numbers of its kerne
   CHECK(noise.kernels == 2);
   CHECK(noise.rings == 1);
   CHECK(noise.window == LICHEN_WINDOW_GABOR);
-  MaterialNoise use;
-  use.pointProcess = PointProcess::poisson;
   Placement placement;
   placement.tileOriginX = 8 * 5 + 3;
   placement.tileOriginY = -8 - 1;
-  const shader::LichenMaterial material = shaderMaterial(bundle, use, placement).material;
-  CHECK(kernelsPart(material).pointProcess == LICHEN_POINTS_POISSON);
+  const shader::LichenMaterial material =
+      shaderMaterial(bundle, MaterialNoise(), placement).material;
   CHECK(material.cellI == 5);
   CHECK(material.offsetX == 3.0f);
   CHECK(material.cellJ == -2);

@@ -58,7 +58,7 @@ enum class Method { tiling, texton, localRandomPhase, multipleKernels };
 /// The method revision that this version writes and evaluates. Readers ignore noises of later
 /// revisions and report others as errors.
 [[nodiscard]] int revisionOf(Method method);
-/// How a noise distributes impacts, if it has any: one in each cell of a grid, or as a Poisson
+/// How a texton noise distributes its impacts: one in each cell of a grid, or as a Poisson
 /// process.
 enum class PointProcess { stratified, poisson };
 /// The source of a mix weight: a constant, a direction in texture coordinates, a texture, or vertex

@@ -27,8 +27,7 @@ enum class KernelWindow {
 [[nodiscard]] std::string_view nameOf(KernelWindow value);
 [[nodiscard]] std::optional<KernelWindow> kernelWindowFrom(std::string_view name);
 
-/// What all maps of a noise share. Each kernel has a grid of its own, whose cells have one impact
-/// each, or a Poisson number of impacts.
+/// What all maps of a noise share. Each kernel has a grid of its own, with one impact in each cell.
 struct MultipleKernelsNoise {
   int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
   int texelsPerTileY = 0; ///< likewise

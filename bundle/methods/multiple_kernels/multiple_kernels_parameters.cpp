@@ -45,12 +45,9 @@ void MultipleKernelsFormat::setNoise(const Noise& noise, shader::LichenNoise& co
                                      shader::uint(shared.window), 0});
 }
 
-void MultipleKernelsFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise& material,
+void MultipleKernelsFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise&,
                                         const Placement&, shader::LichenMaterial& constants) const {
-  shader::LichenKernelsMaterial part{};
-  part.pointProcess = material.pointProcess == PointProcess::poisson ? LICHEN_POINTS_POISSON
-                                                                     : LICHEN_POINTS_STRATIFIED;
-  setPart(constants, part);
+  setPart(constants, shader::LichenKernelsMaterial{LICHEN_POINTS_STRATIFIED});
 }
 
 shader::LichenKernelsMaterial kernelsPart(const shader::LichenMaterial& material) {

@@ -429,7 +429,7 @@ typedef struct LichenMaterialParameters {
   double planeSharpness; /* [1, 64] of the mapping triplanar: exponent of the planes' weights */
   double impacts; /* [1, 1000] of texton noise: the mean number of impacts that reach a point, on
                    * surfaces twice as many; cost is proportional */
-  LichenPointProcess pointProcess; /* of texton and multiple-kernels noise */
+  LichenPointProcess pointProcess; /* of texton noise */
   /* Of a mix: the weight of LICHEN_MIX_CONSTANT; the texture coordinates of 0 and 1 of
    * LICHEN_MIX_DIRECTION. */
   LichenMixSource mixSource;

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What noises of random phases are compared with: Gaussian versions of an exemplar, its Gaussian
+// values with random phases, decoded by the inverse table.
+#pragma once
+
+#include "exemplars.h"
+#include "synthesized.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <report/random_phase_version.h>
+#include <string>
+#include <vector>
+
+namespace lichen::bench {
+
+inline constexpr std::uint32_t kReferences = 4;
+
+/// Gaussian versions of an exemplar.
+inline std::vector<SrgbImage> gaussianVersions(const SrgbImage& exemplar) {
+  std::vector<SrgbImage> versions;
+  for (std::uint32_t seed = 1; seed <= kReferences; ++seed)
+    versions.push_back(toSrgb(require(randomPhaseVersion(baseColorMap(exemplar), seed))));
+  return versions;
+}
+
+/// A measure of each exemplar, and where the largest is.
+struct Measured {
+  std::vector<double> values;
+  std::string worst;
+
+  void note(double value, const std::string& name) {
+    if (values.empty() || value > *std::max_element(values.begin(), values.end()))
+      worst = name;
+    values.push_back(value);
+  }
+  [[nodiscard]] double largest() const { return *std::max_element(values.begin(), values.end()); }
+};
+
+} // namespace lichen::bench
