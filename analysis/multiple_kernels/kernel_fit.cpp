@@ -3,8 +3,7 @@
 //
 // The sum over blocks of n (P / S - 1 - log(P / S)), the Itakura-Saito distance, is the likelihood
 // of the powers P of a Gaussian field of spectrum S [W53]. Levenberg and Marquardt's
-// method minimises it as a sum of squares. The paper's 25 steps of weights alone are in the tests:
-// docs/decisions/031-kernels.md.
+// method minimises it as a sum of squares: docs/decisions/031-kernels.md.
 #include "kernel_fit.h"
 
 #include <Eigen/Dense>
