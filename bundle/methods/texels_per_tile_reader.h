@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reads the size of the exemplar of a noise whose images do not have it.
+// Reads the member "texelsPerTile" of a noise: the size of its exemplar.
 #pragma once
 
 #include "extension_reader.h"
