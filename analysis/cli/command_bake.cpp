@@ -5,6 +5,7 @@
 #include "command.h"
 #include "exemplar_options.h"
 #include "html_report.h"
+#include "method_choice.h"
 #include "methods/method_command.h"
 #include "noise_name.h"
 #include "options.h"
@@ -33,10 +34,12 @@ struct Arguments {
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
   ExemplarOptions exemplar;
-  Method method{};
+  std::optional<Method> wanted; ///< nothing for `auto`
+  Method method{};              ///< what was wanted, or chosen
+  std::optional<double> budget;
   int bits = 0; ///< per channel of the tables
   CommonOptions common;
-  std::vector<std::unique_ptr<const BakeOptions>> methods; ///< in the order of Method
+  MethodOptions methods;
   const CLI::App* verb = nullptr;
   PreviewShape preview{};
   std::string report;
@@ -46,6 +49,14 @@ struct Arguments {
 
 /// Checks that the user gave no options of another method than the chosen one.
 Result<void> checkMethodOptions(const Arguments& arguments) {
+  if (!arguments.wanted) {
+    if (arguments.common.spectrum)
+      return Error{ErrorKind::usage, "--spectrum: auto compares with the exemplar; expected a "
+                                     "--method"};
+    return {};
+  }
+  if (arguments.budget)
+    return Error{ErrorKind::usage, "--budget: belongs to --method auto"};
   if (arguments.common.spectrum && !commandOf(arguments.method).takesSpectrum()) {
     std::string takers;
     for (const Method method : allMethods())
@@ -91,12 +102,21 @@ struct Judged {
   std::vector<ExemplarOrigin> origins;     ///< one per map
 };
 
-Result<Judged> readAndJudge(const Arguments& arguments, Notes& notes) {
+/// Also chooses the method, if the user left that to it.
+Result<Judged> readAndJudge(Arguments& arguments, Notes& notes) {
   Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
   if (!read)
     return read.error();
   MaterialSet& set = read.value().set;
   std::vector<MapExemplar>& maps = set.maps;
+  if (!arguments.wanted) {
+    Result<MethodChoice> choice =
+        chooseMethod(maps, set.periodic, arguments.methods, arguments.budget, arguments.shared);
+    if (!choice)
+      return choice.error();
+    arguments.method = choice.value().method;
+    notes.add(std::move(choice.value().reason));
+  }
   Result<std::vector<std::vector<Risk>>> assessed =
       arguments.chosen().assess(maps, set.periodic, arguments.shared);
   if (!assessed)
@@ -171,6 +191,7 @@ Result<std::vector<std::string>> writeReport(const Arguments& arguments, const J
 
 Result<int> run(Arguments& arguments) {
   StepTimes times;
+  arguments.method = arguments.wanted.value_or(Method{});
   if (Result<void> checked = checkMethodOptions(arguments); !checked)
     return checked.error();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
@@ -240,14 +261,19 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);
-  Choices<Method> methods;
+  Choices<std::optional<Method>> methods;
   for (const Method method : allMethods())
     methods.emplace_back(nameOf(method), method);
+  methods.emplace_back("auto", std::nullopt);
   addValue(
-      verb, "--method", arguments->method, oneOf(methods), "tiling",
+      verb, "--method", arguments->wanted, oneOf(methods), "tiling",
       "tiling keeps the exemplar's histogram; texton makes a Gaussian texture, the smallest on "
       "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification; "
-      "multiple-kernels does so with few kernels, for painted spectra");
+      "multiple-kernels does so with few kernels, for painted spectra; auto: the cheapest within "
+      "--budget that a dearer one does not beat by a tenth");
+  addValue(verb, "--budget", arguments->budget, optional(number(kBudgetRange)), "",
+           "With --method auto: the most time of a pixel, in plain texture fetches [default: that "
+           "of tiling]");
   addValue(verb, "--precision", arguments->bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables; for textons 16- or 32-bit floats");
   for (const Method method : allMethods())

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// lichen compare: compares a result, or a bundle's noise, with its exemplar.
+// lichen compare: compares a result, a bundle's noise or every method with the exemplar.
 #include "command.h"
+#include "compare_methods.h"
 #include "exemplar_options.h"
+#include "html_report.h"
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
@@ -29,6 +31,8 @@ struct Arguments {
   std::string noise;
   std::string map;
   std::optional<double> mix;
+  bool allMethods = false;
+  std::string report;
   ExemplarOptions asBaked;
 };
 
@@ -226,7 +230,24 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
                                             {"notes", notes}}));
 }
 
+/// Checks the options that belong to --methods, or not to it.
+Result<void> checkMethods(const Arguments& arguments) {
+  if (!arguments.allMethods) {
+    if (arguments.result.empty())
+      return Error{ErrorKind::usage, "RESULT|BUNDLE is required without --methods"};
+    if (!arguments.report.empty())
+      return Error{ErrorKind::usage, "--report: belongs to --methods"};
+    return {};
+  }
+  if (!arguments.result.empty() || !arguments.noise.empty() || arguments.mix)
+    return Error{ErrorKind::usage, "--methods: bakes the exemplar itself; expected no result, and "
+                                   "no option of one"};
+  return checkReportPath(arguments.report);
+}
+
 Result<int> run(const Arguments& arguments) {
+  if (Result<void> checked = checkMethods(arguments); !checked)
+    return checked.error();
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
                                                arguments.noise, arguments.result)};
@@ -240,6 +261,10 @@ Result<int> run(const Arguments& arguments) {
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar)
     return exemplar.error();
+  const MaterialSet& set = exemplar.value().set;
+  if (arguments.allMethods)
+    return compareMethods({arguments.exemplar, set.maps.front(), set.periodic, set.notes},
+                          arguments.report, arguments.shared);
   const Result<std::vector<MapMeasures>> maps = isBundle(arguments.result)
                                                     ? compareBundle(arguments, exemplar.value())
                                                     : compareImage(arguments, exemplar.value().set);
@@ -261,12 +286,15 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
           "The photograph, or a folder with the maps of a material")
       .required();
   addText(verb, "RESULT|BUNDLE", arguments->result, "",
-          "An image made from it, or a .glb or .gltf with its noise")
-      .required();
+          "An image made from it, or a .glb or .gltf with its noise; none with --methods");
+  addFlag(verb, "--methods", arguments->allMethods,
+          "Bake the exemplar by every method, and print a line for each: measures, memory, cost");
+  addText(verb, "--report", arguments->report, "OUT.html",
+          "With --methods: also write a page with pictures");
   addText(verb, "--noise", arguments->noise, "NAME",
           "Name of the bundle's noise [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
-          "One of the exemplar's maps, such as normal [default: all]");
+          "One of the exemplar's maps, such as normal [default: all; the first with --methods]");
   addValue(verb, "--mix", arguments->mix, optional(number(kMixWeightRange)), "",
            "Weight of a mix at which to measure: 0 for the first input, 1 for the last [default: "
            "0]");

@@ -27,18 +27,39 @@ Result<void> checkOptions(const MultipleKernelsOptions& options) {
   return {};
 }
 
-/// The grid of a kernel that `impacts` impacts reach: cells as much longer than high as its
-/// support.
-KernelRow gridOf(const Kernel& kernel, Window window, double impacts) {
+/// The height of a cell of this area for which the fewest cells are visited.
+double bestCellHeight(const Kernel& kernel, Window window, double cellArea) {
+  const Eigen::Matrix2d form = kernel.toWindow().transpose() * kernel.toWindow();
   const auto [reachX, reachY] = kernel.reach(window);
-  const double cell = std::sqrt(kernel.area(window) / (impacts * reachX * reachY));
-  const auto cellsOf = [&](double reach) {
-    return int(
-        std::clamp(std::round(kKernelTiles / (cell * reach)), 1.0, double(kMostKernelCells)));
+  const bool isDisk = window == Window::gabor;
+  const double shear = isDisk ? std::abs(form(0, 1) / form(0, 0)) : 0.0;
+  const double chord = isDisk ? 2.0 / std::sqrt(form(0, 0)) : 2.0 * reachX;
+  // Beside those in the support: half of those along its border and, as forEachKernelImpact()
+  // covers each row, those by which the support's middle moves in it.
+  const auto cells = [&](double height) {
+    const double perWidth = height / cellArea;
+    return perWidth * (chord + shear * (2.0 * reachY + height)) + 2.0 * reachY / height;
+  };
+  double best = std::sqrt(cellArea * reachY / reachX);
+  constexpr int kSteps = 8, kStepsOfOctave = 4;
+  for (int step = -kSteps; step <= kSteps; ++step)
+    if (const double height =
+            std::sqrt(cellArea * reachY / reachX) * std::exp2(double(step) / kStepsOfOctave);
+        cells(height) < cells(best))
+      best = height;
+  return best;
+}
+
+/// The grid of a kernel that `impacts` impacts reach.
+KernelRow gridOf(const Kernel& kernel, Window window, double impacts) {
+  const double area = kernel.area(window) / impacts;
+  const double height = bestCellHeight(kernel, window, area);
+  const auto cellsOf = [&](double side) {
+    return int(std::clamp(std::round(kKernelTiles / side), 1.0, double(kMostKernelCells)));
   };
   KernelRow row;
-  row.columns = cellsOf(reachX);
-  row.rows = cellsOf(reachY);
+  row.columns = cellsOf(area / height);
+  row.rows = cellsOf(height);
   return row;
 }
 

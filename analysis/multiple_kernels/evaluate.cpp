@@ -35,20 +35,23 @@ float squaredCyclesOf(const WaveFootprint& footprint, const KernelRow& row, bool
   return ofFrequency + row.spread * (footprint.xx * xx + footprint.yy * yy + footprint.xy * xy);
 }
 
-/// lichenKernelImpact, without the signs.
-float kernelValue(std::uint32_t word, const std::array<float, 2>& offset, const KernelRow& row,
-                  const PlacedKernel& kernel, bool isRing, KernelWindow window) {
+/// The cosine and the sine of an impact under its window.
+std::array<float, 2> kernelWave(std::uint32_t word, const std::array<float, 2>& offset,
+                                const KernelRow& row, const PlacedKernel& kernel, bool isRing,
+                                KernelWindow window) {
   const auto& q = kernel.toWindow;
   const float value = kernelWindow(q[0] * offset[0] + q[1] * offset[1],
                                    q[2] * offset[0] + q[3] * offset[1], window);
   if (value == 0.0f)
-    return 0.0f;
+    return {};
   const float x = offset[0] * kernel.perCell[0], y = offset[1] * kernel.perCell[1];
-  if (!isRing)
-    return value * cosineOfTurns(row.frequency[0] * x + row.frequency[1] * y);
-  const float direction = float(pcg(word)) * 0x1p-32f;
-  return value * cosineOfTurns(row.frequency[0] * (cosineOfTurns(direction) * x +
-                                                   cosineOfTurns(direction - 0.25f) * y));
+  float turns = row.frequency[0] * x + row.frequency[1] * y;
+  if (isRing) {
+    const float direction = float(pcg(word)) * 0x1p-32f;
+    turns =
+        row.frequency[0] * (cosineOfTurns(direction) * x + cosineOfTurns(direction - 0.25f) * y);
+  }
+  return {value * cosineOfTurns(turns), value * cosineOfTurns(turns - 0.25f)};
 }
 
 } // namespace
@@ -112,9 +115,10 @@ Value MultipleKernelsEvaluator::gaussian(std::size_t mapIndex,
     forEachKernelImpact(
         kernel, window == KernelWindow::gabor, pcg(material.seedWord + std::uint32_t(k)),
         [&](std::uint32_t word, const std::array<float, 2>& offset) {
-          const float value = kernelValue(word, offset, row, kernel, isRing, window);
+          const auto [cosine, sine] = kernelWave(word, offset, row, kernel, isRing, window);
           for (std::size_t s = 0; s < sums.size(); ++s)
-            sums[s] += (word >> s & 1u) != 0 ? -value : value;
+            sums[s] += ((word >> s & 1u) != 0 ? -cosine : cosine) +
+                       ((word >> (s + sums.size()) & 1u) != 0 ? -sine : sine);
         });
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t s = 0; s < sums.size(); ++s)

@@ -87,17 +87,12 @@ double windowSpread(Window window) {
 }
 
 double squareIntegral(Window window, const Kernel& kernel) {
-  // Of a ring all directions have the same, as its window is round.
-  const Eigen::Vector2d frequency(kernel.frequency[0], kernel.frequency[1]);
-  const Eigen::Matrix2d toWindow = kernel.toWindow();
-  const Eigen::Vector2d turns = toWindow.transpose().inverse() * frequency; // per unit of p and q
   double sum = 0.0;
   overSquare([&](double p, double q, double weight) {
-    const double value =
-        windowAt(window, p, q) * std::cos(2.0 * pi * (turns[0] * p + turns[1] * q));
+    const double value = windowAt(window, p, q);
     sum += weight * value * value;
   });
-  return sum / toWindow.determinant();
+  return sum * kernel.stretch[0] * kernel.stretch[1];
 }
 
 } // namespace lichen::multiple_kernels

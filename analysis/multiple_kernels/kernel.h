@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A kernel of multiple-kernels noise: a window times a cosine, thrown at random points with random
-// signs, and the power spectrum of that. [MKN12] section 3.
+// A kernel of multiple-kernels noise: a window times a wave, thrown at random points with random
+// phases. [MKN12] section 3.
 #pragma once
 
 #include <lichen/multiple_kernels_map.h>
@@ -13,8 +13,9 @@ namespace lichen::multiple_kernels {
 
 using Window = KernelWindow;
 
-/// cos(2 pi f.d) w(Q d) at an offset d from its impact [tiles]. The kernel of a ring has the length
-/// of f, and at each impact a direction at random.
+/// (s cos(2 pi f.d) + t sin(2 pi f.d)) w(Q d) at an offset d from its impact [tiles], with signs s
+/// and t at random: a wave of four phases. The kernel of a ring has the length of f, and at each
+/// impact a direction at random.
 struct Kernel {
   double energy = 0.0;               ///< the variance that it adds
   std::array<double, 2> frequency{}; ///< f [cycles / tile]; of a ring, (radius, 0)
@@ -42,7 +43,7 @@ struct Kernel {
 /// integral (dw/dp)^2 / (4 pi^2 integral w^2).
 [[nodiscard]] double windowSpread(Window window);
 
-/// The integral of the square of a kernel [tiles^2]; of a ring, on average over directions.
+/// The integral of the square of a kernel, on average over its signs [tiles^2]: that of its window.
 [[nodiscard]] double squareIntegral(Window window, const Kernel& kernel);
 
 } // namespace lichen::multiple_kernels

@@ -45,8 +45,9 @@ std::vector<MatrixXd> sharedSpectra(const std::vector<MapSpectrum>& maps,
         continue;
       double all = 0.0;
       for (std::size_t k = 0; k < kernels.size(); ++k) {
-        powers[k] = kernels[k].isRing ? rings[k][std::size_t(std::lround(std::hypot(u, v)))]
-                                      : densityAt(spectrum, kernels[k], u, v);
+        powers[k] = kernels[k].isRing
+                        ? rings[k][std::size_t(std::lround(std::hypot(u, v)))]
+                        : sampledDensityAt(spectrum, kernels[k], spectra::texelsOf(plane), u, v);
         all += powers[k];
       }
       if (!(all > 0.0))

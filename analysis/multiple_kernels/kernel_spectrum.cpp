@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Windows -> their transforms as tables -> the power of a kernel at a frequency.
 //
-// A kernel has a sign at each impact, so its power is that of w cos: the transforms of the window
-// at f and at -f add up before they are squared. [MKN12] eq. 3 leaves their overlap out.
+// Phases are independent at each impact, so the powers of the window around f and around -f add up:
+// [MKN12] eq. 3.
 #include "kernel_spectrum.h"
 
 #include <algorithm>
@@ -58,14 +58,12 @@ double WindowSpectrum::Profile::at(double square, double& slope) const {
 
 WindowSpectrum::WindowSpectrum(Window window) : window_(window) {
   spectrum_.values.resize(kEntries + 1);
-  overlap_.values.resize(kEntries + 1);
   const bool isDisk = window == Window::gabor;
   const double energy = isDisk ? diskTransform(6, 0.0) : axisTransform(window, 2, 0.0);
   for (std::size_t k = 0; k <= kEntries; ++k) {
     const double z = entryFrequency(k);
     spectrum_.values[k] =
         (isDisk ? diskTransform(3, z) : axisTransform(window, 1, z)) / std::sqrt(energy);
-    overlap_.values[k] = (isDisk ? diskTransform(6, z) : axisTransform(window, 2, z)) / energy;
   }
 }
 
@@ -85,37 +83,28 @@ double WindowSpectrum::valueAt(const Profile& profile, double x, double y,
 double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u, double v,
                  KernelSlopes* slopes) {
   const auto [across, down] = kernel.stretch;
-  const double root = std::sqrt(across * down);
-  double sum = 0.0;
-  std::array<double, 5> derivatives{}; // of the sum: frequencies, logarithms of stretches, shear
+  const double scale = 0.5 * kernel.energy * across * down;
+  double density = 0.0;
+  std::array<double, 5> derivatives{}; // by frequencies, logarithms of stretches, shear
   for (const double side : {1.0, -1.0}) {
     const double du = u - side * kernel.frequency[0], dv = v - side * kernel.frequency[1];
     const double x = across * du + kernel.shear * dv, y = down * dv;
     std::array<double, 2> own{};
-    const double value = root * spectrum.at(x, y, own);
-    sum += value;
+    const double value = spectrum.at(x, y, own);
+    const double power = scale * value * value;
+    density += power;
     if (slopes == nullptr)
       continue;
-    const double byX = root * own[0], byY = root * own[1];
+    const double byX = 2.0 * scale * value * own[0], byY = 2.0 * scale * value * own[1];
     derivatives[0] -= side * byX * across;
     derivatives[1] -= side * (byX * kernel.shear + byY * down);
-    derivatives[2] += 0.5 * value + byX * across * du;
-    derivatives[3] += 0.5 * value + byY * y;
+    derivatives[2] += power + byX * across * du;
+    derivatives[3] += power + byY * y;
     derivatives[4] += byX * dv;
   }
-  const auto [u2, v2] = std::array{2.0 * kernel.frequency[0], 2.0 * kernel.frequency[1]};
-  std::array<double, 2> own{};
-  const double overlap = spectrum.overlap(across * u2 + kernel.shear * v2, down * v2, own);
-  // The integral of the squared sum is 2 + 2 overlap.
-  const double scale = kernel.energy / (2.0 + 2.0 * overlap);
-  const double density = scale * sum * sum;
   if (slopes != nullptr) {
-    const std::array ofOverlap{2.0 * own[0] * across, 2.0 * (own[0] * kernel.shear + own[1] * down),
-                               own[0] * across * u2, own[1] * down * v2, own[0] * v2};
     (*slopes)[0] = density;
-    for (std::size_t k = 0; k < derivatives.size(); ++k)
-      (*slopes)[k + 1] =
-          2.0 * scale * sum * derivatives[k] - density / (1.0 + overlap) * ofOverlap[k];
+    std::copy(derivatives.begin(), derivatives.end(), slopes->begin() + 1);
   }
   return density;
 }
@@ -134,6 +123,37 @@ double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel, doubl
     sum += densityAt(spectrum, turned, frequency, 0.0);
   }
   return sum / directions;
+}
+
+double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
+                        const std::array<double, 2>& texels, double u, double v,
+                        KernelSlopes* slopes) {
+  const auto [fx, fy] = kernel.frequency;
+  const auto isNear = [&](double du, double dv) {
+    const double x = kernel.stretch[0] * du + kernel.shear * dv, y = kernel.stretch[1] * dv;
+    return x * x + y * y < spectrum.reach() * spectrum.reach();
+  };
+  const auto isInReach = [&](double atU, double atV) {
+    return kernel.isRing ? isNear(std::hypot(atU, atV) - fx, 0.0)
+                         : isNear(atU - fx, atV - fy) || isNear(atU + fx, atV + fy);
+  };
+  double density = 0.0;
+  if (slopes != nullptr)
+    *slopes = {};
+  // The nearest of the others: those beyond are weaker, and kernels are wider than half a texel.
+  for (const double atU : {u, u > 0.0 ? u - texels[0] : u + texels[0]})
+    for (const double atV : {v, v > 0.0 ? v - texels[1] : v + texels[1]}) {
+      if (!isInReach(atU, atV))
+        continue;
+      KernelSlopes own{};
+      density += kernel.isRing
+                     ? ringDensityAt(spectrum, kernel, std::hypot(atU, atV))
+                     : densityAt(spectrum, kernel, atU, atV, slopes == nullptr ? nullptr : &own);
+      if (slopes != nullptr)
+        for (std::size_t p = 0; p < own.size(); ++p)
+          (*slopes)[p] += own[p];
+    }
+  return density;
 }
 
 } // namespace lichen::multiple_kernels

@@ -19,15 +19,13 @@ public:
 
   [[nodiscard]] Window window() const { return window_; }
 
+  /// The power at frequencies beyond this length is below a millionth of the highest, but for the
+  /// windows on the square.
+  [[nodiscard]] double reach() const { return window_ == Window::gabor ? 3.0 : 12.0; }
+
   /// The value at the frequency (x, y), and in `slopes` its derivatives.
   double at(double x, double y, std::array<double, 2>& slopes) const {
     return valueAt(spectrum_, x, y, slopes);
-  }
-
-  /// integral w^2 cos(2 pi (x p + y q)) / integral w^2: at twice the frequency of a cosine, what
-  /// its square adds to half the energy of the window.
-  double overlap(double x, double y, std::array<double, 2>& slopes) const {
-    return valueAt(overlap_, x, y, slopes);
   }
 
 private:
@@ -40,7 +38,7 @@ private:
   double valueAt(const Profile& profile, double x, double y, std::array<double, 2>& slopes) const;
 
   Window window_;
-  Profile spectrum_, overlap_;
+  Profile spectrum_;
 };
 
 /// The parameters of a kernel by which densities are differentiated: the logarithm of the energy,
@@ -53,8 +51,15 @@ using KernelSlopes = std::array<double, kKernelParameters>;
 [[nodiscard]] double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u,
                                double v, KernelSlopes* slopes = nullptr);
 
-/// The same of a ring, which depends on the length of the frequency only.
+/// As densityAt() of a ring, which depends on the length of the frequency only.
 [[nodiscard]] double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
                                    double frequency);
+
+/// The power at a frequency of the plane where the noise is sampled once in each of `texels` x
+/// `texels` texels of a tile: with that of the frequencies that are then the same. `slopes`: not of
+/// rings.
+[[nodiscard]] double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
+                                      const std::array<double, 2>& texels, double u, double v,
+                                      KernelSlopes* slopes = nullptr);
 
 } // namespace lichen::multiple_kernels

@@ -2,6 +2,7 @@
 // Splits the half plane of frequencies into rectangles of nearly constant power.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct PowerPlane {
     return values[std::size_t(v + rows / 2) * std::size_t(columns) + std::size_t(u)];
   }
 };
+
+/// The texels of the tile that the plane's frequencies need, of odd sizes one more.
+[[nodiscard]] inline std::array<double, 2> texelsOf(const PowerPlane& plane) {
+  return {2.0 * plane.columns, double(plane.rows + 1)};
+}
 
 /// Each frequency averaged with its neighbours, by 1 2 1 along both axes, (0, 0) left out: the
 /// power of one image fluctuates about that of its texture by as much as its size.

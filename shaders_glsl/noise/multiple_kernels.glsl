@@ -93,8 +93,8 @@ float lichenKernelWindow(vec2 place, uint window) {
   return window == uint(LICHEN_WINDOW_SINC) ? product : product * taper * taper;
 }
 
-/// One impact's share of the sums over each of the four signs. `word`: its random numbers; `offset`
-/// from it to the point.
+/// One impact's share of each of the four sums, each a wave of another phase: plus or minus its
+/// cosine, plus or minus its sine. `word`: its random numbers; `offset` from it to the point.
 vec4 lichenKernelImpact(uint word, vec2 offset, LichenKernel kernel, uint window) {
   float value = lichenKernelWindow(kernel.toWindow * offset, window);
   float turns;
@@ -106,9 +106,11 @@ vec4 lichenKernelImpact(uint word, vec2 offset, LichenKernel kernel, uint window
   } else {
     turns = dot(kernel.frequency, offset);
   }
-  value *= lichenCosineOfTurns(vec4(turns)).x;
-  uvec4 signs = (uvec4(word) << uvec4(31u, 30u, 29u, 28u)) & 0x80000000u;
-  return uintBitsToFloat(floatBitsToUint(vec4(value)) ^ signs);
+  vec2 wave = value * lichenCosineOfTurns(vec4(turns, turns - 0.25, 0.0, 0.0)).xy;
+  uvec4 signs = uvec4(word) << uvec4(31u, 30u, 29u, 28u);
+  uvec4 others = uvec4(word) << uvec4(27u, 26u, 25u, 24u);
+  return uintBitsToFloat(floatBitsToUint(wave.xxxx) ^ (signs & 0x80000000u)) +
+         uintBitsToFloat(floatBitsToUint(wave.yyyy) ^ (others & 0x80000000u));
 }
 
 /// Where an impact lies in its cell, [0, 1).

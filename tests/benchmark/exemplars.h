@@ -43,7 +43,7 @@ struct Exemplar {
 [[nodiscard]] Bundle localRandomPhaseBundle(const SrgbImage& image,
                                             const LocalRandomPhaseOptions& options = {});
 
-/// Likewise for multiple-kernels noise of at most 10 kernels.
+/// Likewise for multiple-kernels noise of at most 8 kernels.
 [[nodiscard]] Bundle multipleKernelsBundle(const SrgbImage& image);
 
 } // namespace lichen::bench

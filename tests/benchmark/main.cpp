@@ -18,7 +18,7 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 15> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 16> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
@@ -30,6 +30,7 @@ constexpr std::array<Family, 15> kFamilies{{{"bake", bakeRows},
                                             {"local-random-phase", localRandomPhaseRows},
                                             {"multiple-kernels", multipleKernelsRows},
                                             {"structure", structureRows},
+                                            {"methods", methodRows},
                                             {"load", loadRows},
                                             {"shader", shaderRows},
                                             {"code", codeRows}}};

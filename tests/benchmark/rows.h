@@ -59,6 +59,7 @@ std::vector<Row> textonRows();    ///< time, model error, flatness, border, cova
 std::vector<Row> structureRows(); ///< what repeats, beside tiling
 std::vector<Row> localRandomPhaseRows(); ///< time and quality of local random-phase noise
 std::vector<Row> multipleKernelsRows();  ///< likewise of multiple-kernels noise
+std::vector<Row> methodRows();           ///< whether --method auto finds the nearest look
 std::vector<Row> loadRows();             ///< time in which the plugin reads a bundle
 std::vector<Row> shaderRows();           ///< ratios to plain and bare fetches; cost of options
 std::vector<Row> codeRows();             ///< sizes of the shaders' machine code

@@ -91,11 +91,13 @@ std::array<double, 3> reference(const Bundle& bundle, double x, double y, std::u
           fx *= std::cos(angle);
         }
         const double left = std::max(0.0, 1.0 - p * p - q * q);
-        const double value = double(row.amplitude) * left * left * left *
-                             std::cos(2.0 * std::numbers::pi * (fx * dx + fy * dy));
+        const double window = double(row.amplitude) * left * left * left;
+        const double angle = 2.0 * std::numbers::pi * (fx * dx + fy * dy);
+        const auto signOf = [&](std::size_t bit) { return (word >> bit & 1u) != 0 ? -1.0 : 1.0; };
         for (std::size_t c = 0; c < 3; ++c)
           for (std::size_t s = 0; s < 4; ++s)
-            sum[c] += double(row.colors[c][s]) * ((word >> s & 1u) != 0 ? -value : value);
+            sum[c] += double(row.colors[c][s]) * window *
+                      (signOf(s) * std::cos(angle) + signOf(s + 4) * std::sin(angle));
       }
   }
   return sum;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <multiple_kernels/frequency_blocks.h>
 #include <multiple_kernels/kernel_fit.h>
 #include <multiple_kernels/kernel_impacts.h>
 #include <multiple_kernels/kernel_spectrum.h>
@@ -86,9 +87,6 @@ TEST_CASE("the integral and the spread of the Gabor's window are those of a clos
   CHECK(squareIntegral(KernelWindow::gabor, low) == Approx(std::numbers::pi / 7.0).epsilon(1e-3));
   CHECK(windowSpread(KernelWindow::gabor) ==
         Approx(0.5 * 1.2 * 7.0 / (4.0 * std::numbers::pi * std::numbers::pi)).epsilon(1e-3));
-  // A fast cosine takes half of the square.
-  const Kernel fast{1.0, {20.0, 0.0}, {1.0, 1.0}, 0.0, false};
-  CHECK(squareIntegral(KernelWindow::gabor, fast) == Approx(std::numbers::pi / 14.0).epsilon(1e-3));
 }
 
 TEST_CASE("the spectrum of a window is its Fourier transform") {
@@ -132,6 +130,41 @@ TEST_CASE("the power of a kernel sums to its energy over all frequencies") {
       CHECK(sum == Approx(kernel.energy).epsilon(0.02)); // what lies beyond, most of it of sincs
     }
   }
+}
+
+TEST_CASE("sampled, a kernel has all its energy at the frequencies of the samples") {
+  const WindowSpectrum spectrum(KernelWindow::gabor);
+  constexpr int kSide = 32;
+  // A kernel at half the sampling frequency, and one as small as a sample.
+  for (const Kernel& kernel : {Kernel{0.7, {14.0, 9.0}, {0.08, 0.05}, 0.02, false},
+                               Kernel{0.5, {1.0, 0.0}, {0.025, 0.03}, 0.0, false},
+                               Kernel{0.9, {15.0, 0.0}, {0.08, 0.08}, 0.0, true}}) {
+    double all = 0.0, below = 0.0;
+    for (int v = -kSide / 2; v < kSide / 2; ++v)
+      for (int u = -kSide / 2; u < kSide / 2; ++u) {
+        all += sampledDensityAt(spectrum, kernel, {kSide, kSide}, u, v);
+        below += densityOf(spectrum, kernel, u, v);
+      }
+    CHECK(all == Approx(kernel.energy).epsilon(0.02));
+    CHECK(below < 0.95 * kernel.energy);
+  }
+}
+
+TEST_CASE("blocks become as narrow as a line in the spectrum") {
+  spectra::PowerPlane power{64, 127, std::vector<double>(64 * 127, 1.0)};
+  for (int v = -63; v <= 63; ++v)
+    power.values[std::size_t(v + 63) * 64 + 40] = 100.0; // at u = 40
+  double width = 0.0;
+  double count = 0.0;
+  for (const FrequencyBlock& block : blocksOf(power)) {
+    count += block.count;
+    if (std::abs(block.u - 40.0) <= 0.5 * block.width)
+      width = std::max(width, block.width);
+    else if (block.u > 48.0)
+      CHECK(block.width >= 4.0);
+  }
+  CHECK(width == 1.0);
+  CHECK(count == Approx(63.0 * 127.0 + 0.5 * 126.0)); // column 0 counts half, (0, 0) not at all
 }
 
 TEST_CASE("the derivatives of a kernel's power are those of differences") {
@@ -183,8 +216,8 @@ TEST_CASE("fitted kernels find the kernels that a spectrum was made of") {
                                  {0.4, {3.0, 2.0}, {0.04, 0.06}, 0.0, false}};
   for (int v = 1 - kHalf; v < kHalf; ++v)
     for (int u = 0; u < kHalf; ++u)
-      power.values.push_back(densityAt(spectrum, made[0], u, v) +
-                             densityAt(spectrum, made[1], u, v));
+      power.values.push_back(sampledDensityAt(spectrum, made[0], texelsOf(power), u, v) +
+                             sampledDensityAt(spectrum, made[1], texelsOf(power), u, v));
   const std::vector<Kernel> found = fitKernels(power, spectrum, 4);
   CHECK(spectrumErrorDb(power, spectrum, found) < 0.3);
   // Rectangles alone are far from it.
@@ -269,6 +302,30 @@ TEST_CASE("the noise has the spectrum of its kernels, variance 1 and no mean") {
       INFO("block " << left << ", " << top);
       CHECK(found == Approx(expected).epsilon(0.15));
     }
+}
+
+TEST_CASE("a spectrum of any width is followed, with all its energy") {
+  // A plateau up to half the sampling frequency, as photographs have, under a slow slope; and a
+  // line.
+  const WindowSpectrum spectrum(KernelWindow::gabor);
+  constexpr int kHalf = 64;
+  spectra::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+  for (int v = 1 - kHalf; v < kHalf; ++v)
+    for (int u = 0; u < kHalf; ++u)
+      power.values.push_back(0.2 + 40.0 / (1.0 + 0.01 * (u * u + v * v)) +
+                             20.0 * std::exp(-0.5 * (v - 30.0) * (v - 30.0)));
+  const std::vector<Kernel> kernels = fitKernels(power, spectrum, 8);
+  CHECK(spectrumErrorDb(power, spectrum, kernels) < 0.8);
+  double energy = 0.0, wanted = 0.0;
+  for (const Kernel& kernel : kernels)
+    energy += kernel.energy;
+  for (int v = 1 - kHalf; v < kHalf; ++v)
+    for (int u = 0; u < kHalf; ++u)
+      wanted += (u == 0 && v == 0 ? 0.0
+                 : u == 0         ? 1.0
+                                  : 2.0) *
+                power.values[std::size_t(v + kHalf - 1) * kHalf + std::size_t(u)];
+  CHECK(energy == Approx(wanted).epsilon(0.05));
 }
 
 TEST_CASE("the noise of an exemplar has the covariance of its Gaussian values") {

@@ -421,3 +421,46 @@ TEST_CASE("the error for images that a measure cannot use states their sizes") {
   CHECK(strokeExcess(small).error().message.find("the result is 20 x 20") != std::string::npos);
   CHECK(strokeExcess(large, 1).error().kind == ErrorKind::usage);
 }
+
+TEST_CASE("the patch distance is 0 for the same patches, and the shift for shifted ones") {
+  const SrgbImage image = powerLawNoise(64, 2.0, 1);
+  CHECK(patchDistance(image, image).value() == 0.0);
+  SrgbImage shifted = image;
+  for (float& value : shifted.values)
+    value += 0.05f;
+  // A patch moves by 0.05 along each of its axes. The mean square of the projection of that on a
+  // random direction is the square of 0.05; 256 directions estimate it to some 9 %.
+  CHECK(patchDistance(image, shifted).value() == Approx(0.05).epsilon(0.25));
+  CHECK(lookDistance(image, shifted).value() == Approx(0.05).epsilon(0.25));
+}
+
+TEST_CASE("the patch distance sees an order that colours and spectrum do not show") {
+  // The same histogram and spectrum, but pixels in random order, or another phase.
+  const SrgbImage lines = makeImage(
+      128, 128, 1, [](int x, int y, int) { return (x % 16 == 0 || y % 16 == 0) ? 0.9f : 0.3f; });
+  SrgbImage randomized = phaseRandomized(lines, 1).value();
+  const double another = patchDistance(lines, randomized).value();
+  CHECK(another > 0.05);
+  CHECK(patchDistance(powerLawNoise(128, 1.0, 1), powerLawNoise(128, 1.0, 2)).value() <
+        0.1 * another);
+}
+
+TEST_CASE("coarser patches see what finer ones are too small for") {
+  // Waves of two lengths: in a patch of 9 pixels both are nearly constant.
+  const auto wave = [](double length) {
+    return makeImage(288, 288, 1, [=](int x, int, int) {
+      return float(0.5 + 0.3 * std::sin(2.0 * 3.14159265 * x / length));
+    });
+  };
+  const double fine = patchDistance(wave(96.0), wave(48.0), 1).value();
+  const double coarse = patchDistance(wave(96.0), wave(48.0), 4).value();
+  CHECK(coarse > 2.0 * fine);
+}
+
+TEST_CASE("patches need images of nine spacings") {
+  const SrgbImage image = whiteNoise(35, 64, 1);
+  CHECK(patchDistance(image, image, 0).error().kind == ErrorKind::usage);
+  CHECK(patchDistance(image, image, 4).error().kind == ErrorKind::badInput);
+  CHECK(patchDistance(image, image, 3));
+  CHECK(lookDistance(whiteNoise(31, 64, 1), image).error().kind == ErrorKind::badInput);
+}

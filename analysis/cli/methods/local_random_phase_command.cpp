@@ -51,6 +51,11 @@ public:
     return {64.0, mayHaveStructure ? 460.0 : 160.0};
   }
 
+  [[nodiscard]] double plainFetches() const override {
+    constexpr double kPerCosine = 1.04, kStructure = 27.6;
+    return kPerCosine * cosines + (structure == 0.0 ? 0.0 : kStructure);
+  }
+
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     if (common_.spectrum && structure.value_or(0.0) > 0.0)
       return Error{ErrorKind::usage,

@@ -59,6 +59,9 @@ public:
   assess(std::span<const MapExemplar> maps, Periodic borders,
          const SharedOptions& shared) const = 0;
   [[nodiscard]] virtual BakeMemory memory() const = 0;
+  /// The most time that a pixel takes, in trilinear texture fetches, as docs/benchmarks.md has it
+  /// for a processor.
+  [[nodiscard]] virtual double plainFetches() const = 0;
   [[nodiscard]] virtual Result<MethodBake> bake(const BakeInput& input) const = 0;
   /// Returns members of `bake --json` that need the finished bundle.
   [[nodiscard]] virtual Result<nlohmann::ordered_json>

@@ -23,6 +23,7 @@ public:
 
   KernelWindow window = KernelWindow::gabor;
   int kernels = 0;
+  double impacts = 0.0;
 
   [[nodiscard]] Result<std::vector<std::vector<Risk>>>
   assess(std::span<const MapExemplar> maps, Periodic, const SharedOptions& shared) const override {
@@ -34,10 +35,16 @@ public:
   /// As tiling needs, and the spectra of all channels.
   [[nodiscard]] BakeMemory memory() const override { return {64.0, 160.0}; }
 
+  [[nodiscard]] double plainFetches() const override {
+    constexpr double kPerImpact = 2.9;
+    return kPerImpact * impacts;
+  }
+
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     MultipleKernelsOptions options;
     options.window = window;
     options.kernels = kernels;
+    options.impacts = impacts;
     if (Result<void> given = setSpectrum(common_.spectrum, input.maps, options.spectrum); !given)
       return given.error();
     options.bits = input.bits;
@@ -96,8 +103,11 @@ MultipleKernelsCommand::addBakeOptions(CLI::App& verb, const CommonOptions& comm
       "spectra with straight edges")
       .group(kHeading);
   addValue(verb, "--max-kernels", options->kernels,
-           wholeNumber(int(kKernelsRange.least), int(kKernelsRange.most)), "10",
+           wholeNumber(int(kKernelsRange.least), int(kKernelsRange.most)), "8",
            "Most kernels; more follow the spectrum more closely and cost more per pixel")
+      .group(kHeading);
+  addValue(verb, "--kernel-impacts", options->impacts, number(kImpactsRange), "30",
+           "Mean number of impacts at a point, of all kernels; shader time is proportional")
       .group(kHeading);
   return options;
 }

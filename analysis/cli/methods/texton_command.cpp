@@ -105,6 +105,11 @@ public:
 
   [[nodiscard]] BakeMemory memory() const override { return kTextonMemory; }
 
+  [[nodiscard]] double plainFetches() const override {
+    constexpr double kPerImpact = 1.25;
+    return kPerImpact * material.impacts;
+  }
+
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     TextonOptions texton = options;
     texton.bits = input.bits;

@@ -51,6 +51,8 @@ public:
   /// 8192 (docs/benchmarks.md), 238 for four maps of 1024.
   [[nodiscard]] BakeMemory memory() const override { return {32.0, 128.0}; }
 
+  [[nodiscard]] double plainFetches() const override { return 4.1; }
+
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     TilingOptions tiling = options;
     tiling.bits = input.bits;

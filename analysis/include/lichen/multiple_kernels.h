@@ -16,7 +16,7 @@ namespace lichen {
 
 struct MultipleKernelsOptions : GaussianizationOptions {
   KernelWindow window = KernelWindow::gabor;
-  int kernels = 10; ///< at most; fewer where fewer do
+  int kernels = 8; ///< at most; fewer where fewer do
   /// The mean number of impacts that reach a point, over all kernels; kImpactsRange.
   double impacts = 30.0;
   /// In place of the exemplar's, which then gives colours only: the channels of the noise hardly

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A power plane in blocks of frequencies, by which models of it are judged.
+#pragma once
+
+#include "spectra/power_tree.h"
+
+#include <array>
+#include <vector>
+
+namespace lichen::multiple_kernels {
+
+/// Frequencies around (u, v) with a common mean power.
+struct FrequencyBlock {
+  double u = 0.0, v = 0.0;
+  double width = 1.0, height = 1.0;
+  double count = 0.0; ///< those of column 0 count half
+  double power = 0.0; ///< mean
+};
+using FrequencyBlocks = std::vector<FrequencyBlock>;
+
+/// Blocks whose sides are at most an eighth of their distance from the frequency 0, and smaller
+/// where the power varies more than by chance.
+[[nodiscard]] FrequencyBlocks blocksOf(const spectra::PowerPlane& power);
+
+/// Blocks of all directions, eight an octave: `u` is the length of their frequencies.
+[[nodiscard]] FrequencyBlocks radialBlocks(const FrequencyBlocks& blocks);
+
+/// This share of the mean power is added to all powers: nobody sees less.
+inline constexpr double kLeastPower = 1e-3;
+[[nodiscard]] double leastPower(const FrequencyBlocks& blocks, double share = kLeastPower);
+
+/// How much a block counts: as many frequencies, but no more than those of a model that is a
+/// quarter off.
+[[nodiscard]] double weightOf(const FrequencyBlock& block);
+
+/// The signed root of the distance of one block, P / S - 1 - log(P / S) times its weight, and its
+/// derivative by the modelled power S. Both powers have `least` added.
+[[nodiscard]] std::array<double, 2> residualOf(const FrequencyBlock& block, double least,
+                                               double modelled);
+
+} // namespace lichen::multiple_kernels
