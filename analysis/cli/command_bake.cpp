@@ -199,7 +199,8 @@ Result<int> run(Arguments& arguments) {
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
   arguments.exemplar.keepsOriginals = !arguments.report.empty();
-  arguments.exemplar.bakeMemory = arguments.chosen().memory();
+  arguments.exemplar.bakeMemory =
+      arguments.wanted ? arguments.chosen().memory() : largestMemory(arguments.methods);
   Notes notes(arguments.shared);
   const Result<Judged> exemplar = readAndJudge(arguments, notes);
   if (!exemplar)
@@ -270,7 +271,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "tiling keeps the exemplar's histogram; texton makes a Gaussian texture, the smallest on "
       "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification; "
       "multiple-kernels does so with few kernels, for painted spectra; auto: the cheapest within "
-      "--budget that a dearer one does not beat by a tenth");
+      "--budget, unless a dearer one looks clearly nearer");
   addValue(verb, "--budget", arguments->budget, optional(number(kBudgetRange)), "",
            "With --method auto: the most time of a pixel, in plain texture fetches [default: that "
            "of tiling]");

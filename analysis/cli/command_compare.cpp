@@ -245,9 +245,11 @@ Result<void> checkMethods(const Arguments& arguments) {
   return checkReportPath(arguments.report);
 }
 
-Result<int> run(const Arguments& arguments) {
+Result<int> run(Arguments& arguments) {
   if (Result<void> checked = checkMethods(arguments); !checked)
     return checked.error();
+  if (arguments.allMethods)
+    arguments.asBaked.bakeMemory = memoryOfMethods();
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
                                                arguments.noise, arguments.result)};

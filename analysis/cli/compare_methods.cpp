@@ -7,6 +7,7 @@
 
 #include <lichen/files.h>
 #include <lichen/judgement_json.h>
+#include <lichen/quality.h>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
@@ -27,17 +28,23 @@ std::string cellOf(const Measure& measure) {
 }
 
 std::vector<std::string> linesOf(const std::vector<MethodRow>& rows) {
-  constexpr const char* kRow = "{:<20}{:>15}{:>16}{:>23}{:>22}{:>17}{:>10}{:>15}{:>9}";
-  const std::vector<Measure>& measures = rows.front().measures; // those of measureResult()
-  std::vector<std::string> lines{fmt::format(kRow, "", "look_distance", measures[0].name,
-                                             measures[1].name, measures[2].name, measures[3].name,
-                                             "GPU KiB", "plain fetches", "bake s")};
-  for (const MethodRow& row : rows)
-    lines.push_back(fmt::format(
-        kRow, nameOf(row.method), fmt::format("{:.4f}", row.distance), cellOf(row.measures[0]),
-        cellOf(row.measures[1]), cellOf(row.measures[2]), cellOf(row.measures[3]),
-        fmt::format("{:.0f}", double(row.gpuBytes) / kBytesPerKib),
-        fmt::format("{:.0f}", row.plainFetches), fmt::format("{:.1f}", row.bakeSeconds)));
+  constexpr const char *kName = "{:<20}", *kNumber = "{:>15}", *kMeasure = "{:>23}";
+  std::string head = fmt::format(kName, "") + fmt::format(kNumber, "look_distance");
+  for (const Measure& measure : rows.front().measures)
+    head += fmt::format(kMeasure, measure.name);
+  for (const char* name : {"GPU KiB", "plain fetches", "bake s"})
+    head += fmt::format(kNumber, name);
+  std::vector<std::string> lines{head};
+  for (const MethodRow& row : rows) {
+    std::string line = fmt::format(kName, nameOf(row.method)) +
+                       fmt::format(kNumber, fmt::format("{:.4f}", row.distance));
+    for (const Measure& measure : row.measures)
+      line += fmt::format(kMeasure, cellOf(measure));
+    line += fmt::format(kNumber, fmt::format("{:.0f}", double(row.gpuBytes) / kBytesPerKib)) +
+            fmt::format(kNumber, fmt::format("{:.0f}", row.plainFetches)) +
+            fmt::format(kNumber, fmt::format("{:.1f}", row.bakeSeconds));
+    lines.push_back(std::move(line));
+  }
   return lines;
 }
 
@@ -53,16 +60,32 @@ Json jsonOf(const MethodRow& row) {
           {"bakeSeconds", row.bakeSeconds}};
 }
 
+/// The methods' own defaults, as `bake` has them.
+MethodOptions defaultOptions(const CommonOptions& common) {
+  CLI::App verb;
+  MethodOptions methods;
+  for (const Method method : allMethods())
+    methods.push_back(commandOf(method).addBakeOptions(verb, common));
+  return methods;
+}
+
 } // namespace
+
+BakeMemory memoryOfMethods() {
+  const CommonOptions common;
+  return largestMemory(defaultOptions(common));
+}
 
 Result<int> compareMethods(const ComparedExemplar& exemplar, const std::string& report,
                            const SharedOptions& shared) {
-  // The methods' own defaults, as `bake` has them.
-  CLI::App defaults;
+  if (std::min(exemplar.map.width, exemplar.map.height) < kLeastLookSide)
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: {} x {} pixels are too few to compare methods; at least {} x {} "
+                             "are needed",
+                             exemplar.path, exemplar.map.width, exemplar.map.height, kLeastLookSide,
+                             kLeastLookSide)};
   const CommonOptions common;
-  MethodOptions methods;
-  for (const Method method : allMethods())
-    methods.push_back(commandOf(method).addBakeOptions(defaults, common));
+  const MethodOptions methods = defaultOptions(common);
   ProgressLine progress("compare", shared);
   constexpr double kBakes = 0.4; // of the time
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -74,7 +97,7 @@ Result<int> compareMethods(const ComparedExemplar& exemplar, const std::string& 
   const Result<MethodSheet> sheet = makeMethodSheet(exemplar.path, exemplar.map, trials.value(),
                                                     partOf(progress.asProgress(), kBakes, 1.0));
   if (!sheet)
-    return sheet.error();
+    return Error{sheet.error().kind, exemplar.path + ": " + sheet.error().message};
   if (!report.empty())
     if (Result<void> written = replaceFile(report, sheet.value().page); !written)
       return written.error();

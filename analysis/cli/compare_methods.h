@@ -3,6 +3,7 @@
 #pragma once
 
 #include "command.h"
+#include "memory_need.h"
 
 #include <lichen/exemplar.h>
 
@@ -18,6 +19,9 @@ struct ComparedExemplar {
   Periodic borders{};
   const std::vector<std::string>& notes;
 };
+
+/// What compareMethods() needs.
+[[nodiscard]] BakeMemory memoryOfMethods();
 
 /// Bakes, measures and prints a line a method; also writes the page `report`, unless empty. Returns
 /// the exit code.

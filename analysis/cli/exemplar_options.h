@@ -22,7 +22,7 @@ struct ExemplarOptions {
   std::optional<std::array<int, 4>> crop;
   Flattening flattening;
   bool keepsOriginals = false; ///< whether to return the maps before flattening
-  BakeMemory bakeMemory;       ///< of the method that bakes; zeros for a comparison
+  BakeMemory bakeMemory;       ///< of the method that bakes; zeros if none does
 };
 
 /// Exemplars, and how each was made from its file.

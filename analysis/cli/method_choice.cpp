@@ -5,11 +5,13 @@
 #include "progress_line.h"
 
 #include <lichen/method_candidate.h>
+#include <lichen/quality.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace lichen::cli {
 namespace {
@@ -38,13 +40,16 @@ Result<MethodTrial> trialOf(const MapExemplar& map, Periodic borders, const Bake
 
 /// The middle of a map, at most kTrialSide on each side.
 MapExemplar middleOf(const MapExemplar& map) {
-  MapExemplar middle = map;
-  middle.width = std::min(map.width, kTrialSide);
-  middle.height = std::min(map.height, kTrialSide);
+  MapExemplar middle{map.target,
+                     map.channels,
+                     map.encoding,
+                     std::min(map.width, kTrialSide),
+                     std::min(map.height, kTrialSide),
+                     {},
+                     map.quantum};
   const std::size_t channels = map.channels.size();
   const auto left = std::size_t(map.width - middle.width) / 2;
   const auto top = std::size_t(map.height - middle.height) / 2;
-  middle.values.clear();
   for (std::size_t y = top; y < top + std::size_t(middle.height); ++y) {
     const auto row =
         map.values.begin() + std::ptrdiff_t((y * std::size_t(map.width) + left) * channels);
@@ -57,14 +62,22 @@ MapExemplar middleOf(const MapExemplar& map) {
 MethodChoice chosenOf(const std::vector<MethodCandidate>& candidates, double budget) {
   const MethodCandidate& best = candidates[nearestForItsCost(candidates)];
   std::string others;
-  for (const MethodCandidate& other : candidates)
-    if (&other != &best)
-      others += fmt::format("{}{} {:.4f}", others.empty() ? "" : ", ", nameOf(other.method),
-                            other.distance);
-  return {best.method,
-          fmt::format("--method auto chose {} of what a budget of {:g} plain fetches allows: the "
-                      "cheapest that none looks clearly nearer than; look_distance {:.4f}, {}",
-                      nameOf(best.method), budget, best.distance, others)};
+  bool isCheapest = true;
+  for (const MethodCandidate& other : candidates) {
+    if (&other == &best)
+      continue;
+    isCheapest = isCheapest && other.plainFetches >= best.plainFetches;
+    others += fmt::format("{}{} {:.4f}", others.empty() ? "" : ", ", nameOf(other.method),
+                          other.distance);
+  }
+  return {
+      best.method,
+      fmt::format("--method auto chose {}: its look_distance is {:.4f}, and {} ({})",
+                  nameOf(best.method), best.distance,
+                  isCheapest
+                      ? fmt::format("no other within {:g} plain fetches is clearly lower", budget)
+                      : "that of cheaper methods is clearly higher",
+                  others)};
 }
 
 } // namespace
@@ -84,6 +97,15 @@ Result<std::vector<MethodTrial>> tryMethods(const MapExemplar& map, Periodic bor
     trials.push_back(std::move(trial).value());
   }
   return trials;
+}
+
+BakeMemory largestMemory(const MethodOptions& methods) {
+  BakeMemory largest;
+  for (const auto& method : methods) {
+    const BakeMemory own = method->memory();
+    largest = {std::max(largest.map, own.map), std::max(largest.largest, own.largest)};
+  }
+  return largest;
 }
 
 Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic borders,
@@ -108,11 +130,17 @@ Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic bo
       all = std::max(all, method->plainFetches());
     return MethodChoice{only,
                         fmt::format("--method auto chose {}, the only method within {:g} plain "
-                                    "fetches a pixel; --budget {:.0f} tries all",
-                                    nameOf(only), limit, all)};
+                                    "fetches a pixel; --budget {:g} tries all",
+                                    nameOf(only), limit, std::ceil(all))};
   }
-  ProgressLine progress("try", shared);
   const MapExemplar middle = middleOf(maps.front());
+  if (std::min(middle.width, middle.height) < kLeastLookSide)
+    return MethodChoice{
+        Method(cheapest - methods.begin()),
+        fmt::format("--method auto chose {}, the cheapest: an exemplar of {} x {} pixels is too "
+                    "small to compare methods",
+                    nameOf(Method(cheapest - methods.begin())), middle.width, middle.height)};
+  ProgressLine progress("try", shared);
   const bool isWhole = middle.width == maps.front().width && middle.height == maps.front().height;
   constexpr double kBakes = 0.7; // of the time
   const Result<std::vector<MethodTrial>> trials =
@@ -122,7 +150,11 @@ Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic bo
     return trials.error();
   std::vector<MethodCandidate> candidates;
   for (const MethodTrial& trial : trials.value()) {
-    const Result<MethodLook> look = lookOf(trial, middle, kTrialExemplars);
+    const auto done = double(candidates.size()), count = double(trials.value().size());
+    const Result<MethodLook> look =
+        lookOf(trial, middle, kTrialExemplars,
+               partOf(progress.asProgress(), kBakes + (1.0 - kBakes) * done / count,
+                      kBakes + (1.0 - kBakes) * (done + 1.0) / count));
     if (!look)
       return look.error();
     candidates.push_back(

@@ -25,13 +25,17 @@ inline constexpr NumberRange kBudgetRange{1.0, 10000.0};
                                                           const MethodOptions& methods,
                                                           double budget, const Progress& progress);
 
+/// The most memory that a bake by any of the methods needs.
+[[nodiscard]] BakeMemory largestMemory(const MethodOptions& methods);
+
 struct MethodChoice {
   Method method{};
   std::string reason; ///< a sentence without a full stop
 };
 
-/// The cheapest method, unless a dearer one looks nearer to the exemplar by more than a tenth. The
-/// noises are baked from the middle of the first map, at most 512 x 512 pixels. `budget`: by
+/// What nearestForItsCost() says of the methods within the budget, and the cheapest for an exemplar
+/// that is too small for lookDistance(). The noises are baked from the middle of the first map, at
+/// most 512 x 512 pixels. `budget`: by
 /// default the time of tiling. Source: docs/decisions/032-method-choice.md.
 [[nodiscard]] Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic borders,
                                                 const MethodOptions& methods,

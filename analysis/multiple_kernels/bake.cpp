@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace lichen {
@@ -34,17 +33,17 @@ double bestCellHeight(const Kernel& kernel, Window window, double cellArea) {
   const bool isDisk = window == Window::gabor;
   const double shear = isDisk ? std::abs(form(0, 1) / form(0, 0)) : 0.0;
   const double chord = isDisk ? 2.0 / std::sqrt(form(0, 0)) : 2.0 * reachX;
-  // Beside those in the support: half of those along its border and, as forEachKernelImpact()
-  // covers each row, those by which the support's middle moves in it.
+  // The expected number of cells, less what does not depend on the height. Each row of cells is
+  // visited over its widest chord, and over the shift of the chord's middle within the row.
   const auto cells = [&](double height) {
     const double perWidth = height / cellArea;
     return perWidth * (chord + shear * (2.0 * reachY + height)) + 2.0 * reachY / height;
   };
-  double best = std::sqrt(cellArea * reachY / reachX);
+  const double start = std::sqrt(cellArea * reachY / reachX); // as the support is
+  double best = start;
   constexpr int kSteps = 8, kStepsOfOctave = 4;
   for (int step = -kSteps; step <= kSteps; ++step)
-    if (const double height =
-            std::sqrt(cellArea * reachY / reachX) * std::exp2(double(step) / kStepsOfOctave);
+    if (const double height = start * std::exp2(double(step) / kStepsOfOctave);
         cells(height) < cells(best))
       best = height;
   return best;
@@ -142,7 +141,7 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
     std::vector<KernelRow> own = rows;
     for (std::size_t k = 0; k < own.size(); ++k)
       for (std::size_t c = 0; c < channels; ++c)
-        for (std::size_t s = 0; s < std::size_t(kSigns); ++s)
+        for (std::size_t s = 0; s < std::size_t(kWaves); ++s)
           own[k].colors[c][s] = float(colors[k](channel + Eigen::Index(c), Eigen::Index(s)));
     channel += Eigen::Index(channels);
     Table table = kernelTable(own);

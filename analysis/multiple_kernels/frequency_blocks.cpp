@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Power plane -> blocks of frequencies -> residuals of a model.
 //
-// The Itakura-Saito distance n (P / S - 1 - log(P / S)) is the likelihood of the powers P of a
-// Gaussian field of spectrum S [W53].
+// The Itakura-Saito distance n (P / S - 1 - log(P / S)) is, up to a constant, minus the logarithm
+// of the likelihood of the powers P of a Gaussian field of spectrum S [W53].
 #include "frequency_blocks.h"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ private:
   }
 
   void addParts(const spectra::FrequencyBox& box) {
-    constexpr double kLeastGain = 8.0; // by chance once in 15,000 times
+    constexpr double kLeastGain = 8.0; // of many frequencies by chance once in 15,000 times
     const FrequencyBlock whole = blockOf(box);
     double best = kLeastGain;
     std::array<spectra::FrequencyBox, 2> halves{};
@@ -127,7 +127,7 @@ private:
 FrequencyBlocks blocksOf(const spectra::PowerPlane& power) { return Splitter(power).blocks(); }
 
 FrequencyBlocks radialBlocks(const FrequencyBlocks& blocks) {
-  constexpr double kPerOctave = 8.0;
+  constexpr double kPerOctave = 24.0;
   FrequencyBlocks rings;
   for (const FrequencyBlock& block : blocks) {
     const double length = std::max(1.0, std::hypot(block.u, block.v));

@@ -22,19 +22,19 @@ using FrequencyBlocks = std::vector<FrequencyBlock>;
 /// where the power varies more than by chance.
 [[nodiscard]] FrequencyBlocks blocksOf(const spectra::PowerPlane& power);
 
-/// Blocks of all directions, eight an octave: `u` is the length of their frequencies.
+/// Blocks of all directions, 24 an octave: `u` is the length of their frequencies.
 [[nodiscard]] FrequencyBlocks radialBlocks(const FrequencyBlocks& blocks);
 
-/// This share of the mean power is added to all powers: nobody sees less.
+/// A floor: this share of the mean power is added to all powers.
 inline constexpr double kLeastPower = 1e-3;
 [[nodiscard]] double leastPower(const FrequencyBlocks& blocks, double share = kLeastPower);
 
-/// How much a block counts: as many frequencies, but no more than those of a model that is a
-/// quarter off.
+/// How much a block counts: its number of frequencies, but less than 16, as a model is off by a
+/// quarter where a mean of 16 powers is.
 [[nodiscard]] double weightOf(const FrequencyBlock& block);
 
-/// The signed root of the distance of one block, P / S - 1 - log(P / S) times its weight, and its
-/// derivative by the modelled power S. Both powers have `least` added.
+/// The signed root of twice the distance of one block, P / S - 1 - log(P / S) times its weight, and
+/// its derivative by the modelled power S. Both powers have `least` added.
 [[nodiscard]] std::array<double, 2> residualOf(const FrequencyBlock& block, double least,
                                                double modelled);
 

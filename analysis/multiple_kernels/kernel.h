@@ -39,7 +39,7 @@ struct Kernel {
 /// w at (p, q).
 [[nodiscard]] double windowAt(Window window, double p, double q);
 
-/// The mean square frequency of a window along one axis [cycles^2 per unit of p]: by quadrature,
+/// The mean square frequency of a window along one axis [(cycles per unit of p)^2]: by quadrature,
 /// integral (dw/dp)^2 / (4 pi^2 integral w^2).
 [[nodiscard]] double windowSpread(Window window);
 

@@ -73,8 +73,8 @@ std::vector<MatrixXd> sharedSpectra(const std::vector<MapSpectrum>& maps,
 MatrixXd strongestAxes(const MatrixXd& covariance) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(covariance);
   const Index channels = covariance.rows();
-  MatrixXd columns = MatrixXd::Zero(channels, kSigns);
-  for (Index k = 0; k < std::min<Index>(kSigns, channels); ++k) {
+  MatrixXd columns = MatrixXd::Zero(channels, kWaves);
+  for (Index k = 0; k < std::min<Index>(kWaves, channels); ++k) {
     const Index axis = channels - 1 - k; // in ascending order
     columns.col(k) =
         std::sqrt(std::max(0.0, axes.eigenvalues()[axis])) * axes.eigenvectors().col(axis);
@@ -90,7 +90,7 @@ std::vector<MatrixXd> kernelColors(const std::vector<MapSpectrum>& maps,
   const std::vector<Index> first = spectra::firstChannels(maps);
   const Index channels = first.back();
   if (channels == 0)
-    return std::vector<MatrixXd>(kernels.size(), MatrixXd(0, kSigns));
+    return std::vector<MatrixXd>(kernels.size(), MatrixXd(0, kWaves));
   const double deviation = gaussian::kGaussianDeviation;
   const MatrixXd weights = spectra::powerWeights(maps);
   std::vector<MatrixXd> matrices = sharedSpectra(maps, spectrum, kernels, channels);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The cross-spectra of an exemplar's Gaussian channels -> how each channel follows the signs of a
+// The cross-spectra of an exemplar's Gaussian channels -> how each channel follows the waves of a
 // kernel's impacts.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace lichen::multiple_kernels {
 
-/// The signs of an impact, each +1 or -1 at random.
-inline constexpr int kSigns = 4;
+/// The waves of an impact, each of a phase of its own.
+inline constexpr int kWaves = 4;
 
-/// For each kernel, the factors of all channels of all maps, map after map: channels x kSigns. The
-/// sum over impacts of factors times signs times a kernel has the covariance of the channels in
-/// Gaussian values if the square of the kernel, summed over impacts, is 1 in the mean; over the
-/// kernels it is exact, while of sets of more than kSigns channels each kernel keeps the strongest
+/// For each kernel, the factors of all channels of all maps, map after map: channels x kWaves. The
+/// sum over impacts and waves of factors times waves has the covariance of the channels in
+/// Gaussian values if the square of a wave, summed over impacts, is 1 in the mean; over the
+/// kernels it is exact, while of sets of more than kWaves channels each kernel keeps the strongest
 /// combinations. Phases between channels are lost. Throws std::bad_alloc.
 [[nodiscard]] std::vector<Eigen::MatrixXd>
 kernelColors(const std::vector<spectra::MapSpectrum>& maps, const WindowSpectrum& spectrum,

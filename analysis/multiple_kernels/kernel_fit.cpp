@@ -227,13 +227,15 @@ Target targetOf(const PowerPlane& power, const WindowSpectrum& spectrum) {
 /// Fewer cells are visited for them.
 std::vector<Kernel> sufficientRings(const Target& target, const PowerPlane& power,
                                     const std::vector<Kernel>& gabors, std::size_t most) {
-  // A third of a decibel more, by the root of the mean square.
-  constexpr double kMoreDb = 0.35, kDbOfLogarithm = 4.343;
+  // By the root of the mean square a third of a decibel more; or as close as the middles of blocks
+  // are to their means, where no chance hides that.
+  constexpr double kMoreDb = 0.35, kCloseDb = 0.6, kDbOfLogarithm = 4.343;
   double weights = 0.0;
   for (const FrequencyBlock& block : target.blocks)
     weights += weightOf(block);
+  const auto distanceOfDb = [&](double db) { return weights * std::pow(db / kDbOfLogarithm, 2.0); };
   const double limit =
-      distanceOf(target, gabors) + weights * std::pow(kMoreDb / kDbOfLogarithm, 2.0);
+      std::max(distanceOf(target, gabors) + distanceOfDb(kMoreDb), distanceOfDb(kCloseDb));
   for (std::size_t count = 1; count <= std::min<std::size_t>(most, 4); ++count)
     if (std::vector<Kernel> rings = fittedRings(target.blocks, power, target.spectrum, count);
         !rings.empty() && distanceOf(target, rings) < limit)

@@ -12,6 +12,7 @@
 #include <Eigen/Dense>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -23,7 +24,8 @@ namespace {
 
 constexpr int kPatchSide = 9;
 constexpr int kPatchPixels = kPatchSide * kPatchSide;
-constexpr int kDirections = 256;        // fixed, so that values can be compared
+constexpr int kMostSpacing = 1024;
+constexpr int kDirections = 256;       // fixed, so that values can be compared
 constexpr int kMostPatchesAcross = 96; // as many along each axis; more change little
 
 /// A row of pixels at a time.
@@ -111,9 +113,10 @@ double squaredDistance(const std::vector<float>& a, const std::vector<float>& b)
 Result<double> patchDistance(const SrgbImage& exemplar, const SrgbImage& result,
                              int spacingPixels) {
   return withinMemory(exhausted, [&]() -> Result<double> {
-    if (spacingPixels < 1)
-      return Error{ErrorKind::usage,
-                   "spacing " + std::to_string(spacingPixels) + "; expected at least 1 pixel"};
+    if (spacingPixels < 1 || spacingPixels > kMostSpacing)
+      return Error{ErrorKind::usage, "spacing " + std::to_string(spacingPixels) +
+                                         "; expected 1 to " + std::to_string(kMostSpacing) +
+                                         " pixels"};
     if (auto error = refusal(exemplar, result, kPatchSide * spacingPixels))
       return *error;
     const Patches a = patchesOf(averaged(exemplar, spacingPixels));
@@ -132,13 +135,13 @@ Result<double> patchDistance(const SrgbImage& exemplar, const SrgbImage& result,
 }
 
 Result<double> lookDistance(const SrgbImage& exemplar, const SrgbImage& result) {
-  constexpr int kLeastSide = 32, kMostSpacing = 4;
-  if (auto error = refusal(exemplar, result, kLeastSide))
+  constexpr int kCoarsest = 4;
+  if (auto error = refusal(exemplar, result, kLeastLookSide))
     return *error;
   const int side = std::min(shorterSide(exemplar), shorterSide(result));
   double sum = 0.0;
   int spacings = 0;
-  for (int spacing = 1; spacing <= kMostSpacing && side >= kLeastSide * spacing; spacing *= 2) {
+  for (int spacing = 1; spacing <= kCoarsest && side >= kLeastLookSide * spacing; spacing *= 2) {
     const Result<double> distance = patchDistance(exemplar, result, spacing);
     if (!distance)
       return distance;

@@ -51,6 +51,9 @@ std::string asText(const std::string& text) {
     case '>':
       safe += "&gt;";
       break;
+    case '"':
+      safe += "&quot;";
+      break;
     default:
       safe += c;
     }
@@ -100,7 +103,10 @@ Result<MethodSheet> sheetOf(const std::string& name, const MapExemplar& exemplar
                             std::span<const MethodTrial> trials, const Progress& progress) {
   const SrgbImage shown = pictureOf(exemplar);
   MethodSheet sheet;
-  Result<std::string> figures = figure(asText(name), shown);
+  Result<std::string> shownFigure = figure(asText(name), shown);
+  if (!shownFigure)
+    return shownFigure.error();
+  std::string figures = std::move(shownFigure).value();
   for (std::size_t t = 0; t < trials.size(); ++t) {
     const MethodTrial& trial = trials[t];
     const double trialCount = double(trials.size());
@@ -118,17 +124,14 @@ Result<MethodSheet> sheetOf(const std::string& name, const MapExemplar& exemplar
     sheet.rows.push_back({method, look.value().distance, std::move(measures).value(),
                           texelBytes(trial.bundle), trial.bakeSeconds, trial.plainFetches});
     const Result<std::string> picture = figure(std::string(nameOf(method)), look.value().picture);
-    if (!figures || !picture)
+    if (!picture)
       return picture.error();
-    figures.value() += picture.value();
+    figures += picture.value();
   }
-  if (!figures)
-    return figures.error();
   const std::string title = asText(name) + " under " + counted(trials.size(), "method");
   const std::string page =
       kPageStart + fmt::format("<title>{}</title>\n</head>\n<body>\n<h1>{}</h1>\n", title, title) +
-      tableOf(sheet.rows) + "<div class=\"looks\">\n" + figures.value() +
-      "</div>\n</body>\n</html>\n";
+      tableOf(sheet.rows) + "<div class=\"looks\">\n" + figures + "</div>\n</body>\n</html>\n";
   const auto bytes = std::as_bytes(std::span(page));
   sheet.page.assign(bytes.begin(), bytes.end());
   return sheet;

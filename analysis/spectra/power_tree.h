@@ -21,7 +21,7 @@ struct PowerPlane {
   }
 };
 
-/// The texels of the tile that the plane's frequencies need, of odd sizes one more.
+/// The texels along x and y of the tile that has these frequencies; an odd side counts one more.
 [[nodiscard]] inline std::array<double, 2> texelsOf(const PowerPlane& plane) {
   return {2.0 * plane.columns, double(plane.rows + 1)};
 }

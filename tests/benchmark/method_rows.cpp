@@ -20,7 +20,7 @@ constexpr std::uint32_t kSeeds = 4; // of the independent measurement
 struct Score {
   int agreed = 0, count = 0;
   double overTiling = 0.0; ///< the largest
-  std::string worst;
+  std::string worst, disagreements;
   std::array<int, 4> chosen{};
 };
 
@@ -61,7 +61,7 @@ void judge(const VariedExemplar& exemplar, Score& score) {
     score.worst = exemplar.name;
   }
   if (!agrees)
-    score.worst += "; disagrees: " + exemplar.name;
+    score.disagreements += exemplar.name + "; ";
 }
 
 Row disagreement(const std::string& what, const Score& score) {
@@ -69,6 +69,7 @@ Row disagreement(const std::string& what, const Score& score) {
           "chose tiling, texton, local random phase, kernels: "};
   for (const int count : score.chosen)
     row.note += std::to_string(count) + " ";
+  row.note += "; " + score.disagreements;
   return row;
 }
 

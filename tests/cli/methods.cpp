@@ -60,9 +60,16 @@ TEST_CASE("a budget needs --method auto, a method that is cheap enough, and no g
                {"--spectrum", "expected a --method"});
 }
 
+TEST_CASE("the budget that tries all methods does so") {
+  const Arguments impacts{"--kernel-impacts", "40.1"};
+  CHECK_THAT(chosenFor(smoothGrey(64), impacts).notes, Catch::Contains("--budget 117 tries all"));
+  CHECK_THAT(chosenFor(smoothGrey(64), {"--kernel-impacts", "40.1", "--budget", "117"}).notes,
+             Catch::Contains("multiple-kernels 0."));
+}
+
 TEST_CASE("compare --methods has a line for each method, and a page with pictures") {
   const Workplace workplace;
-  const std::string image = workplace.write("<b>bricks.png", brickwork(128));
+  const std::string image = workplace.write("<b>\"bricks.png", brickwork(128));
   const std::string page = workplace.path("methods.html");
   const Ended ended = runLichen({"compare", image, "--methods", "--report", page, "--json"});
   INFO(ended.errors);
@@ -82,9 +89,20 @@ TEST_CASE("compare --methods has a line for each method, and a page with picture
   for (std::size_t at = 0; (at = html.find("<img", at)) != std::string::npos; ++at)
     ++pictures;
   CHECK(pictures == 1 + allMethods().size());
-  CHECK_THAT(html, Catch::Contains("&lt;b&gt;bricks.png") && !Catch::Contains("<b>bricks.png"));
+  CHECK_THAT(html, Catch::Contains("&lt;b&gt;&quot;bricks.png") && !Catch::Contains("<b>"));
   const std::string text = runLichen({"compare", image, "--methods"}).output;
   CHECK_THAT(text, Catch::Contains("look_distance") && Catch::Contains("multiple-kernels"));
+}
+
+TEST_CASE("an exemplar that is too small to compare methods gets the cheapest, or a message") {
+  const Chosen chosen = chosenFor(smoothGrey(16), {"--budget", "100"});
+  CHECK(chosen.method == "tiling");
+  CHECK_THAT(chosen.notes, Catch::Contains("an exemplar of 16 x 16 pixels is too small"));
+  const Workplace workplace;
+  const std::string image = workplace.write("tiny.png", smoothGrey(16));
+  constexpr int kBadInput = 3;
+  checkRefusal({"compare", image, "--methods"}, kBadInput,
+               {"tiny.png: 16 x 16 pixels are too few", "at least 32 x 32"});
 }
 
 TEST_CASE("compare needs a result or --methods, and not both") {

@@ -59,8 +59,8 @@ public:
   assess(std::span<const MapExemplar> maps, Periodic borders,
          const SharedOptions& shared) const = 0;
   [[nodiscard]] virtual BakeMemory memory() const = 0;
-  /// The most time that a pixel takes, in trilinear texture fetches, as docs/benchmarks.md has it
-  /// for a processor.
+  /// The time of a pixel of one map, in trilinear texture fetches: what `lichen-bench --only
+  /// shader` measures on a CPU (llvmpipe) with the default kernels, windows and order.
   [[nodiscard]] virtual double plainFetches() const = 0;
   [[nodiscard]] virtual Result<MethodBake> bake(const BakeInput& input) const = 0;
   /// Returns members of `bake --json` that need the finished bundle.

@@ -17,7 +17,7 @@ struct MethodCandidate {
 };
 
 /// The index of the cheapest of at least one candidate, unless a dearer one is nearer by more than
-/// a tenth and more than chance. Source: docs/decisions/032-method-choice.md.
+/// a tenth and, on top, 0.002, which may be chance. Source: docs/decisions/032-method-choice.md.
 [[nodiscard]] std::size_t nearestForItsCost(std::span<const MethodCandidate> candidates);
 
 } // namespace lichen
