@@ -30,7 +30,7 @@ std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks, const spectra::Po
   VectorXd values(Index(kFree * count));
   double before = 0.0;
   std::size_t ring = 0;
-  // As of other kernels, but for half a texel: a ring's width shows on both sides.
+  // A support of two texels: smaller rings would have aliases, which this fit does not model.
   const double finest = -std::log(double(std::max(power.columns, power.rows / 2)));
   const double highest = double(std::min(power.columns, power.rows / 2 + 1));
   for (const FrequencyBlock& block : radial) {
