@@ -60,7 +60,7 @@ LichenResult readMapping(LichenMapping value, const shader::LichenNoise& noise, 
   writeDiagnostic(
       diagnostic,
       "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar), for "
-      "texton noise 2 (surface) or for local random-phase noise 3 (solid)",
+      "texton noise 2 (surface) or for local random-phase and multiple-kernels noise 3 (solid)",
       int(value), nameOf(method).data());
   return LICHEN_ERROR_USAGE;
 }

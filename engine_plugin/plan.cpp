@@ -255,6 +255,13 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.textonOrder = shape != nullptr ? std::uint32_t(shape->order) : 0;
   const auto* cosines = std::get_if<LocalRandomPhaseNoise>(&source.data);
   values.hasStructure = cosines != nullptr && cosines->structure.columns > 0 ? 1 : 0;
+  for (const Mapping mapping : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
+    if (mappingFits(source.method(), mapping) && mappingObstacle(source, mapping).empty())
+      values.mappings |= 1u << mappingNumber(mapping);
+  if (const auto* kernels = std::get_if<MultipleKernelsNoise>(&source.data))
+    values.kernelKinds = (kernels->rings > 0 ? LICHEN_KERNELS_RINGS : 0u) |
+                         (kernels->window != KernelWindow::gabor ? LICHEN_KERNELS_SQUARE : 0u) |
+                         (kernels->cosines > 0 ? LICHEN_KERNELS_PATTERN : 0u);
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
 }
 

@@ -21,6 +21,7 @@ struct Needs {
   bool triplanar = false, otherMappings = false, surface = false, solid = false;
   bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
   bool structure = false;                                              // of local random phase
+  bool rings = false, squares = false, patterns = false;               // of multiple kernels
   bool rotation = false, sharpness = false, period = false, anisotropy = false;
 };
 
@@ -44,6 +45,13 @@ void addTextons(const LichenMaterialParameters& parameters, const NoiseSummary& 
   needs.nearest = needs.nearest || texton.order == 0;
 }
 
+void addKernels(const NoiseSummary& noise, Needs& needs) {
+  const shader::LichenKernelsNoise kernels = kernelsPart(noise.constants);
+  needs.rings = needs.rings || kernels.rings > 0;
+  needs.squares = needs.squares || kernels.window != LICHEN_WINDOW_GABOR;
+  needs.patterns = needs.patterns || kernels.cosines > 0;
+}
+
 void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
                  Needs& needs) {
   needs.roles |= noise.constants.roles;
@@ -60,6 +68,8 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
     addTiling(parameters, needs);
   if (noise.constants.method == LICHEN_METHOD_LOCAL_RANDOM_PHASE)
     needs.structure = needs.structure || cosinesPart(noise.constants).structure != 0;
+  if (noise.constants.method == LICHEN_METHOD_MULTIPLE_KERNELS)
+    addKernels(noise, needs);
 }
 
 std::string switchesOf(const Needs& needs) {
@@ -90,10 +100,15 @@ std::string switchesOf(const Needs& needs) {
     unless(needs.rotation, "TILE_ROTATION=0");
     unless(needs.sharpness, "BLEND_SHARPNESS=0");
   }
-  if (has(LICHEN_METHOD_LOCAL_RANDOM_PHASE)) {
+  if (has(LICHEN_METHOD_LOCAL_RANDOM_PHASE))
     unless(needs.structure, "STRUCTURE=0");
-    unless(needs.solid, "OMIT_SOLID");
+  if (has(LICHEN_METHOD_MULTIPLE_KERNELS)) {
+    unless(needs.rings, "RING_KERNELS=0");
+    unless(needs.squares, "SQUARE_KERNELS=0");
+    unless(needs.patterns, "KERNEL_PATTERN=0");
   }
+  if (has(LICHEN_METHOD_LOCAL_RANDOM_PHASE) || has(LICHEN_METHOD_MULTIPLE_KERNELS))
+    unless(needs.solid, "OMIT_SOLID");
   unless(needs.period, "PERIODIC_LATTICE=0");
   unless(!needs.anisotropy, "ANISOTROPIC=1");
   return text;

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes a contact sheet of local random-phase noise in a solid: a bowl that is turned from a block of
-# each exemplar. It has no texture coordinates.
+# Makes a contact sheet of noise in a solid: a bowl that is turned from a block of each exemplar. It
+# has no texture coordinates. Upper row: local random phase; lower row: multiple kernels.
 #   samples/solid_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build, a Vulkan device, Python 3 and ImageMagick (Debian package imagemagick).
 set -euo pipefail
@@ -65,13 +65,16 @@ json.dump({
 BOWL
 
 panels=()
-for exemplar in "$@"; do
-  file=$work/bowl-${#panels[@]}
-  "$bin/lichen" bake "$exemplar" -o "$file.glb" --method local-random-phase --structure 0 --preview none --quiet
-  "$bin/lichen" apply "$work/bowl.gltf" --noise "$file.glb" --material all --mapping solid --scale "$tile" \
-    --rotation 90 -o "$file-scene.glb" --quiet
-  "$bin/lichen-render" "$file-scene.glb" --size "${panel}x${panel}" --frames 8 -o "$file.png" --quiet
-  panels+=("$file.png")
+for method in 'local-random-phase --structure 0' multiple-kernels; do
+  for exemplar in "$@"; do
+    file=$work/bowl-${#panels[@]}
+    # shellcheck disable=SC2086 # a method and its options
+    "$bin/lichen" bake "$exemplar" -o "$file.glb" --method $method --preview none --quiet
+    "$bin/lichen" apply "$work/bowl.gltf" --noise "$file.glb" --material all --mapping solid --scale "$tile" \
+      --rotation 90 -o "$file-scene.glb" --quiet
+    "$bin/lichen-render" "$file-scene.glb" --size "${panel}x${panel}" --frames 8 -o "$file.png" --quiet
+    panels+=("$file.png")
+  done
 done
-montage "${panels[@]}" -tile 3x -geometry +4+4 -background white -quality 85 "$output"
+montage "${panels[@]}" -tile "${#}x" -geometry +4+4 -background white -quality 85 "$output"
 echo "$output"

@@ -14,7 +14,8 @@
 // LICHEN_POINT_SURFACE(position, gradientX, gradientY, normal, tangent) and
 // LICHEN_POINT_SOLID(position, gradientX, gradientY),
 // LICHEN_HAS(role), whether the noise has that map,
-// LICHEN_VALUE(role, point), its value there, whatever the noise's method, and
+// LICHEN_VALUE(role, point), its value there, whatever the noise's method,
+// LICHEN_GRADIENT(role, uv, gradientX, gradientY), a value and its derivatives for bumps, and
 // LICHEN_IMAGE(role) and LICHEN_TABLE(role), which other functions take.
 //
 // A host that knows more at compile time leaves out what it does not need: less code to run. The
@@ -116,6 +117,10 @@ LICHEN_DECLARE_ROLE(5);
 
 #define LICHEN_POINT(uv, gradientX, gradientY)                                                     \
   lichenPointUvGrad(uv, gradientX, gradientY, lichenMaterial, lichenNoise)
+
+#define LICHEN_GRADIENT(role, uv, gradientX, gradientY)                                            \
+  lichenGradientUvGrad(LICHEN_IMAGE(role), LICHEN_TABLE(role), uv, gradientX, gradientY,           \
+                       lichenMaterial, lichenNoise, lichenMaps[role])
 
 #define LICHEN_POINT_SURFACE(position, gradientX, gradientY, normal, tangent)                      \
   lichenPointSurfaceGrad(position, gradientX, gradientY, normal, tangent, lichenMaterial,          \

@@ -96,9 +96,9 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
     if (obstacle.empty())
       return {};
     return Error{ErrorKind::usage,
-                 fmt::format("--mapping {}: noise '{}' does not support it: {}; bake it with "
-                             "--structure 0",
-                             nameOf(mapping), noise.name, obstacle)};
+                 fmt::format("--mapping {}: noise '{}' does not support it: {}; bake it with {}",
+                             nameOf(mapping), noise.name, obstacle,
+                             commandOf(noise.method()).optionsForSolids())};
   }
   std::vector<std::string> mappings, methods;
   for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})

@@ -81,4 +81,22 @@ Value ValueDecoder::decode(const Value& gaussian, float contrast, bool nearestLe
   return value;
 }
 
+std::array<float, 3> ValueDecoder::gradient(const Value& gaussian,
+                                            const std::array<float, 3>& alongX,
+                                            const std::array<float, 3>& alongY,
+                                            float contrast) const {
+  const auto decodedSlope = [&](const std::array<float, 3>& slope) {
+    constexpr float kStep = 1.0f / 96.0f, kLeast = 1e-20f;
+    const float length = std::hypot(slope[0], slope[1], slope[2]);
+    Value before = gaussian, after = gaussian;
+    for (std::size_t c = 0; c < 3; ++c) {
+      before[c] -= kStep * slope[c] / std::max(length, kLeast);
+      after[c] += kStep * slope[c] / std::max(length, kLeast);
+    }
+    return contrast * length / (2.0f * kStep) *
+           (decode(after, contrast)[0] - decode(before, contrast)[0]);
+  };
+  return {decode(gaussian, contrast)[0], decodedSlope(alongX), decodedSlope(alongY)};
+}
+
 } // namespace lichen::gaussianization

@@ -31,6 +31,13 @@ public:
 
   [[nodiscard]] const shader::LichenMap& constants() const { return constants_; }
 
+  /// lichenDecodedGradient: the first channel of a decoded value and its derivatives, for those of
+  /// the Gaussian value before the contrast.
+  [[nodiscard]] std::array<float, 3> gradient(const Value& gaussian,
+                                              const std::array<float, 3>& alongX,
+                                              const std::array<float, 3>& alongY,
+                                              float contrast) const;
+
 private:
   /// A mip level of the inverse table: cells with the first axis fastest.
   struct Level {

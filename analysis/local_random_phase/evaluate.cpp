@@ -31,13 +31,6 @@ CosineCell cellOf(const TileFootprint& at, const shader::LichenMaterial& materia
                       {at.position[0] + material.offsetX, at.position[1] + material.offsetY});
 }
 
-/// lichenSolidGaussian
-Value solidGaussian(const SolidSum& sum, const shader::LichenMaterial& material) {
-  constexpr float kLeast = 1e-20f; // of a map that does not vary
-  return {0.5f + material.contrast * sum.gaussian[0], 0.5f + material.contrast * sum.gaussian[1],
-          0.5f + material.contrast * sum.gaussian[2], sum.lost / std::max(sum.squares, kLeast)};
-}
-
 } // namespace
 
 struct LocalRandomPhaseEvaluator::Map {
@@ -159,7 +152,7 @@ Value LocalRandomPhaseEvaluator::gaussian(std::size_t mapIndex,
                                           const shader::LichenMaterial& material,
                                           const SolidFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
-  return solidGaussian(
+  return solid::gaussianOf(
       solidSumAt(map.texels, cosines_, variants_, noise_, map.decoder.constants(), material, at),
       material);
 }
@@ -168,10 +161,9 @@ Value LocalRandomPhaseEvaluator::evaluate(std::size_t mapIndex,
                                           const shader::LichenMaterial& material,
                                           const SolidFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
-  const SolidSum sum =
-      solidSumAt(map.texels, cosines_, variants_, noise_, map.decoder.constants(), material, at);
-  const Value value = map.decoder.decode(solidGaussian(sum, material), material.contrast);
-  return isSlope(map.decoder.constants()) ? slopesInSpace(value, sum.depthSlope, material) : value;
+  return solid::valueOf(
+      solidSumAt(map.texels, cosines_, variants_, noise_, map.decoder.constants(), material, at),
+      map.decoder, material);
 }
 
 std::array<float, 3> LocalRandomPhaseEvaluator::gradient(std::size_t mapIndex,
@@ -196,20 +188,7 @@ std::array<float, 3> LocalRandomPhaseEvaluator::gradient(std::size_t mapIndex,
     }
   }
   const Value here = gaussian(mapIndex, material, at);
-  const auto decodedAlong = [&](const std::array<float, 3>& along) {
-    constexpr float kStep = 1.0f / 96.0f, kLeast = 1e-20f;
-    const float length = std::hypot(along[0], along[1], along[2]);
-    Value before = here, after = here;
-    for (std::size_t c = 0; c < 3; ++c) {
-      before[c] -= kStep * along[c] / std::max(length, kLeast);
-      after[c] += kStep * along[c] / std::max(length, kLeast);
-    }
-    return material.contrast * length / (2.0f * kStep) *
-           (map.decoder.decode(after, material.contrast)[0] -
-            map.decoder.decode(before, material.contrast)[0]);
-  };
-  return {map.decoder.decode(here, material.contrast)[0], decodedAlong(slopes.alongX),
-          decodedAlong(slopes.alongY)};
+  return map.decoder.gradient(here, slopes.alongX, slopes.alongY, material.contrast);
 }
 
 } // namespace lichen

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Exemplar maps (width * height * channels values each) -> a multiple-kernels noise and its tables.
+#include "gaussian/gaussian_distribution.h"
 #include "gaussianization/gaussianized_maps.h"
 #include "kernel_colors.h"
 #include "kernel_fit.h"
+#include "perturbation.h"
+#include "solid_kernels.h"
 #include "spectra/given_spectrum.h"
 #include "spectra/map_spectrum.h"
 
@@ -17,13 +20,38 @@ namespace {
 
 using namespace multiple_kernels;
 
+Result<void> checkPerturbation(const Perturbation& perturbation) {
+  const auto& [amount, pattern, cosines] = perturbation;
+  if (!(amount >= kPerturbationRange.least && amount <= kPerturbationRange.most))
+    return Error{ErrorKind::usage,
+                 "a perturbation of " + std::to_string(amount) + "; expected 0 to 16"};
+  if (cosines < 1 || cosines > kMostPatternCosines)
+    return Error{ErrorKind::usage, std::to_string(cosines) + " cosines; expected 1 to " +
+                                       std::to_string(kMostPatternCosines)};
+  for (const PatternWave& wave : pattern) {
+    if (!std::isfinite(wave.amplitude) || !std::isfinite(wave.phase))
+      return Error{ErrorKind::badInput, "a pattern with a number that is not finite"};
+    if (wave.u == 0 && wave.v == 0)
+      return Error{ErrorKind::badInput, "a pattern with the frequency 0; expected waves"};
+    for (const int cycles : {wave.u, wave.v})
+      if (cycles < -int(kMostKernelFrequency) || cycles > int(kMostKernelFrequency))
+        return Error{ErrorKind::badInput, "a pattern with " + std::to_string(cycles) +
+                                              " cycles per tile; expected at most " +
+                                              std::to_string(int(kMostKernelFrequency))};
+  }
+  constexpr double kLeast = 1e-4; // of a picture's codes, beyond its rounding
+  if (!pattern.empty() && strongestWaves(pattern, 1).front().amplitude < kLeast)
+    return Error{ErrorKind::badInput, "the pattern does not vary"};
+  return {};
+}
+
 Result<void> checkOptions(const MultipleKernelsOptions& options) {
   if (options.kernels < int(kKernelsRange.least) || options.kernels > int(kKernelsRange.most))
     return Error{ErrorKind::usage, std::to_string(options.kernels) + " kernels; expected 1 to " +
                                        std::to_string(kMostKernels)};
   if (!(options.impacts >= kImpactsRange.least && options.impacts <= kImpactsRange.most))
     return Error{ErrorKind::usage, "impacts: expected 1 to 1000"};
-  return {};
+  return options.perturbation ? checkPerturbation(*options.perturbation) : Result<void>();
 }
 
 /// The height of a cell of this area for which the fewest cells are visited.
@@ -50,7 +78,7 @@ double bestCellHeight(const Kernel& kernel, Window window, double cellArea) {
 }
 
 /// The grid of a kernel that `impacts` impacts reach.
-KernelRow gridOf(const Kernel& kernel, Window window, double impacts) {
+KernelRow gridOf(const Kernel& kernel, Window window, double impacts, double tileAspect) {
   const double area = kernel.area(window) / impacts;
   const double height = bestCellHeight(kernel, window, area);
   const auto cellsOf = [&](double side) {
@@ -59,11 +87,18 @@ KernelRow gridOf(const Kernel& kernel, Window window, double impacts) {
   KernelRow row;
   row.columns = cellsOf(area / height);
   row.rows = cellsOf(height);
+  // In a solid windows are as wide along z as along the ellipse's narrow axis. As many impacts
+  // reach a point: an ellipsoid has 4 / 3 of an ellipse's area times its reach.
+  const Eigen::Vector2d perWidth(1.0, tileAspect); // tile heights, and the frequencies of these
+  const Eigen::Matrix2d inSpace = kernel.toWindow() * perWidth.asDiagonal();
+  row.toWindowZ = float(std::sqrt((inSpace.transpose() * inSpace).eigenvalues().real().maxCoeff()));
+  row.layers = cellsOf(4.0 / 3.0 * std::pow(double(kSolidWider), 3.0) / double(row.toWindowZ));
   return row;
 }
 
 /// The rows of all maps but for their colours.
-std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window, double impacts) {
+std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window, double impacts,
+                              double tileAspect) {
   // What most lowers the kurtosis at the cost of one impact: impacts as the energy.
   constexpr double kFewest = 0.3; // of a kernel, so that its impacts are not seen one by one
   double energy = 0.0;
@@ -72,7 +107,8 @@ std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window,
   const auto spread = float(windowSpread(window));
   std::vector<KernelRow> rows;
   for (const Kernel& kernel : kernels) {
-    KernelRow row = gridOf(kernel, window, std::max(kFewest, impacts * kernel.energy / energy));
+    KernelRow row =
+        gridOf(kernel, window, std::max(kFewest, impacts * kernel.energy / energy), tileAspect);
     row.frequency = {float(kernel.frequency[0]), float(kernel.frequency[1])};
     const Eigen::Matrix2d toWindow = kernel.toWindow();
     row.toWindow = {float(toWindow(0, 0)), float(toWindow(0, 1)), float(toWindow(1, 0)),
@@ -83,6 +119,35 @@ std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window,
     rows.push_back(row);
   }
   return rows;
+}
+
+/// The pattern of each map, and its noise: both scaled so that together they have the covariance of
+/// the exemplar.
+std::vector<std::vector<PatternCosine>> scalePattern(const TakenPattern& pattern, double amount,
+                                                     const std::vector<Eigen::Index>& first,
+                                                     std::vector<Eigen::MatrixXd>& colors) {
+  const double deviation = gaussian::kGaussianDeviation;
+  Eigen::MatrixXd noise = Eigen::MatrixXd::Zero(first.back(), first.back());
+  for (const Eigen::MatrixXd& color : colors)
+    noise += color * color.transpose() / (deviation * deviation);
+  const std::vector<PerturbedScale> scales = perturbedScales(pattern, noise, first, amount);
+  std::vector<std::vector<PatternCosine>> patterns(first.size() - 1);
+  for (std::size_t m = 0; m < patterns.size(); ++m) {
+    const Eigen::Index count = first[m + 1] - first[m];
+    for (Eigen::MatrixXd& color : colors)
+      color.middleRows(first[m], count) =
+          (scales[m].noise * color.middleRows(first[m], count)).eval();
+    for (const PatternTerm& term : pattern.terms) {
+      const Eigen::MatrixX2d waves =
+          deviation * scales[m].pattern * term.waves.middleRows(first[m], count);
+      PatternCosine cosine;
+      cosine.frequency = {float(term.u), float(term.v)};
+      for (Eigen::Index c = 0; c < count; ++c)
+        cosine.waves[std::size_t(c)] = {float(waves(c, 0)), float(waves(c, 1))};
+      patterns[m].push_back(cosine);
+    }
+  }
+  return patterns;
 }
 
 std::size_t appended(Table table, std::vector<Table>& tables) {
@@ -121,10 +186,23 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
     if (Result<void> replaced = spectra::replaceSpectra(*options.spectrum, spectra); !replaced)
       return replaced.error();
 
+  TakenPattern pattern;
+  if (options.perturbation)
+    pattern = takePattern(*options.perturbation, spectra);
+  shared.cosines = int(pattern.terms.size());
+  shared.hasGivenSpectrum |= options.perturbation && !options.perturbation->pattern.empty();
   const WindowSpectrum window(options.window);
   const spectra::PowerPlane power = spectra::powerPlane(spectra);
-  std::vector<Kernel> kernels = fitKernels(power, window, std::size_t(options.kernels));
-  bake.spectrumErrorDb = spectrumErrorDb(power, window, kernels);
+  std::vector<Kernel> kernels;
+  for (const int most : {options.kernels / 4, options.kernels / 2, options.kernels}) {
+    if (most < 1)
+      continue;
+    std::vector<Kernel> fitted = fitKernels(power, window, std::size_t(most));
+    if (fitted.size() == kernels.size() && !bake.spectrumErrors.empty())
+      bake.spectrumErrors.pop_back();
+    bake.spectrumErrors.push_back({int(fitted.size()), spectrumErrorDb(power, window, fitted)});
+    kernels = std::move(fitted);
+  }
   if (kernels.empty()) // nothing varies
     kernels.push_back({1.0, {}, {1.0, 1.0}, 0.0, false});
   std::stable_sort(kernels.begin(), kernels.end(), [](const Kernel& a, const Kernel& b) {
@@ -133,8 +211,13 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
   shared.kernels = int(kernels.size());
   shared.rings = int(std::count_if(kernels.begin(), kernels.end(),
                                    [](const Kernel& kernel) { return kernel.isRing; }));
-  const std::vector<Eigen::MatrixXd> colors = kernelColors(spectra, window, kernels);
-  const std::vector<KernelRow> rows = rowsOf(kernels, options.window, options.impacts);
+  std::vector<Eigen::MatrixXd> colors = kernelColors(spectra, window, kernels);
+  std::vector<std::vector<PatternCosine>> patterns(spectra.size());
+  if (!pattern.terms.empty())
+    patterns = scalePattern(pattern, options.perturbation->amount, spectra::firstChannels(spectra),
+                            colors);
+  const std::vector<KernelRow> rows = rowsOf(kernels, options.window, options.impacts,
+                                             double(shared.texelsPerTileX) / shared.texelsPerTileY);
   Eigen::Index channel = 0;
   for (std::size_t m = 0; m < spectra.size(); ++m) {
     const std::size_t channels = spectra[m].channels.size();
@@ -144,7 +227,7 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
         for (std::size_t s = 0; s < std::size_t(kWaves); ++s)
           own[k].colors[c][s] = float(colors[k](channel + Eigen::Index(c), Eigen::Index(s)));
     channel += Eigen::Index(channels);
-    Table table = kernelTable(own);
+    Table table = kernelTable(own, patterns[m]);
     table.name = name + "." + std::string(nameOf(bake.noise.maps[m].target)) + ".kernels";
     data[m].kernels = appended(std::move(table), bake.tables);
     bake.noise.maps[m].data = data[m];

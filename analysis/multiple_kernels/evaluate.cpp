@@ -3,6 +3,8 @@
 // follow shaders_glsl/noise/multiple_kernels.glsl.
 #include "gaussianization/value_decoder.h"
 #include "kernel_impacts.h"
+#include "kernel_pattern.h"
+#include "solid_kernels.h"
 #include "triplanar/planes.h"
 
 #include <lichen/multiple_kernels_evaluate.h>
@@ -23,8 +25,8 @@ std::array<float, 2> positionOf(const TileFootprint& at, const shader::LichenMat
   return {at.position[0] + material.offsetX, at.position[1] + material.offsetY};
 }
 
-/// The squared cycles that a footprint spans of a kernel. [tiles]
-float squaredCyclesOf(const WaveFootprint& footprint, const KernelRow& row, bool isRing) {
+/// The amplitude that a footprint leaves of a kernel.
+float retainedOf(const WaveFootprint& footprint, const KernelRow& row, bool isRing) {
   const auto& q = row.toWindow;
   const float xx = q[0] * q[0] + q[2] * q[2], yy = q[1] * q[1] + q[3] * q[3],
               xy = q[0] * q[1] + q[2] * q[3];
@@ -32,26 +34,107 @@ float squaredCyclesOf(const WaveFootprint& footprint, const KernelRow& row, bool
   // A ring has all directions, and half of its square along each axis.
   const float ofFrequency =
       isRing ? 0.5f * fx * fx * (footprint.xx + footprint.yy) : footprint.squaredCycles(fx, fy);
-  return ofFrequency + row.spread * (footprint.xx * xx + footprint.yy * yy + footprint.xy * xy);
+  const float area = row.spread * (q[0] * q[3] - q[1] * q[2]);
+  return kernelRetained(
+      ofFrequency, row.spread * (footprint.xx * xx + footprint.yy * yy + footprint.xy * xy),
+      area * area * (footprint.xx * footprint.yy - 0.25f * footprint.xy * footprint.xy));
 }
 
-/// The cosine and the sine of an impact under its window.
-std::array<float, 2> kernelWave(std::uint32_t word, const std::array<float, 2>& offset,
-                                const KernelRow& row, const PlacedKernel& kernel, bool isRing,
-                                KernelWindow window) {
+/// The sums over impacts of their four waves, and derivatives of these along x and y [1 / cell].
+struct KernelSums {
+  std::array<float, 4> waves{}, alongX{}, alongY{};
+};
+
+/// lichenAddKernelImpact
+void addImpact(KernelSums& sums, std::uint32_t word, const std::array<float, 2>& offset,
+               const KernelRow& row, const PlacedKernel& kernel, bool isRing, KernelWindow window,
+               bool hasSlopes) {
   const auto& q = kernel.toWindow;
-  const float value = kernelWindow(q[0] * offset[0] + q[1] * offset[1],
-                                   q[2] * offset[0] + q[3] * offset[1], window);
-  if (value == 0.0f)
-    return {};
-  const float x = offset[0] * kernel.perCell[0], y = offset[1] * kernel.perCell[1];
-  float turns = row.frequency[0] * x + row.frequency[1] * y;
+  const std::array<float, 2> place{q[0] * offset[0] + q[1] * offset[1],
+                                   q[2] * offset[0] + q[3] * offset[1]};
+  const float value = kernelWindow(place[0], place[1], window);
+  if (value == 0.0f && !hasSlopes)
+    return;
+  std::array<float, 2> frequency = row.frequency;
   if (isRing) {
-    const float direction = float(pcg(word)) * 0x1p-32f;
-    turns =
-        row.frequency[0] * (cosineOfTurns(direction) * x + cosineOfTurns(direction - 0.25f) * y);
+    const std::array<float, 2> direction = ringDirection(word);
+    frequency = {row.frequency[0] * direction[0], row.frequency[0] * direction[1]};
   }
-  return {value * cosineOfTurns(turns), value * cosineOfTurns(turns - 0.25f)};
+  for (std::size_t k = 0; k < 2; ++k)
+    frequency[k] *= kernel.perCell[k];
+  const float turns = frequency[0] * offset[0] + frequency[1] * offset[1] + kernelPhase(word);
+  const float wave = cosineOfTurns(turns);
+  const auto add = [&](std::array<float, 4>& to, float of) {
+    const std::array<float, 4> waves = kernelWaves(of, word);
+    for (std::size_t s = 0; s < to.size(); ++s)
+      to[s] += waves[s];
+  };
+  add(sums.waves, value * wave);
+  if (!hasSlopes)
+    return;
+  const std::array<float, 2> ofWindow = kernelWindowSlope(place[0], place[1], window);
+  const float turned = 6.28318531f * value * cosineOfTurns(turns + 0.25f);
+  add(sums.alongX, (ofWindow[0] * q[0] + ofWindow[1] * q[2]) * wave + turned * frequency[0]);
+  add(sums.alongY, (ofWindow[0] * q[1] + ofWindow[1] * q[3]) * wave + turned * frequency[1]);
+}
+
+/// A Gaussian value and its derivatives along x and y [1 / tile].
+struct Gradient {
+  Value gaussian{};
+  std::array<float, 3> alongX{}, alongY{};
+};
+
+/// lichenKernelsGaussian
+Gradient gradientAt(const std::vector<KernelRow>& rows, const std::vector<PatternCosine>& pattern,
+                    const shader::LichenNoise& noise, const shader::LichenMaterial& material,
+                    const TileFootprint& at, bool hasSlopes) {
+  const shader::LichenKernelsNoise shared = kernelsPart(noise);
+  const auto window = KernelWindow(shared.window);
+  const WaveFootprint footprint = waveFootprint(at, noise);
+  const KernelPlace place = kernelPlaceAt(material, positionOf(at, material));
+  Gradient result;
+  std::array<float, 3> sum{};
+  float squares = 0.0f, lost = 0.0f;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const KernelRow& row = rows[k];
+    const bool isRing = k >= shared.kernels - shared.rings;
+    const float retained = retainedOf(footprint, row, isRing);
+    float own = 0.0f;
+    for (const std::array<float, 4>& color : row.colors)
+      for (const float factor : color)
+        own += factor * factor;
+    squares += own;
+    lost += own * (1.0f - retained * retained);
+    if (retained == 0.0f || own == 0.0f)
+      continue;
+    const PlacedKernel kernel = placedKernel(row, place, material);
+    KernelSums sums;
+    forEachKernelImpact(kernel, window == KernelWindow::gabor,
+                        pcg(material.seedWord + std::uint32_t(k)),
+                        [&](std::uint32_t word, const std::array<float, 2>& offset) {
+                          addImpact(sums, word, offset, row, kernel, isRing, window, hasSlopes);
+                        });
+    const float amplitude = retained * kernel.amplitude;
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t s = 0; s < sums.waves.size(); ++s) {
+        const float factor = amplitude * row.colors[c][s];
+        sum[c] += factor * sums.waves[s];
+        result.alongX[c] += factor / kernel.perCell[0] * sums.alongX[s];
+        result.alongY[c] += factor / kernel.perCell[1] * sums.alongY[s];
+      }
+  }
+  const PatternSum own = patternAt(pattern, place, footprint, material);
+  for (std::size_t c = 0; c < 3; ++c) {
+    sum[c] += own.gaussian[c];
+    result.alongX[c] += own.alongX[c];
+    result.alongY[c] += own.alongY[c];
+  }
+  squares += own.squares;
+  lost += own.lost;
+  constexpr float kLeast = 1e-20f; // of a map that does not vary
+  result.gaussian = {0.5f + material.contrast * sum[0], 0.5f + material.contrast * sum[1],
+                     0.5f + material.contrast * sum[2], lost / std::max(squares, kLeast)};
+  return result;
 }
 
 } // namespace
@@ -59,6 +142,7 @@ std::array<float, 2> kernelWave(std::uint32_t word, const std::array<float, 2>& 
 struct MultipleKernelsEvaluator::Map {
   gaussianization::ValueDecoder decoder;
   std::vector<KernelRow> rows;
+  std::vector<PatternCosine> pattern;
 };
 
 Result<MultipleKernelsEvaluator> MultipleKernelsEvaluator::create(const Bundle& bundle,
@@ -75,12 +159,14 @@ Result<MultipleKernelsEvaluator> MultipleKernelsEvaluator::create(const Bundle& 
       return Error{ErrorKind::usage, "noise '" + noise.name + "' has the method " +
                                          std::string(nameOf(noise.method())) +
                                          ", not multiple-kernels"};
+    const auto& shared = noise.as<MultipleKernelsNoise>();
     auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
       const auto& stored = noise.maps[m].as<MultipleKernelsMap>();
       maps->push_back(
           {gaussianization::ValueDecoder(bundle, shaderMap(bundle, noise, m), stored.inverseTable),
-           kernelRows(bundle.tables[stored.kernels])});
+           kernelRows(bundle.tables[stored.kernels], shared),
+           patternCosines(bundle.tables[stored.kernels], shared)});
     }
     return MultipleKernelsEvaluator(shaderNoise(bundle, noiseIndex), std::move(maps));
   });
@@ -91,42 +177,17 @@ std::size_t MultipleKernelsEvaluator::mapCount() const { return maps_->size(); }
 Value MultipleKernelsEvaluator::gaussian(std::size_t mapIndex,
                                          const shader::LichenMaterial& material,
                                          const TileFootprint& at) const {
-  const std::vector<KernelRow>& rows = (*maps_)[mapIndex].rows;
-  const shader::LichenKernelsNoise shared = kernelsPart(noise_);
-  const auto window = KernelWindow(shared.window);
-  const WaveFootprint footprint = waveFootprint(at, noise_);
-  const KernelPlace place = kernelPlaceAt(material, positionOf(at, material));
-  std::array<float, 3> sum{};
-  float squares = 0.0f, lost = 0.0f;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const KernelRow& row = rows[k];
-    const bool isRing = k >= shared.kernels - shared.rings;
-    const float retained = retainedAt(squaredCyclesOf(footprint, row, isRing));
-    float own = 0.0f;
-    for (const std::array<float, 4>& color : row.colors)
-      for (const float factor : color)
-        own += factor * factor;
-    squares += own;
-    lost += own * (1.0f - retained * retained);
-    if (retained == 0.0f)
-      continue;
-    const PlacedKernel kernel = placedKernel(row, place, material);
-    std::array<float, 4> sums{};
-    forEachKernelImpact(
-        kernel, window == KernelWindow::gabor, pcg(material.seedWord + std::uint32_t(k)),
-        [&](std::uint32_t word, const std::array<float, 2>& offset) {
-          const auto [cosine, sine] = kernelWave(word, offset, row, kernel, isRing, window);
-          for (std::size_t s = 0; s < sums.size(); ++s)
-            sums[s] += ((word >> s & 1u) != 0 ? -cosine : cosine) +
-                       ((word >> (s + sums.size()) & 1u) != 0 ? -sine : sine);
-        });
-    for (std::size_t c = 0; c < 3; ++c)
-      for (std::size_t s = 0; s < sums.size(); ++s)
-        sum[c] += retained * kernel.amplitude * row.colors[c][s] * sums[s];
-  }
-  constexpr float kLeast = 1e-20f; // of a map that does not vary
-  return {0.5f + material.contrast * sum[0], 0.5f + material.contrast * sum[1],
-          0.5f + material.contrast * sum[2], lost / std::max(squares, kLeast)};
+  return gradientAt((*maps_)[mapIndex].rows, (*maps_)[mapIndex].pattern, noise_, material, at,
+                    false)
+      .gaussian;
+}
+
+std::array<float, 3> MultipleKernelsEvaluator::gradient(std::size_t mapIndex,
+                                                        const shader::LichenMaterial& material,
+                                                        const TileFootprint& at) const {
+  const Map& map = (*maps_)[mapIndex];
+  const Gradient here = gradientAt(map.rows, map.pattern, noise_, material, at, true);
+  return map.decoder.gradient(here.gaussian, here.alongX, here.alongY, material.contrast);
 }
 
 Value MultipleKernelsEvaluator::evaluate(std::size_t mapIndex,
@@ -152,6 +213,22 @@ Value MultipleKernelsEvaluator::evaluate(std::size_t mapIndex,
         triplanar::planesAt(at, material, noise_),
         [&](const auto& plane) { return evaluate(mapIndex, plane.material, plane.at); });
   return map.decoder.decode(gaussian(mapIndex, material, at), material.material.contrast);
+}
+
+Value MultipleKernelsEvaluator::gaussian(std::size_t mapIndex,
+                                         const shader::LichenMaterial& material,
+                                         const SolidFootprint& at) const {
+  const Map& map = (*maps_)[mapIndex];
+  return solid::gaussianOf(solidSumAt(map.rows, noise_, map.decoder.constants(), material, at),
+                           material);
+}
+
+Value MultipleKernelsEvaluator::evaluate(std::size_t mapIndex,
+                                         const shader::LichenMaterial& material,
+                                         const SolidFootprint& at) const {
+  const Map& map = (*maps_)[mapIndex];
+  return solid::valueOf(solidSumAt(map.rows, noise_, map.decoder.constants(), material, at),
+                        map.decoder, material);
 }
 
 MultipleKernelsEvaluator::Visited

@@ -13,7 +13,7 @@ namespace lichen::multiple_kernels {
 
 using Window = KernelWindow;
 
-/// (s cos(2 pi f.d) + t sin(2 pi f.d)) w(Q d) at an offset d from its impact [tiles], with signs s
+/// s sqrt(2) cos(2 pi f.d + t pi / 4) w(Q d) at an offset d from its impact [tiles], with signs s
 /// and t at random: a wave of four phases. The kernel of a ring has the length of f, and at each
 /// impact a direction at random.
 struct Kernel {

@@ -52,7 +52,8 @@ struct PlacedKernel {
   PlacedKernel kernel;
   const std::array<int, 2> own{row.columns, row.rows};
   const std::array<float, 2> tiles{material.periodTilesX, material.periodTilesY};
-  kernel.amplitude = row.amplitude;
+  constexpr float kOfWave = 1.41421356f; // whose square is 1 in the mean
+  kernel.amplitude = kOfWave * row.amplitude;
   float fitted = 1.0f;
   for (std::size_t k = 0; k < 2; ++k) {
     auto cells = float(own[k]);
@@ -77,6 +78,29 @@ struct PlacedKernel {
   return kernel;
 }
 
+/// lichenKernelPlace: of an impact in its cell.
+inline std::array<float, 2> placeOfImpact(std::uint32_t word) {
+  constexpr float kStep = 1.0f / 2048.0f; // 11 bits per axis
+  return {(float(word >> 21) + 0.5f) * kStep, (float(word >> 10 & 2047u) + 0.5f) * kStep};
+}
+
+/// lichenRingDirection
+inline std::array<float, 2> ringDirection(std::uint32_t word) {
+  const float turns = float(pcg(word)) * 0x1p-32f;
+  return {cosineOfTurns(turns), cosineOfTurns(turns - 0.25f)};
+}
+
+/// lichenKernelPhase [turns]
+inline float kernelPhase(std::uint32_t word) { return (word >> 4 & 1u) != 0 ? 0.125f : -0.125f; }
+
+/// lichenKernelWaves
+inline std::array<float, 4> kernelWaves(float wave, std::uint32_t word) {
+  std::array<float, 4> waves{};
+  for (std::size_t s = 0; s < waves.size(); ++s)
+    waves[s] = (word >> s & 1u) != 0 ? -wave : wave;
+  return waves;
+}
+
 /// Calls act(word, offset from the impact to the point [cells]) for each impact in the cells that
 /// the support may reach.
 template <class Act>
@@ -94,11 +118,6 @@ void forEachKernelImpact(const PlacedKernel& kernel, bool isDisk, std::uint32_t 
     const std::int32_t rest = std::int32_t(cell) % period;
     return std::uint32_t(rest < 0 ? rest + period : rest);
   };
-  const auto placeOf = [](std::uint32_t word) {
-    constexpr float kStep = 1.0f / 2048.0f; // 11 bits per axis
-    return std::array<float, 2>{(float(word >> 21) + 0.5f) * kStep,
-                                (float(word >> 10 & 2047u) + 0.5f) * kStep};
-  };
   const int last = int(std::floor(kernel.place[1] + reachY));
   for (int j = int(std::floor(kernel.place[1] - reachY)); j <= last; ++j) {
     const float low = kernel.place[1] - float(j) - 1.0f, high = kernel.place[1] - float(j);
@@ -112,17 +131,54 @@ void forEachKernelImpact(const PlacedKernel& kernel, bool isDisk, std::uint32_t 
          i <= end; ++i) {
       const std::uint32_t column = wrapped(kernel.corner[0] + std::uint32_t(i), kernel.period[0]);
       const std::uint32_t word = vertexHash(column, row, seed);
-      const std::array<float, 2> place = placeOf(word);
+      const std::array<float, 2> place = placeOfImpact(word);
       act(word, std::array<float, 2>{kernel.place[0] - float(i) - place[0],
                                      kernel.place[1] - float(j) - place[1]});
     }
   }
 }
 
+/// lichenKernelRetained
+inline float kernelRetained(float cycles, float trace, float determinant) {
+  constexpr float kSlope = 6.57973627f, kFaint = 0.3f;
+  const float wider = std::sqrt(std::max(1.0f + kSlope * (trace + kSlope * determinant), 1.0f));
+  return std::max((1.0f + kFaint) * retainedAt(cycles / wider) / std::sqrt(wider) - kFaint, 0.0f);
+}
+
 /// lichenKernelSinc
 inline float kernelSinc(float t) {
   constexpr float kPerTurn = 0.159154943f, kLeast = 1e-3f;
   return std::abs(t) < kLeast ? 1.0f : cosineOfTurns(t - 0.25f) * kPerTurn / t;
+}
+
+/// lichenKernelSincSlope
+inline float kernelSincSlope(float t) {
+  constexpr float kLeast = 0.1f, kRadians = 6.28318531f;
+  const float x = kRadians * t, square = x * x;
+  const float near = kRadians * x * (square * (1.0f / 30.0f - square / 840.0f) - 1.0f / 3.0f);
+  return std::abs(t) < kLeast ? near : (cosineOfTurns(t) - kernelSinc(t)) / t;
+}
+
+/// lichenKernelWindowSlope
+inline std::array<float, 2> kernelWindowSlope(float p, float q, KernelWindow window) {
+  if (window == KernelWindow::gabor) {
+    const float left = std::max(1.0f - p * p - q * q, 0.0f);
+    return {-6.0f * left * left * p, -6.0f * left * left * q};
+  }
+  const std::array<float, 2> place{p, q};
+  std::array<float, 2> sinc{}, slope{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const float left = std::max(1.0f - place[k] * place[k], 0.0f);
+    if (left == 0.0f)
+      return {};
+    sinc[k] = kernelSinc(place[k]);
+    slope[k] = kernelSincSlope(place[k]);
+    if (window == KernelWindow::gaussianSinc) {
+      slope[k] = left * (left * slope[k] - 4.0f * place[k] * sinc[k]);
+      sinc[k] *= left * left;
+    }
+  }
+  return {slope[0] * sinc[1], slope[1] * sinc[0]};
 }
 
 /// lichenKernelWindow

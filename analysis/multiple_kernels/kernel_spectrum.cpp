@@ -140,9 +140,9 @@ double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
   double density = 0.0;
   if (slopes != nullptr)
     *slopes = {};
-  // The nearest of the others: those beyond are weaker, and kernels are wider than half a texel.
-  for (const double atU : {u, u > 0.0 ? u - texels[0] : u + texels[0]})
-    for (const double atV : {v, v > 0.0 ? v - texels[1] : v + texels[1]}) {
+  // The nearest aliases: kernels are wider than half a texel, so those beyond are weak.
+  for (const double atU : {u - texels[0], u, u + texels[0]})
+    for (const double atV : {v - texels[1], v, v + texels[1]}) {
       if (!isInReach(atU, atV))
         continue;
       KernelSlopes own{};

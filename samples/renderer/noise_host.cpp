@@ -30,11 +30,7 @@ LichenMapping codeOf(NoiseMapping mapping) {
 }
 
 bool supports(const LichenNoiseProperties& noise, LichenMapping mapping) {
-  if (mapping == LICHEN_MAPPING_SURFACE)
-    return noise.method == LICHEN_NOISE_TEXTON;
-  if (mapping == LICHEN_MAPPING_SOLID)
-    return noise.method == LICHEN_NOISE_LOCAL_RANDOM_PHASE && noise.hasStructure == 0;
-  return true;
+  return ((noise.mappings >> mapping) & 1u) != 0;
 }
 
 } // namespace
@@ -219,6 +215,7 @@ void NoiseHost::noteFeatures(const MaterialState& material) {
   features_.surfaceNoises = features_.surfaceNoises || parameters.mapping == LICHEN_MAPPING_SURFACE;
   features_.solidNoises = features_.solidNoises || parameters.mapping == LICHEN_MAPPING_SOLID;
   features_.structures = features_.structures || noise.hasStructure != 0;
+  features_.kernelKinds |= noise.kernelKinds;
   features_.mixes = features_.mixes || noise.mixSteps > 1;
   features_.objectSpaces = features_.objectSpaces || material.use.inObjectSpace;
   features_.tileRotation = features_.tileRotation || parameters.tileRotation > 1;

@@ -36,11 +36,12 @@ struct NoiseFeatures {
   bool surfaceNoises = false; ///< some noise uses surface mapping
   bool triplanarNoises = false;
   bool solidNoises = false;
-  bool otherMappings = false; ///< some noise uses a mapping other than triplanar
-  bool mixes = false;         ///< some texton noise is a mix
-  bool objectSpaces = false;  ///< some noise is placed in object space
-  bool tileRotation = false;  ///< some noise rotates its tiles
-  bool structures = false;    ///< some local random-phase noise has a structure
+  bool otherMappings = false;    ///< some noise uses a mapping other than triplanar
+  bool mixes = false;            ///< some texton noise is a mix
+  bool objectSpaces = false;     ///< some noise is placed in object space
+  bool tileRotation = false;     ///< some noise rotates its tiles
+  bool structures = false;       ///< some local random-phase noise has a structure
+  std::uint32_t kernelKinds = 0; ///< LICHEN_KERNELS_... that some multiple-kernels noise has
   [[nodiscard]] bool hasMethod(LichenNoiseMethod method) const {
     return ((methods >> method) & 1u) != 0;
   }

@@ -219,6 +219,9 @@ struct Constants {
   VkBool32 tileRotation = VK_FALSE;
   VkBool32 solid = VK_FALSE;
   VkBool32 structure = VK_FALSE;
+  VkBool32 ringKernels = VK_FALSE;
+  VkBool32 squareKernels = VK_FALSE;
+  VkBool32 kernelPattern = VK_FALSE;
 };
 
 constexpr std::array kConstants{
@@ -232,7 +235,10 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{8, offsetof(Constants, objectSpaces), sizeof(VkBool32)},
     VkSpecializationMapEntry{9, offsetof(Constants, tileRotation), sizeof(VkBool32)},
     VkSpecializationMapEntry{10, offsetof(Constants, solid), sizeof(VkBool32)},
-    VkSpecializationMapEntry{11, offsetof(Constants, structure), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{11, offsetof(Constants, structure), sizeof(VkBool32)},
+    VkSpecializationMapEntry{12, offsetof(Constants, ringKernels), sizeof(VkBool32)},
+    VkSpecializationMapEntry{13, offsetof(Constants, squareKernels), sizeof(VkBool32)},
+    VkSpecializationMapEntry{14, offsetof(Constants, kernelPattern), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -280,7 +286,10 @@ Constants constantsOf(const SurfaceConstants& shared) {
           .objectSpaces = noises.objectSpaces,
           .tileRotation = noises.tileRotation,
           .solid = noises.solidNoises,
-          .structure = noises.structures};
+          .structure = noises.structures,
+          .ringKernels = (noises.kernelKinds & LICHEN_KERNELS_RINGS) != 0,
+          .squareKernels = (noises.kernelKinds & LICHEN_KERNELS_SQUARE) != 0,
+          .kernelPattern = (noises.kernelKinds & LICHEN_KERNELS_PATTERN) != 0};
 }
 
 /// Sets the stages before the fragment shader, with this vertex shader for surfaces that are not

@@ -39,7 +39,7 @@
 // Tiles along each axis that hold whole cells of all kernels.
 #define LICHEN_KERNEL_TILES 8
 
-// LichenTextonMaterial::pointProcess. LichenKernelsMaterial::pointProcess is stratified.
+// LichenTextonMaterial::pointProcess.
 #define LICHEN_POINTS_STRATIFIED 0 // one impact in each cell
 #define LICHEN_POINTS_POISSON 1    // a Poisson number of impacts, 1 in the mean
 
@@ -149,7 +149,10 @@ struct LichenCosinesMaterial {
 
 /// What only multiple-kernels noise has of a material: own0 to own2.
 struct LichenKernelsMaterial {
-  uint pointProcess; // LICHEN_POINTS_*
+  // Of solid noise: the third of cellI and cellJ and of offsetX and offsetY [tile widths].
+  uint isSolid; // 0 of noise in a plane
+  int cellK;
+  float offsetZ;
 };
 
 /// What only textons have of a noise: own0 and own1.
@@ -175,10 +178,10 @@ struct LichenCosinesNoise {
 
 /// What only multiple-kernels noise has of a noise: own0 and own1.
 struct LichenKernelsNoise {
-  uint kernels;   // rows of an image
+  uint kernels;   // the first rows of an image
   uint rings;     // the last so many of them
   uint window;    // LICHEN_WINDOW_*
-  uint reserved0; // 0: to a multiple of 16 bytes
+  uint cosines;   // of the pattern in the rows below
 };
 
 /// What all maps of a noise share. Fixed by the bundle.
@@ -211,7 +214,7 @@ struct LichenMap {
   uvec4 mipRetained0, mipRetained1, mipRetained2;
   // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
   // value less its mean. Lower triangular: row0.yz and row1.z are 0. With a table, of slopes of
-  // local random-phase noise: the linear part of that, not triangular.
+  // methods that have solids: the linear part of that, not triangular.
   vec4 row0, row1, row2;
   // Of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix. Of a structure: what its
   // integers are multiplied with. w unused.

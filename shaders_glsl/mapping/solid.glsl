@@ -19,8 +19,7 @@ LichenShadingPoint lichenPointSolidGrad(vec3 position, vec3 positionGradientX,
 #ifndef LICHEN_OMIT_SOLID
   float perTile = 1.0 / noise.tileSizeMetres;
   float perScale = length(vec2(material.uvToTileXX, material.uvToTileXY));
-  vec3 offset =
-      vec3(material.offsetX, material.offsetY, lichenCosinesMaterial(material).offsetZ);
+  vec3 offset = vec3(material.offsetX, material.offsetY, 0.0); // methods add their own along z
   // Texels are square in space.
   vec3 scale = perTile * vec3(1.0, noise.tileAspect, perScale);
   vec2 right = vec2(material.uvToTileXX, -material.uvToTileXY); // of x and y, as y points up

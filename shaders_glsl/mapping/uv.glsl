@@ -36,13 +36,32 @@ LichenImpacts lichenGradientPointUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradie
   return impacts;
 }
 
-/// lichenCosinesGradient at `uv`.
-vec3 lichenCosinesGradientUvGrad(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 uv,
-                                 vec2 uvGradientX, vec2 uvGradientY, LichenMaterial material,
-                                 LichenNoise noise, LichenMap map) {
+/// The value of a map's first channel at `uv` and its derivatives along x and y of tile space
+/// [1 / tile], for bumps of a height. Of tiling, which has none, these are 0.
+vec3 lichenGradientUvGrad(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 uv, vec2 uvGradientX,
+                          vec2 uvGradientY, LichenMaterial material, LichenNoise noise,
+                          LichenMap map) {
   vec2 position = vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material);
-  return lichenCosinesGradient(image, table, position, lichenUvToTile(uvGradientX, material),
-                               lichenUvToTile(uvGradientY, material), material, noise, map);
+  vec2 gradientX = lichenUvToTile(uvGradientX, material);
+  vec2 gradientY = lichenUvToTile(uvGradientY, material);
+#ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
+  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, noise))
+    return lichenCosinesGradient(image, table, position, gradientX, gradientY, material, noise,
+                                 map);
+#endif
+#ifdef LICHEN_HAS_MULTIPLE_KERNELS
+  if (lichenHasMethod(LICHEN_METHOD_MULTIPLE_KERNELS, noise))
+    return lichenKernelsGradient(image, table, position, gradientX, gradientY, material, noise,
+                                 map);
+#endif
+#ifdef LICHEN_HAS_TEXTONS
+  if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise))
+    return lichenTextonGradient(
+        image, table, lichenGradientPointUvGrad(uv, uvGradientX, uvGradientY, material, noise),
+        material, noise, map);
+#endif
+  LichenPoint point = lichenPointAt(position, gradientX, gradientY, material, noise);
+  return vec3(lichenValueAt(image, table, point, material, noise, map).x, 0.0, 0.0);
 }
 
 /// The unit tangent-space normal of slopes (-nx/nz, -ny/nz).

@@ -6,13 +6,8 @@
 #ifndef LICHEN_COSINE_GRADIENT_GLSL
 #define LICHEN_COSINE_GRADIENT_GLSL
 
-#include "decode.glsl"
+#include "decoded_gradient.glsl"
 #include "local_random_phase.glsl"
-
-/// Derivatives of the Gaussian value along x and y [1 / tile].
-struct LichenCosinesSlopes {
-  vec3 alongX, alongY;
-};
 
 /// Derivatives of the three normalised windows along x and y [1 / tile].
 void lichenCosineWindowSlopes(LichenCosinesVertices vertices, vec2 cellsPerTile, out vec3 alongX,
@@ -36,7 +31,7 @@ void lichenCosineWindowSlopes(LichenCosinesVertices vertices, vec2 cellsPerTile,
 
 /// Adds one cosine at three vertices: to the sums of each before its window, and to the derivatives
 /// with constant windows. Other arguments as lichenAddCosine has them.
-void lichenAddCosineSlopes(inout mat3 sums, inout LichenCosinesSlopes slopes, inout uvec3 states,
+void lichenAddCosineSlopes(inout mat3 sums, inout LichenGaussianSlopes slopes, inout uvec3 states,
                            LichenCosinesVertices vertices, vec3 footprint, vec2 box, vec2 variant0,
                            vec2 variant1, vec2 variant2) {
   vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
@@ -67,12 +62,12 @@ void lichenAddCosineSlopes(inout mat3 sums, inout LichenCosinesSlopes slopes, in
 }
 
 /// Derivatives of the cosines' sum.
-LichenCosinesSlopes lichenCosinesSlopes(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
+LichenGaussianSlopes lichenCosinesSlopes(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
                                         LichenMaterial material, LichenNoise noise) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));
-  LichenCosinesSlopes slopes = LichenCosinesSlopes(vec3(0.0), vec3(0.0));
+  LichenGaussianSlopes slopes = LichenGaussianSlopes(vec3(0.0), vec3(0.0));
   int row = 0;
   int rows = int(shape.cosines) / 2;
   for (int octave = 0; octave < LICHEN_MAX_OCTAVES && row < rows; ++octave) {
@@ -119,7 +114,7 @@ vec3 lichenCosinesGradient(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 po
   LichenCosinesPoint point;
   lichenSetPoint(point, position, gradientX, gradientY, material, noise);
   vec4 gaussian = lichenCosinesGaussian(image, point, material, noise, map);
-  LichenCosinesSlopes slopes = lichenCosinesSlopes(image, point, material, noise);
+  LichenGaussianSlopes slopes = lichenCosinesSlopes(image, point, material, noise);
   uint structureWord = lichenCosinesNoise(noise).structure;
   if (bool(LICHEN_STRUCTURE) && structureWord != 0u) {
     vec2 step = 0.25 / vec2(lichenStructureImage(lichenCosinesNoise(noise)).size);
@@ -131,21 +126,7 @@ vec3 lichenCosinesGradient(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 po
     slopes.alongX += (right - left) / (2.0 * step.x);
     slopes.alongY += (below - above) / (2.0 * step.y);
   }
-  vec3 value;
-  value.x = lichenDecode(table, gaussian.rgb, gaussian.w, material.contrast, map).x;
-  // What decodes Gaussian values has no derivative of its own: differences over an eighth of their
-  // deviation.
-  const float kStep = 1.0 / 96.0, kLeast = 1.0e-20;
-  vec3 stepX = slopes.alongX * (kStep / max(length(slopes.alongX), kLeast));
-  vec3 stepY = slopes.alongY * (kStep / max(length(slopes.alongY), kLeast));
-  float perStep = material.contrast / (2.0 * kStep);
-  value.y = perStep * length(slopes.alongX) *
-            (lichenDecode(table, gaussian.rgb + stepX, gaussian.w, material.contrast, map).x -
-             lichenDecode(table, gaussian.rgb - stepX, gaussian.w, material.contrast, map).x);
-  value.z = perStep * length(slopes.alongY) *
-            (lichenDecode(table, gaussian.rgb + stepY, gaussian.w, material.contrast, map).x -
-             lichenDecode(table, gaussian.rgb - stepY, gaussian.w, material.contrast, map).x);
-  return value;
+  return lichenDecodedGradient(table, gaussian, slopes, material.contrast, map);
 }
 
 #endif

@@ -43,19 +43,30 @@
 #define LICHEN_HAS_LOCAL_RANDOM_PHASE
 #define LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)                                                         \
   DO(localRandomPhase, LichenCosinesPoint, LICHEN_METHOD_LOCAL_RANDOM_PHASE)
+#define LICHEN_SOLID_LOCAL_RANDOM_PHASE(DO)                                                        \
+  DO(localRandomPhase, LichenSolidCosinesPoint, LICHEN_METHOD_LOCAL_RANDOM_PHASE)
 #else
 #define LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)
-#ifndef LICHEN_OMIT_SOLID
-#define LICHEN_OMIT_SOLID
+#define LICHEN_SOLID_LOCAL_RANDOM_PHASE(DO)
 #endif
-#endif
-
 #if (LICHEN_METHODS & 8) != 0
 #define LICHEN_HAS_MULTIPLE_KERNELS
 #define LICHEN_EACH_MULTIPLE_KERNELS(DO)                                                           \
   DO(multipleKernels, LichenKernelsPoint, LICHEN_METHOD_MULTIPLE_KERNELS)
+#define LICHEN_SOLID_MULTIPLE_KERNELS(DO)                                                          \
+  DO(multipleKernels, LichenSolidKernelsPoint, LICHEN_METHOD_MULTIPLE_KERNELS)
 #else
 #define LICHEN_EACH_MULTIPLE_KERNELS(DO)
+#define LICHEN_SOLID_MULTIPLE_KERNELS(DO)
+#endif
+
+// Likewise, for each method that has solids: its member of LichenSolidPoint; see
+// solid_method.glsl.
+#define LICHEN_EACH_SOLID_METHOD(DO)                                                               \
+  LICHEN_SOLID_LOCAL_RANDOM_PHASE(DO)                                                              \
+  LICHEN_SOLID_MULTIPLE_KERNELS(DO)
+#if (LICHEN_METHODS & 12) == 0 && !defined(LICHEN_OMIT_SOLID)
+#define LICHEN_OMIT_SOLID
 #endif
 
 // 0 where no texton noise is mapped onto a surface. A literal, or the host's specialization
@@ -98,9 +109,14 @@ bool lichenIsSurface(LichenMaterial material) {
   return bool(LICHEN_SURFACE_TEXTONS) && lichenTextonMaterial(material).surfaceCubeTexels > 0.0;
 }
 
-/// Whether local random-phase noise is mapped to a solid; known at compile time where none is.
-bool lichenIsSolid(LichenMaterial material) {
-  return bool(LICHEN_SOLID) && lichenCosinesMaterial(material).isSolid != 0u;
+/// Whether the mapping is solid; known at compile time where none is.
+bool lichenIsSolid(LichenMaterial material, LichenNoise noise) {
+  if (!bool(LICHEN_SOLID))
+    return false;
+  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, noise))
+    return lichenCosinesMaterial(material).isSolid != 0u;
+  return lichenHasMethod(LICHEN_METHOD_MULTIPLE_KERNELS, noise) &&
+         lichenKernelsMaterial(material).isSolid != 0u;
 }
 
 /// Whether the mapping is triplanar; known at compile time where none is, or all are.
@@ -113,8 +129,7 @@ bool lichenIsTriplanar(LichenMaterial material) {
 
 /// Whether slopes are a gradient in space, for lichenNormalFromGradient.
 bool lichenHasSlopesInSpace(LichenMaterial material, LichenNoise noise) {
-  return lichenIsTriplanar(material) ||
-         (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, noise) && lichenIsSolid(material));
+  return lichenIsTriplanar(material) || lichenIsSolid(material, noise);
 }
 
 #endif

@@ -36,11 +36,12 @@ LichenCosinesMaterial lichenCosinesMaterial(LichenMaterial material) {
 }
 
 LichenKernelsMaterial lichenKernelsMaterial(LichenMaterial material) {
-  return LichenKernelsMaterial(material.own0.x);
+  return LichenKernelsMaterial(material.own0.x, int(material.own0.y),
+                               uintBitsToFloat(material.own0.z));
 }
 
 LichenKernelsNoise lichenKernelsNoise(LichenNoise noise) {
-  return LichenKernelsNoise(noise.own0.x, noise.own0.y, noise.own0.z, 0u);
+  return LichenKernelsNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w);
 }
 
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {

@@ -11,10 +11,24 @@
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "decode.glsl"
+#include "decoded_gradient.glsl"
 #include "hash.glsl"
+#include "kernel_pattern.glsl"
 #include "method_parts.glsl"
 #include "periodic_lattice.glsl"
 #include "wave.glsl"
+
+// 0 where no kernel is a ring; 0 where all have the window of the kind gabor, not one on a square;
+// 0 where no noise has a pattern. Literals, or the host's specialization constants.
+#ifndef LICHEN_RING_KERNELS
+#define LICHEN_RING_KERNELS 1
+#endif
+#ifndef LICHEN_SQUARE_KERNELS
+#define LICHEN_SQUARE_KERNELS 1
+#endif
+#ifndef LICHEN_KERNEL_PATTERN
+#define LICHEN_KERNEL_PATTERN 1
+#endif
 
 /// What all maps of a noise share at one point.
 struct LichenKernelsPoint {
@@ -44,7 +58,8 @@ LichenKernel lichenKernelAt(LICHEN_IMAGE_2D image, int row, LichenKernelsPoint p
   vec4 window = LICHEN_FETCH_2D(image, ivec2(1, row));
   vec4 scales = LICHEN_FETCH_2D(image, ivec2(2, row));
   LichenKernel kernel;
-  kernel.amplitude = scales.x;
+  const float kOfWave = 1.41421356; // whose square is 1 in the mean
+  kernel.amplitude = kOfWave * scales.x;
   kernel.spread = scales.y;
   vec2 cells = grid.zw; // in a group, or in the period
   vec2 perTile = cells / float(LICHEN_KERNEL_TILES);
@@ -66,7 +81,7 @@ LichenKernel lichenKernelAt(LICHEN_IMAGE_2D image, int row, LichenKernelsPoint p
   if (!isPeriodic) // a place of almost 1 may round to it, which is the next group's corner
     kernel.corner += uvec2(point.group) * uvec2(ivec2(cells));
   kernel.perCell = 1.0 / perTile;
-  kernel.isRing = row >= int(kernels.kernels - kernels.rings);
+  kernel.isRing = bool(LICHEN_RING_KERNELS) && row >= int(kernels.kernels - kernels.rings);
   kernel.frequency = kernel.isRing ? grid.xy : grid.xy * kernel.perCell;
   kernel.toWindow = mat2(window.xz * kernel.perCell.x, window.yw * kernel.perCell.y);
   return kernel;
@@ -81,9 +96,14 @@ float lichenKernelSinc(float t) {
   return abs(t) < kLeast ? 1.0 : quarter * kPerTurn / t;
 }
 
+/// Whether windows are of the kind gabor, in the unit disk.
+bool lichenIsOnDisk(uint window) {
+  return !bool(LICHEN_SQUARE_KERNELS) || window == uint(LICHEN_WINDOW_GABOR);
+}
+
 /// The window at a place in its coordinates, 0 outside the support.
 float lichenKernelWindow(vec2 place, uint window) {
-  if (window == uint(LICHEN_WINDOW_GABOR)) {
+  if (lichenIsOnDisk(window)) {
     float left = max(1.0 - dot(place, place), 0.0);
     return left * left * left;
   }
@@ -93,24 +113,76 @@ float lichenKernelWindow(vec2 place, uint window) {
   return window == uint(LICHEN_WINDOW_SINC) ? product : product * taper * taper;
 }
 
-/// One impact's share of each of the four sums, each a wave of another phase: plus or minus its
-/// cosine, plus or minus its sine. `word`: its random numbers; `offset` from it to the point.
-vec4 lichenKernelImpact(uint word, vec2 offset, LichenKernel kernel, uint window) {
-  float value = lichenKernelWindow(kernel.toWindow * offset, window);
-  float turns;
-  if (kernel.isRing) {
-    const float kPerBit = 1.0 / 4294967296.0;
-    float direction = float(lichenPcg(word)) * kPerBit;
-    vec2 axis = lichenCosineOfTurns(vec4(direction, direction - 0.25, 0.0, 0.0)).xy;
-    turns = kernel.frequency.x * dot(axis, offset * kernel.perCell);
-  } else {
-    turns = dot(kernel.frequency, offset);
+/// The derivative of lichenKernelSinc.
+float lichenKernelSincSlope(float t) {
+  // Near 0 its series, where the difference of approximations would be rounded.
+  const float kLeast = 0.1, kRadians = 6.28318531;
+  float x = kRadians * t, square = x * x;
+  float near = kRadians * x * (square * (1.0 / 30.0 - square / 840.0) - 1.0 / 3.0);
+  float cosine = lichenCosineOfTurns(vec4(t)).x;
+  return abs(t) < kLeast ? near : (cosine - lichenKernelSinc(t)) / t;
+}
+
+/// The derivatives of lichenKernelWindow along its coordinates.
+vec2 lichenKernelWindowSlope(vec2 place, uint window) {
+  if (lichenIsOnDisk(window)) {
+    float left = max(1.0 - dot(place, place), 0.0);
+    return -6.0 * left * left * place;
   }
-  vec2 wave = value * lichenCosineOfTurns(vec4(turns, turns - 0.25, 0.0, 0.0)).xy;
-  uvec4 signs = uvec4(word) << uvec4(31u, 30u, 29u, 28u);
-  uvec4 others = uvec4(word) << uvec4(27u, 26u, 25u, 24u);
-  return uintBitsToFloat(floatBitsToUint(wave.xxxx) ^ (signs & 0x80000000u)) +
-         uintBitsToFloat(floatBitsToUint(wave.yyyy) ^ (others & 0x80000000u));
+  vec2 left = max(1.0 - place * place, 0.0);
+  if (left.x * left.y == 0.0)
+    return vec2(0.0);
+  vec2 sinc = vec2(lichenKernelSinc(place.x), lichenKernelSinc(place.y));
+  vec2 slope = vec2(lichenKernelSincSlope(place.x), lichenKernelSincSlope(place.y));
+  if (window == uint(LICHEN_WINDOW_GAUSSIAN_SINC)) {
+    slope = left * (left * slope - 4.0 * place * sinc);
+    sinc *= left * left;
+  }
+  return slope * sinc.yx;
+}
+
+/// The phase of an impact, by a bit of its random numbers: an eighth of a turn, so that slow
+/// kernels are as strong as others. [turns]
+float lichenKernelPhase(uint word) { return float(int((word >> 4u) & 1u)) * 0.25 - 0.125; }
+
+/// The wave of an impact -> its four waves, which differ in their signs, by bits of its random
+/// numbers.
+vec4 lichenKernelWaves(float wave, uint word) {
+  uvec4 signs = (uvec4(word) << uvec4(31u, 30u, 29u, 28u)) & 0x80000000u;
+  return uintBitsToFloat(uvec4(floatBitsToUint(wave)) ^ signs);
+}
+
+/// The direction of a ring's impact, for its random numbers.
+vec2 lichenRingDirection(uint word) {
+  const float kPerBit = 1.0 / 4294967296.0;
+  float turns = float(lichenPcg(word)) * kPerBit;
+  return lichenCosineOfTurns(vec4(turns, turns - 0.25, 0.0, 0.0)).xy;
+}
+
+/// Sums over impacts of their four waves, and derivatives of these along x and y [1 / cell].
+struct LichenKernelSums {
+  vec4 waves, alongX, alongY;
+};
+
+/// Adds one impact. `word`: its random numbers; `offset` from it to the point. Derivatives are 0
+/// unless `hasSlopes`, a constant.
+void lichenAddKernelImpact(inout LichenKernelSums sums, uint word, vec2 offset,
+                           LichenKernel kernel, uint window, bool hasSlopes) {
+  vec2 place = kernel.toWindow * offset;
+  float value = lichenKernelWindow(place, window);
+  vec2 frequency = kernel.frequency;
+  if (kernel.isRing)
+    frequency = kernel.frequency.x * lichenRingDirection(word) * kernel.perCell;
+  float turns = dot(frequency, offset) + lichenKernelPhase(word);
+  float wave = lichenCosineOfTurns(vec4(turns)).x;
+  sums.waves += lichenKernelWaves(value * wave, word);
+  if (hasSlopes) {
+    const float kRadians = 6.28318531;
+    vec2 slope = lichenKernelWindowSlope(place, window) * kernel.toWindow * wave;
+    slope += kRadians * value * lichenCosineOfTurns(vec4(turns + 0.25)).x * frequency;
+    sums.alongX += lichenKernelWaves(slope.x, word);
+    sums.alongY += lichenKernelWaves(slope.y, word);
+  }
 }
 
 /// Where an impact lies in its cell, [0, 1).
@@ -120,17 +192,17 @@ vec2 lichenKernelPlace(uint word) {
   return (vec2(ivec2(uvec2(word >> 21u, word >> 10u) & 2047u)) + 0.5) * kStep;
 }
 
-/// The sums over the impacts of a kernel that reach the point.
-vec4 lichenKernelSums(LichenKernel kernel, uint seed, uint window) {
+/// The sums over the impacts of a kernel that reach the point, times its amplitude.
+LichenKernelSums lichenKernelSums(LichenKernel kernel, uint seed, uint window, bool hasSlopes) {
   // The offsets that the window reaches: |Q d| < 1 of a disk. In a row of cells at least as far as
   // `near` along y, the chord of the ellipse; of a square, all of it.
   mat2 q = kernel.toWindow;
   float xx = dot(q[0], q[0]), xy = dot(q[0], q[1]), yy = dot(q[1], q[1]);
   float determinant = xx * yy - xy * xy;
-  bool isDisk = window == uint(LICHEN_WINDOW_GABOR);
+  bool isDisk = lichenIsOnDisk(window);
   float reachY = isDisk ? sqrt(xx / determinant) : 1.0 / abs(q[1].y);
   float shear = isDisk ? xy / xx : 0.0;
-  vec4 sums = vec4(0.0);
+  LichenKernelSums sums = LichenKernelSums(vec4(0.0), vec4(0.0), vec4(0.0));
   int last = int(floor(kernel.place.y + reachY));
   for (int j = int(floor(kernel.place.y - reachY)); j <= last; ++j) {
     // Offsets along y.
@@ -150,20 +222,46 @@ vec4 lichenKernelSums(LichenKernel kernel, uint seed, uint window) {
             uint(int(column) - lichenFloorDivide(int(column), kernel.period.x) * kernel.period.x);
       uint word = lichenVertexHash(column, row, seed);
       vec2 offset = kernel.place - vec2(float(i), float(j)) - lichenKernelPlace(word);
-      sums += lichenKernelImpact(word, offset, kernel, window);
+      lichenAddKernelImpact(sums, word, offset, kernel, window, hasSlopes);
     }
   }
-  return kernel.amplitude * sums;
+  sums.waves *= kernel.amplitude;
+  sums.alongX *= kernel.amplitude;
+  sums.alongY *= kernel.amplitude;
+  return sums;
 }
 
-/// The Gaussian value, and in w the share of its variance that the footprint loses, averaged over
-/// the channels.
+/// The amplitude that a pixel leaves of a kernel. `cycles`: the square of those that it spans of
+/// the wave; the trace and the determinant are those of the matrix of squared cycles that it spans
+/// of the window's spectrum.
+float lichenKernelRetained(float cycles, float trace, float determinant) {
+  // The root of the mean of exp(-|A f|^2) over a normal distribution of frequencies f about that
+  // of the wave, A f the cycles that the pixel spans; exact where the window's share is alike along
+  // both axes. For few cycles it is the same as lichenCosineRetained.
+  const float kSlope = 6.57973627; // 2 pi^2 / 3
+  float wider = sqrt(max(1.0 + kSlope * (trace + kSlope * determinant), 1.0));
+  float retained = lichenCosineRetained(vec4(cycles / wider)).x * inversesqrt(wider);
+  // Such a spectrum has no end; but a faint kernel that is smaller than the pixel flickers.
+  const float kFaint = 0.3;
+  return max((1.0 + kFaint) * retained - kFaint, 0.0);
+}
+
+/// The tiles in which a point's place is counted.
+vec2 lichenKernelsTiles(LichenMaterial material) {
+  bool isPeriodic = bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0;
+  return isPeriodic ? vec2(material.periodTilesX, material.periodTilesY)
+                    : vec2(float(LICHEN_KERNEL_TILES));
+}
+
+/// The Gaussian value, in w the share of its variance that the footprint loses, averaged over the
+/// channels. `slopes`: its derivatives along x and y [1 / tile], 0 unless `hasSlopes`, a constant.
 vec4 lichenKernelsGaussian(LICHEN_IMAGE_2D image, LichenKernelsPoint point, LichenMaterial material,
-                           LichenNoise noise) {
+                           LichenNoise noise, bool hasSlopes, out LichenGaussianSlopes slopes) {
   LichenKernelsNoise kernels = lichenKernelsNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));
   vec3 sum = vec3(0.0);
+  slopes = LichenGaussianSlopes(vec3(0.0), vec3(0.0));
   float squares = 0.0, lost = 0.0;
   for (int row = 0; row < int(kernels.kernels); ++row) {
     vec4 color0 = LICHEN_FETCH_2D(image, ivec2(3, row));
@@ -177,30 +275,54 @@ vec4 lichenKernelsGaussian(LICHEN_IMAGE_2D image, LichenKernelsPoint point, Lich
     float cycles = kernel.isRing
                        ? 0.5 * f.x * f.x * (footprint.x + footprint.y)
                        : f.x * (footprint.x * f.x + footprint.z * f.y) + footprint.y * f.y * f.y;
-    cycles += kernel.spread *
-              (footprint.x * dot(q[0], q[0]) + footprint.y * dot(q[1], q[1]) +
-               footprint.z * dot(q[0], q[1]));
-    float retained = lichenCosineRetained(vec4(cycles)).x;
+    float trace = kernel.spread * (footprint.x * dot(q[0], q[0]) + footprint.y * dot(q[1], q[1]) +
+                                   footprint.z * dot(q[0], q[1]));
+    float area = kernel.spread * (q[0].x * q[1].y - q[0].y * q[1].x);
+    float retained = lichenKernelRetained(
+        cycles, trace,
+        area * area * (footprint.x * footprint.y - 0.25 * footprint.z * footprint.z));
     float own = dot(color0, color0) + dot(color1, color1) + dot(color2, color2);
     squares += own;
     lost += own * (1.0 - retained * retained);
-    if (retained > 0.0) {
-      vec4 sums = lichenKernelSums(kernel, lichenPcg(point.seedWord + uint(row)), kernels.window);
-      sum += retained * vec3(dot(color0, sums), dot(color1, sums), dot(color2, sums));
+    if (retained > 0.0 && own > 0.0) {
+      LichenKernelSums sums = lichenKernelSums(kernel, lichenPcg(point.seedWord + uint(row)),
+                                               kernels.window, hasSlopes);
+      sum += retained *
+             vec3(dot(color0, sums.waves), dot(color1, sums.waves), dot(color2, sums.waves));
+      if (hasSlopes) {
+        vec2 perTile = retained / kernel.perCell;
+        slopes.alongX += perTile.x * vec3(dot(color0, sums.alongX), dot(color1, sums.alongX),
+                                          dot(color2, sums.alongX));
+        slopes.alongY += perTile.y * vec3(dot(color0, sums.alongY), dot(color1, sums.alongY),
+                                          dot(color2, sums.alongY));
+      }
     }
+  }
+  if (bool(LICHEN_KERNEL_PATTERN) && kernels.cosines != 0u) {
+    vec2 position = point.inside * lichenKernelsTiles(material);
+    LichenPattern pattern =
+        lichenPatternAt(image, position, footprint, material, kernels, hasSlopes);
+    sum += pattern.gaussian;
+    slopes.alongX += pattern.slopes.alongX;
+    slopes.alongY += pattern.slopes.alongY;
+    squares += pattern.squares;
+    lost += pattern.lost;
   }
   const float kLeast = 1.0e-20; // of a map that does not vary
   return vec4(0.5 + material.contrast * sum, lost / max(squares, kLeast));
+}
+
+vec4 lichenKernelsGaussian(LICHEN_IMAGE_2D image, LichenKernelsPoint point, LichenMaterial material,
+                           LichenNoise noise) {
+  LichenGaussianSlopes none;
+  return lichenKernelsGaussian(image, point, material, noise, false, none);
 }
 
 // The seam's functions; see method.glsl.
 
 void lichenSetPoint(out LichenKernelsPoint point, vec2 position, vec2 gradientX, vec2 gradientY,
                     LichenMaterial material, LichenNoise noise) {
-  bool isPeriodic = bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0;
-  vec2 tiles = isPeriodic ? vec2(material.periodTilesX, material.periodTilesY)
-                          : vec2(float(LICHEN_KERNEL_TILES));
-  vec2 place = position / tiles;
+  vec2 place = position / lichenKernelsTiles(material);
   vec2 group = floor(place);
   point.inside = place - group;
   point.group = ivec2(group) + ivec2(material.cellI, material.cellJ);
@@ -225,6 +347,18 @@ vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenKernelsPo
                    LichenMaterial material, LichenNoise noise, LichenMap map) {
   vec4 gaussian = lichenKernelsGaussian(image, point, material, noise);
   return lichenDecode(table, gaussian.rgb, gaussian.w, material.contrast, map);
+}
+
+/// The value of a map's first channel and its derivatives along x and y of tile space [1 / tile].
+/// `position` is in tiles, the gradients of the pixel are in tiles / pixel; the mapping is uv.
+vec3 lichenKernelsGradient(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 position,
+                           vec2 gradientX, vec2 gradientY, LichenMaterial material,
+                           LichenNoise noise, LichenMap map) {
+  LichenKernelsPoint point;
+  lichenSetPoint(point, position, gradientX, gradientY, material, noise);
+  LichenGaussianSlopes slopes;
+  vec4 gaussian = lichenKernelsGaussian(image, point, material, noise, true, slopes);
+  return lichenDecodedGradient(table, gaussian, slopes, material.contrast, map);
 }
 
 #endif

@@ -5,7 +5,7 @@
 #define LICHEN_SHADING_POINT_GLSL
 
 #include "method.glsl"
-#include "solid_cosines.glsl"
+#include "solid_method.glsl"
 #include "surface_texton.glsl"
 #include "triplanar.glsl"
 
@@ -34,9 +34,8 @@ vec4 lichenValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenShadingPoin
                                shading.material, shading.noise, map);
 #endif
 #ifndef LICHEN_OMIT_SOLID
-  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, shading.noise) &&
-      lichenIsSolid(shading.material))
-    return lichenSolidCosines(image, table, shading.solid, shading.material, shading.noise, map);
+  if (lichenIsSolid(shading.material, shading.noise))
+    return lichenSolidValue(image, table, shading.solid, shading.material, shading.noise, map);
 #endif
   return lichenValueAt(image, table, shading.point, shading.material, shading.noise, map);
 }

@@ -45,7 +45,7 @@ void lichenAddSolidVertex(inout LichenSolidSum sum, vec3 frequency, float value,
 /// Adds one cosine at four vertices; `box` and the amplitudes as lichenAddCosine has them. Advances
 /// the vertices' random numbers.
 void lichenAddSolidCosine(inout LichenSolidSum sum, inout uvec4 states, inout uvec4 depths,
-                          LichenSolidVertices vertices, LichenSolidPoint point, vec2 box,
+                          LichenSolidVertices vertices, LichenSolidCosinesPoint point, vec2 box,
                           vec2 variant0, vec2 variant1, vec2 variant2, vec2 variant3, float aspect,
                           LichenMap map) {
   vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
@@ -55,20 +55,20 @@ void lichenAddSolidCosine(inout LichenSolidSum sum, inout uvec4 states, inout uv
   vec4 amplitude3 = vec4(lichenBfloat16Pair(variant3.x), lichenBfloat16Pair(variant3.y));
   states = states * 747796405u + 2891336453u; // as lichenAddCosine draws
   const float kPerBit = 1.0 / 4294967296.0; // of signed integers: -1/2 to 1/2
-  const float kMostDepth = 1.2;
   vec4 x = middle.x + size.x * kPerBit * vec4(ivec4(states << 21u));
   vec4 y = middle.y + size.y * kPerBit * vec4(ivec4(states << 11u));
   vec4 inSpace = aspect * y; // [cycles / tile width]
-  vec4 z = 2.0 * kPerBit * kMostDepth * sqrt(x * x + inSpace * inSpace) * vec4(ivec4(depths));
+  vec4 z = 2.0 * kPerBit * kLichenMostDepth * sqrt(x * x + inSpace * inSpace) * vec4(ivec4(depths));
   // By the golden ratio: third frequencies of waves of similar directions lie far apart.
   depths += 0x9E3779B9u;
+  LichenSolidFootprint axes = point.footprint;
   vec4 turns = x * vertices.offsetX + y * vertices.offsetY + z * vertices.offsetZ +
                kPerBit * vec4(ivec4(states)) +
                vec4(amplitude0.a, amplitude1.a, amplitude2.a, amplitude3.a);
-  vec4 alongA = x * point.footprintA.x + y * point.footprintA.y + z * point.footprintA.z;
-  vec4 alongB = x * point.footprintB.x + y * point.footprintB.y + z * point.footprintB.z;
-  float ofWindow = dot(vertices.spread, point.footprintA * point.footprintA +
-                                            point.footprintB * point.footprintB);
+  vec4 alongA = x * axes.a.x + y * axes.a.y + z * axes.a.z;
+  vec4 alongB = x * axes.b.x + y * axes.b.y + z * axes.b.z;
+  float ofWindow = dot(vertices.spread, axes.a * axes.a +
+                                            axes.b * axes.b);
   vec4 retained =
       vertices.windows *
       lichenCosineRetained(ofWindow + alongA * alongA + alongB * alongB);
@@ -84,7 +84,7 @@ void lichenAddSolidCosine(inout LichenSolidSum sum, inout uvec4 states, inout uv
 }
 
 /// The sum of all cosines.
-LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenSolidPoint point,
+LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenSolidCosinesPoint point,
                               LichenMaterial material, LichenNoise noise, LichenMap map) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
   LichenSolidSum sum = LichenSolidSum(vec3(0.0), 0.0, 0.0, 0.0);
@@ -111,50 +111,27 @@ LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenSolidPoint point,
   return sum;
 }
 
-/// The Gaussian value, and in w the share of its variance that the footprint loses, as
-/// lichenCosinesGaussian returns them.
-vec4 lichenSolidGaussian(LichenSolidSum sum, LichenMaterial material) {
-  const float kLeast = 1.0e-20; // of a map that does not vary
-  return vec4(0.5 + material.contrast * sum.gaussian, sum.lost / max(sum.squares, kLeast));
-}
+// The seam's functions; see solid_method.glsl.
 
-/// The value of one map, as lichenTriplanarValue returns it.
-vec4 lichenSolidCosines(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenSolidPoint point,
-                        LichenMaterial material, LichenNoise noise, LichenMap map) {
-  LichenSolidSum sum = lichenSolidSum(image, point, material, noise, map);
-  vec4 gaussian = lichenSolidGaussian(sum, material);
-  vec4 value = lichenDecode(table, gaussian.rgb, gaussian.w, material.contrast, map);
-  if (map.encoding != uint(LICHEN_ENCODING_SLOPE))
-    return value;
-  vec2 slopes = lichenSlopesToUv(value.xy, material); // to the right and up: along x and y
-  return vec4(slopes, material.contrast * sum.depthSlope, value.z);
-}
-
-/// The point at `position` [tiles, relative to the host's integer tile origin] of a pixel with
-/// these gradients [tiles / pixel].
-LichenSolidPoint lichenSolidPointAt(vec3 position, vec3 gradientX, vec3 gradientY,
-                                    LichenMaterial material, LichenNoise noise) {
+void lichenSetSolidPoint(out LichenSolidCosinesPoint point, vec3 position,
+                         LichenSolidFootprint footprint, LichenMaterial material) {
   vec3 cubesPerTile = vec3(material.columnsPerTile, material.rowsPerTile, material.columnsPerTile);
-  vec3 skewed = lichenSkewed(position * cubesPerTile);
+  vec3 skewed =
+      lichenSkewed((position + vec3(0.0, 0.0, lichenCosinesMaterial(material).offsetZ)) *
+                   cubesPerTile);
   vec3 cell = floor(skewed);
-  LichenSolidPoint point;
   point.cell = ivec3(cell);
   point.inside = skewed - cell;
-  // The axes of the pixel in texels are those of the matrix of its gradients' products.
-  vec3 texels = vec3(noise.tileTexelsX, noise.tileTexelsY, noise.tileTexelsX);
-  vec3 texelsX = texels * gradientX, texelsY = texels * gradientY;
-  float xx = dot(texelsX, texelsX), yy = dot(texelsY, texelsY), xy = dot(texelsX, texelsY);
-  float mean = 0.5 * (xx + yy), halfDifference = 0.5 * (xx - yy);
-  float apart = sqrt(halfDifference * halfDifference + xy * xy);
-  const float kLeast = 1.0e-20; // of a circle, whose axes are the same
-  float longer = sqrt(lichenBeyondTexel(mean + apart) / max(mean + apart, kLeast));
-  float shorter = sqrt(lichenBeyondTexel(mean - apart) / max(mean - apart, kLeast));
-  // A function of that matrix, by its values at both squared lengths.
-  float slope = 0.5 * (longer - shorter) / max(apart, kLeast);
-  float middle = 0.5 * (longer + shorter);
-  point.footprintA = (middle + slope * halfDifference) * gradientX + slope * xy * gradientY;
-  point.footprintB = slope * xy * gradientX + (middle - slope * halfDifference) * gradientY;
-  return point;
+  point.footprint = footprint;
+}
+
+vec4 lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenSolidCosinesPoint point,
+                           LichenMaterial material, LichenNoise noise, LichenMap map,
+                           out float depthSlope) {
+  LichenSolidSum sum = lichenSolidSum(image, point, material, noise, map);
+  depthSlope = material.contrast * sum.depthSlope;
+  const float kLeast = 1.0e-20; // of a map that does not vary
+  return vec4(0.5 + material.contrast * sum.gaussian, sum.lost / max(sum.squares, kLeast));
 }
 
 #endif

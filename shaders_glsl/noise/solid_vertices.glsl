@@ -9,12 +9,13 @@
 #include "../interface/lichen_interface.h"
 #include "hash.glsl"
 #include "method_parts.glsl"
+#include "solid_footprint.glsl"
 
 /// What all maps of a solid noise share at one point. Along z a tile is as long as it is wide.
-struct LichenSolidPoint {
+struct LichenSolidCosinesPoint {
   ivec3 cell;     // of octave 0 that holds the point, from that of the tile origin on
   vec3 inside;    // the place in it, [0, 1)
-  vec3 footprintA, footprintB; // [tiles] axes of the pixel, less what a texel averages
+  LichenSolidFootprint footprint;
 };
 
 /// The four vertices around a point in the lattice of one octave.
@@ -41,7 +42,7 @@ uint lichenSolidHash(uvec3 vertex, uint seed) {
   return lichenVertexHash(vertex.x, vertex.y, lichenPcg(seed + vertex.z));
 }
 
-LichenSolidVertices lichenSolidVertices(LichenSolidPoint point, int octave,
+LichenSolidVertices lichenSolidVertices(LichenSolidCosinesPoint point, int octave,
                                         LichenMaterial material) {
   float scale = float(1 << octave);
   vec3 place = point.inside * scale;

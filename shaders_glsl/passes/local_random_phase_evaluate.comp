@@ -33,9 +33,9 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
   if (kQuantity == kValue)
     return lichenValue(image, table, shading, map);
   if (kQuantity == kGradient)
-    return vec4(lichenCosinesGradientUvGrad(image, table, point.uvAndGradientX.xy,
-                                            point.uvAndGradientX.zw, point.gradientY.xy,
-                                            lichenMaterial, lichenNoise, map),
+    return vec4(lichenGradientUvGrad(image, table, point.uvAndGradientX.xy,
+                                     point.uvAndGradientX.zw, point.gradientY.xy, lichenMaterial,
+                                     lichenNoise, map),
                 1.0);
   return lichenCosinesGaussian(image, shading.point.localRandomPhase, lichenMaterial, lichenNoise,
                                map);

@@ -7,12 +7,14 @@
 
 #define LICHEN_METHODS 8
 #define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_OMIT_SOLID
 #define LICHEN_SET 0
 #include "../lichen.glsl"
 #include "one_role.glsl"
 
 const int kValue = 0;
 const int kGaussian = 1; // the Gaussian value, and the share of its variance that filtering loses
+const int kGradient = 2; // the first channel and its derivatives per tile; 1
 layout(constant_id = 0) const int kQuantity = kValue;
 
 struct Point {
@@ -30,6 +32,11 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
       LICHEN_POINT(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
   if (kQuantity == kValue)
     return lichenValue(image, table, shading, map);
+  if (kQuantity == kGradient)
+    return vec4(lichenGradientUvGrad(image, table, point.uvAndGradientX.xy,
+                                     point.uvAndGradientX.zw, point.gradientY.xy, lichenMaterial,
+                                     lichenNoise, map),
+                1.0);
   return lichenKernelsGaussian(image, shading.point.multipleKernels, lichenMaterial, lichenNoise);
 }
 

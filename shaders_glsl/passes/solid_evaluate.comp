@@ -1,12 +1,12 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Evaluates one map of a solid local random-phase noise at a list of points in space:
+// Evaluates one map of a solid noise at a list of points in space:
 // points[k] (position, its gradients) -> values[k] (RGBA of the decoded quantity, or of slopes
 // their gradient in space and variance).
 // For tests and for engines that bake a noise into the texture or the vertices of a mesh.
 
-#define LICHEN_METHODS 4
+#define LICHEN_METHODS 12
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #include "../lichen.glsl"
@@ -30,8 +30,8 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
       LICHEN_POINT_SOLID(point.position.xyz, point.gradientX.xyz, point.gradientY.xyz);
   if (kQuantity == kValue)
     return lichenValue(image, table, shading, map);
-  return lichenSolidGaussian(
-      lichenSolidSum(image, shading.solid, lichenMaterial, lichenNoise, map), lichenMaterial);
+  float depthSlope;
+  return lichenSolidGaussian(image, shading.solid, lichenMaterial, lichenNoise, map, depthSlope);
 }
 
 void main() {

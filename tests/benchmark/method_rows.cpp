@@ -7,6 +7,7 @@
 
 #include <lichen/method_candidate.h>
 #include <lichen/method_sheet.h>
+#include <lichen/plain_fetches.h>
 
 #include <algorithm>
 #include <array>
@@ -31,11 +32,12 @@ double distanceOf(MethodTrial& trial, const MapExemplar& map, std::uint32_t seed
 
 void judge(const VariedExemplar& exemplar, Score& score) {
   const MapExemplar map = baseColorMap(exemplar.image);
-  // Times of a pixel as docs/benchmarks.md has them.
-  std::array<MethodTrial, 4> trials{MethodTrial{bakedBundle(exemplar.image), 0.0, 4.1},
-                                    MethodTrial{textonBundle(exemplar.image), 0.0, 37.5},
-                                    MethodTrial{localRandomPhaseBundle(exemplar.image), 0.0, 79.6},
-                                    MethodTrial{multipleKernelsBundle(exemplar.image), 0.0, 87.0}};
+  // With the commands' defaults.
+  std::array<MethodTrial, 4> trials{
+      MethodTrial{bakedBundle(exemplar.image), 0.0, kTilingFetches},
+      MethodTrial{textonBundle(exemplar.image), 0.0, textonFetches(30.0)},
+      MethodTrial{localRandomPhaseBundle(exemplar.image), 0.0, cosineFetches(50, true)},
+      MethodTrial{multipleKernelsBundle(exemplar.image), 0.0, kernelFetches(30.0, 0)}};
   std::vector<MethodCandidate> once, independent;
   for (MethodTrial& trial : trials) {
     const Method method = trial.bundle.noises.front().method();

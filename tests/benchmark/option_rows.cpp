@@ -9,7 +9,9 @@
 #include <array>
 #include <cstdio>
 #include <local_random_phase.frag.h>
-#include <solid.frag.h>
+#include <multiple_kernels.frag.h>
+#include <solid.frag.cosines.h>
+#include <solid.frag.kernels.h>
 #include <surface.frag.h>
 #include <texton.frag.h>
 #include <tiling.frag.joint.h>
@@ -62,16 +64,16 @@ void appendSurfaceRows(std::vector<Row>& rows, const Screen& screen) {
                           kTarget, option, unit, screen, kFloor));
 }
 
-/// Local random-phase noise in a solid relative to that in the plane.
-void appendSolidRows(std::vector<Row>& rows, const Screen& screen) {
-  const ReadyNoise plane(screen.gpu(), localRandomPhaseGlb(0.0));
-  const ReadyNoise solid(screen.gpu(), localRandomPhaseGlb(0.0), {.mapping = LICHEN_MAPPING_SOLID});
-  const Shader unit{"local random phase", local_random_phase_frag, plane};
-  const Shader option{"solid", solid_frag, solid};
-  rows.push_back(ratioRow("local random phase in a solid over the plane, flat", kNoTarget, option,
-                          unit, screen, kSurfaceFlat));
-  rows.push_back(ratioRow("local random phase in a solid over the plane, perspective", kNoTarget,
-                          option, unit, screen, kFloor));
+/// A noise in a solid relative to that in the plane.
+void appendSolidRows(std::vector<Row>& rows, const std::string& method,
+                     const std::vector<std::byte>& glb, std::span<const std::uint32_t> inPlane,
+                     std::span<const std::uint32_t> inSolid, const Screen& screen) {
+  const ReadyNoise plane(screen.gpu(), glb);
+  const ReadyNoise solid(screen.gpu(), glb, {.mapping = LICHEN_MAPPING_SOLID});
+  const Shader unit{"plane", inPlane, plane}, option{"solid", inSolid, solid};
+  const std::string name = method + " in a solid over the plane, ";
+  rows.push_back(ratioRow(name + "flat", kNoTarget, option, unit, screen, kSurfaceFlat));
+  rows.push_back(ratioRow(name + "perspective", kNoTarget, option, unit, screen, kFloor));
 }
 
 using Glb = std::vector<std::byte>;
@@ -134,7 +136,10 @@ void appendRotationRows(std::vector<Row>& rows, const Glb& colorGlb, const Scree
 void appendOptionRows(std::vector<Row>& rows, const Screen& screen) {
   const Glb colors = tilingGlb(GaussianOnly::no);
   appendSurfaceRows(rows, screen);
-  appendSolidRows(rows, screen);
+  appendSolidRows(rows, "local random phase", localRandomPhaseGlb(0.0), local_random_phase_frag,
+                  solid_frag_cosines, screen);
+  appendSolidRows(rows, "multiple kernels", multipleKernelsGlb(), multiple_kernels_frag,
+                  solid_frag_kernels, screen);
   appendTriplanarRow(rows, colors, screen);
   appendLevelRows(rows, colors, screen);
   appendRotationRows(rows, colors, screen);

@@ -37,7 +37,7 @@ TEST_CASE("auto takes tiling unless the budget allows more, and says what would"
   const Chosen chosen = chosenFor(smoothGrey(64));
   CHECK(chosen.method == "tiling");
   CHECK_THAT(chosen.notes, Catch::Contains("the only method within 4.1 plain fetches") &&
-                               Catch::Contains("--budget 87 tries all"));
+                               Catch::Contains("--budget 80 tries all"));
 }
 
 TEST_CASE("auto keeps the method that looks nearest for its cost") {
@@ -61,10 +61,10 @@ TEST_CASE("a budget needs --method auto, a method that is cheap enough, and no g
 }
 
 TEST_CASE("the budget that tries all methods does so") {
-  const Arguments impacts{"--kernel-impacts", "40.1"};
-  CHECK_THAT(chosenFor(smoothGrey(64), impacts).notes, Catch::Contains("--budget 117 tries all"));
-  CHECK_THAT(chosenFor(smoothGrey(64), {"--kernel-impacts", "40.1", "--budget", "117"}).notes,
-             Catch::Contains("multiple-kernels 0."));
+  const Arguments impacts{"--kernel-impacts", "60.1"};
+  CHECK_THAT(chosenFor(smoothGrey(64), impacts).notes, Catch::Contains("--budget 97 tries all"));
+  CHECK_THAT(chosenFor(smoothGrey(64), {"--kernel-impacts", "60.1", "--budget", "97"}).notes,
+             Catch::Contains("multiple-kernels"));
 }
 
 TEST_CASE("compare --methods has a line for each method, and a page with pictures") {

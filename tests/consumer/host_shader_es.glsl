@@ -36,8 +36,6 @@ void main() {
     shading =
         lichenPointSolidGrad(position, positionX, positionY, material.material, noise.noise);
   color = lichenValue(image, table, shading, map);
-  LichenImpacts impacts = lichenGradientPointUvGrad(uv, uvX, uvY, material.material, noise.noise);
-  color.xyz += lichenTextonGradient(image, table, impacts, material.material, noise.noise, map);
-  color.xyz += lichenCosinesGradientUvGrad(image, table, uv, uvX, uvY, material.material,
-                                           noise.noise, map);
+  color.xyz +=
+      lichenGradientUvGrad(image, table, uv, uvX, uvY, material.material, noise.noise, map);
 }

@@ -149,15 +149,20 @@ void checkKernels(const NoiseMap& map, const MultipleKernelsNoise& shared, const
   require(own.kernels < bundle.tables.size(), "index of the image");
   const Table& image = bundle.tables[own.kernels];
   require(image.depth == 0 && image.width == kKernelTexels &&
-              image.height == std::uint32_t(shared.kernels) &&
+              image.height == std::uint32_t(shared.kernels) + patternRows(shared.cosines) &&
               image.format == TexelFormat::rgba32Sfloat,
           "shape of an image of kernels");
-  for (const KernelRow& row : kernelRows(image)) {
-    require(isWithin(row.columns, 1, kMostKernelCells) && isWithin(row.rows, 1, kMostKernelCells),
+  for (const KernelRow& row : kernelRows(image, shared)) {
+    require(isWithin(row.columns, 1, kMostKernelCells) && isWithin(row.rows, 1, kMostKernelCells) &&
+                isWithin(row.layers, 1, kMostKernelCells) && row.toWindowZ >= kLeastToWindowZ,
             "cells of a kernel");
     const auto& q = row.toWindow;
     require(std::abs(q[0] * q[3] - q[1] * q[2]) >= kLeastKernelDeterminant, "matrix of a kernel");
   }
+  for (const PatternCosine& cosine : patternCosines(image, shared))
+    for (const float cycles : cosine.frequency)
+      require(std::abs(cycles) <= kMostKernelFrequency && cycles == std::floor(cycles),
+              "frequency of a pattern");
   require(isWithin(own.dimensions, 1, int(map.channels.size())), "number of dimensions");
   require(!own.inverseTable || *own.inverseTable < bundle.tables.size(), "index of the table");
 }

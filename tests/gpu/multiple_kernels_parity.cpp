@@ -22,13 +22,14 @@ namespace {
 
 constexpr const char* kPass = "multiple_kernels_evaluate.comp";
 /// The numbering of multiple_kernels_evaluate.comp.
-enum Quantity { kValue, kGaussian };
+enum Quantity { kValue, kGaussian, kGradient };
 
 struct Kind {
   std::size_t channels;
   GaussianOnly gaussian;
   KernelWindow window;
-  int rings = 0; // so many of the kernels are turned into rings
+  int rings = 0;   // so many of the kernels are turned into rings
+  int cosines = 0; // of a pattern
 };
 
 /// Of 16 bits, as rounding of tables has a test of its own for all methods.
@@ -39,6 +40,10 @@ BundleFile bakedFile(const Kind& kind) {
   options.gaussian = kind.gaussian;
   options.window = kind.window;
   options.kernels = 6;
+  if (kind.cosines > 0) {
+    options.perturbation.emplace();
+    options.perturbation->cosines = kind.cosines;
+  }
   Result<MultipleKernelsBake> bake = bakeMultipleKernels("noise", {&map, 1}, options);
   REQUIRE(bake);
   BundleFile file;
@@ -46,14 +51,16 @@ BundleFile bakedFile(const Kind& kind) {
   file.bundle.noises = {std::move(bake.value().noise)};
   Noise& noise = file.bundle.noises[0];
   Table& image = file.bundle.tables[noise.maps[0].as<MultipleKernelsMap>().kernels];
-  std::vector<KernelRow> rows = kernelRows(image);
+  std::vector<KernelRow> rows = kernelRows(image, noise.as<MultipleKernelsNoise>());
+  const std::vector<PatternCosine> pattern =
+      patternCosines(image, noise.as<MultipleKernelsNoise>());
   noise.as<MultipleKernelsNoise>().rings = kind.rings;
   for (std::size_t k = rows.size() - std::size_t(kind.rings); k < rows.size(); ++k) {
     rows[k].frequency = {std::hypot(rows[k].frequency[0], rows[k].frequency[1]), 0.0f};
     rows[k].toWindow = {rows[k].toWindow[3], 0.0f, 0.0f, rows[k].toWindow[3]};
   }
   const std::string name = image.name;
-  image = kernelTable(rows);
+  image = kernelTable(rows, pattern);
   image.name = name;
   file.bundle.materials = {MaterialNoise()};
   file.previews.emplace_back();
@@ -67,7 +74,7 @@ std::array<double, 3> reference(const Bundle& bundle, double x, double y, std::u
   const Noise& noise = bundle.noises[0];
   const auto& shared = noise.as<MultipleKernelsNoise>();
   const std::vector<KernelRow> rows =
-      kernelRows(bundle.tables[noise.maps[0].as<MultipleKernelsMap>().kernels]);
+      kernelRows(bundle.tables[noise.maps[0].as<MultipleKernelsMap>().kernels], shared);
   std::array<double, 3> sum{0.5, 0.5, 0.5};
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const KernelRow& row = rows[k];
@@ -96,9 +103,17 @@ std::array<double, 3> reference(const Bundle& bundle, double x, double y, std::u
         const auto signOf = [&](std::size_t bit) { return (word >> bit & 1u) != 0 ? -1.0 : 1.0; };
         for (std::size_t c = 0; c < 3; ++c)
           for (std::size_t s = 0; s < 4; ++s)
-            sum[c] += double(row.colors[c][s]) * window *
-                      (signOf(s) * std::cos(angle) + signOf(s + 4) * std::sin(angle));
+            sum[c] += double(row.colors[c][s]) * window * signOf(s) * std::sqrt(2.0) *
+                      std::cos(angle + signOf(4) * -std::numbers::pi / 4.0);
       }
+  }
+  for (const PatternCosine& cosine :
+       patternCosines(bundle.tables[noise.maps[0].as<MultipleKernelsMap>().kernels], shared)) {
+    const double angle = 2.0 * std::numbers::pi *
+                         (double(cosine.frequency[0]) * x + double(cosine.frequency[1]) * y);
+    for (std::size_t c = 0; c < 3; ++c)
+      sum[c] += double(cosine.waves[c][0]) * std::cos(angle) +
+                double(cosine.waves[c][1]) * std::sin(angle);
   }
   return sum;
 }
@@ -110,7 +125,8 @@ TEST_CASE("the multiple-kernels shader matches its CPU twin: 99.9 % within 1/102
   for (const Kind& kind : {Kind{3, GaussianOnly::no, KernelWindow::gabor},
                            Kind{1, GaussianOnly::no, KernelWindow::sinc},
                            Kind{3, GaussianOnly::yes, KernelWindow::gaussianSinc},
-                           Kind{1, GaussianOnly::no, KernelWindow::gabor, 2}}) {
+                           Kind{1, GaussianOnly::no, KernelWindow::gabor, 2},
+                           Kind{3, GaussianOnly::no, KernelWindow::gabor, 0, 7}}) {
     VulkanDevice* const device = sharedDevice();
     const std::vector<std::byte> glb = glbOf(bakedFile(kind));
     const Bundle bundle = parseBundle(glb, "noise").value();
@@ -145,9 +161,38 @@ TEST_CASE("the multiple-kernels shader matches its CPU twin: 99.9 % within 1/102
   }
 }
 
+TEST_CASE("the gradient of kernels in the shader matches its CPU twin") {
+  for (const Kind& kind : {Kind{1, GaussianOnly::no, KernelWindow::gabor, 1, 4},
+                           Kind{1, GaussianOnly::yes, KernelWindow::sinc},
+                           Kind{1, GaussianOnly::no, KernelWindow::gaussianSinc}}) {
+    const std::vector<std::byte> glb = glbOf(bakedFile(kind));
+    const Bundle bundle = parseBundle(glb, "noise").value();
+    PluginHost host(sharedContext(), glb);
+    const MultipleKernelsEvaluator twin = MultipleKernelsEvaluator::create(bundle, 0).value();
+    const std::vector<Point> points = samplePoints(300);
+    for (const MaterialUse& use : manyUses(host.use())) {
+      const auto found = host.evaluate(committedShader(kPass), kGradient, use, points);
+      double squares = 0.0, differences = 0.0;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const TileFootprint at = footprintOf(points[k], host.material());
+        const auto expected = twin.gradient(0, host.material(), at);
+        CHECK(double(found[k][0]) == Approx(double(expected[0])).margin(1.0 / 255.0));
+        for (std::size_t axis = 1; axis < 3; ++axis) {
+          squares += double(expected[axis]) * double(expected[axis]);
+          const double difference = double(found[k][axis]) - double(expected[axis]);
+          differences += difference * difference;
+        }
+      }
+      // Differences within a table are rounded.
+      CHECK(std::sqrt(differences / squares) < 0.01); // as of local random phase
+    }
+  }
+}
+
 TEST_CASE("multiple-kernels noise is the sum of its kernels over the impacts of all cells") {
   const Bundle bundle =
-      parseBundle(glbOf(bakedFile({3, GaussianOnly::no, KernelWindow::gabor, 1})), "noise").value();
+      parseBundle(glbOf(bakedFile({3, GaussianOnly::no, KernelWindow::gabor, 1, 4})), "noise")
+          .value();
   const MultipleKernelsEvaluator twin = MultipleKernelsEvaluator::create(bundle, 0).value();
   std::mt19937 generator(3u);
   std::uniform_real_distribution<float> tiles(-9.0f, 9.0f);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Solid local random-phase noise in the shader, through the plugin, against the CPU twin; and the
-// twin against an oracle in double precision that sums the cosines of all vertices around a point.
+// Solid noise in the shader, through the plugin, against the CPU twins; and these against oracles
+// in double precision that sum the cosines of all vertices, or the impacts of all cells, around a
+// point.
 #include "../property/example_exemplar.h"
 #include "plugin_host.h"
 #include "shared_device.h"
@@ -9,12 +10,15 @@
 #include <lichen/lattice.h>
 #include <lichen/local_random_phase.h>
 #include <lichen/local_random_phase_evaluate.h>
+#include <lichen/multiple_kernels.h>
+#include <lichen/multiple_kernels_evaluate.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <random>
 
 using namespace lichen;
@@ -46,16 +50,8 @@ MapExemplar slopesOf(MapExemplar map) {
   return map;
 }
 
-std::vector<std::byte> bakedGlb(bool isSlope, GaussianOnly gaussian) {
-  MapExemplar map = threeMaterials(kWidth, kHeight, 5);
-  if (isSlope)
-    map = slopesOf(std::move(map));
-  LocalRandomPhaseOptions options;
-  options.bits = 16; // rounding of tables has a test of its own for all methods
-  options.cosines = 24;
-  options.gaussian = gaussian;
-  options.structure = 0.0;
-  Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("noise", {&map, 1}, options);
+template <class Bake>
+std::vector<std::byte> glbOf(Result<Bake> bake) {
   REQUIRE(bake);
   BundleFile file;
   file.bundle.tables = std::move(bake.value().tables);
@@ -67,6 +63,43 @@ std::vector<std::byte> bakedGlb(bool isSlope, GaussianOnly gaussian) {
   Result<std::vector<std::byte>> glb = encodeGlb(file);
   REQUIRE(glb);
   return std::move(glb).value();
+}
+
+/// Of 16 bits, as rounding of tables has a test of its own for all methods.
+std::vector<std::byte> bakedGlb(Method method, bool isSlope, GaussianOnly gaussian) {
+  MapExemplar map = threeMaterials(kWidth, kHeight, 5);
+  if (isSlope)
+    map = slopesOf(std::move(map));
+  if (method == Method::multipleKernels) {
+    MultipleKernelsOptions options;
+    options.bits = 16;
+    options.gaussian = gaussian;
+    options.kernels = 6;
+    return glbOf(bakeMultipleKernels("noise", {&map, 1}, options));
+  }
+  LocalRandomPhaseOptions options;
+  options.bits = 16;
+  options.cosines = 24;
+  options.gaussian = gaussian;
+  options.structure = 0.0;
+  return glbOf(bakeLocalRandomPhase("noise", {&map, 1}, options));
+}
+
+/// Such a bundle with the last two kernels turned into rings.
+Bundle withRings() {
+  Bundle bundle =
+      parseBundle(bakedGlb(Method::multipleKernels, false, GaussianOnly::no), "noise").value();
+  Noise& noise = bundle.noises[0];
+  Table& image = bundle.tables[noise.maps[0].as<MultipleKernelsMap>().kernels];
+  std::vector<KernelRow> rows = kernelRows(image, noise.as<MultipleKernelsNoise>());
+  constexpr int kRings = 2;
+  noise.as<MultipleKernelsNoise>().rings = kRings;
+  for (std::size_t k = rows.size() - kRings; k < rows.size(); ++k) {
+    rows[k].frequency = {std::hypot(rows[k].frequency[0], rows[k].frequency[1]), 0.0f};
+    rows[k].toWindow = {rows[k].toWindow[3], 0.0f, 0.0f, rows[k].toWindow[3]};
+  }
+  image.texels = kernelTable(rows).texels;
+  return bundle;
 }
 
 /// Points some tiles around the origin, a tenth of them on vertices and edges of the lattice.
@@ -115,8 +148,8 @@ SolidFootprint footprintOf(const SolidPoint& point) {
   return at;
 }
 
-/// A slow evaluation. It takes the windows of all vertices of 7^3 cells, and shares only the
-/// integer hashes with the code under test.
+/// Local random phase, slowly. It takes the windows of all vertices of 7^3 cells, and shares only
+/// the integer hashes with the code under test.
 class Reference {
 public:
   explicit Reference(const Bundle& bundle)
@@ -200,20 +233,113 @@ private:
   std::vector<std::array<CosineTexel, kRowCosines>> texels_;
 };
 
+/// Multiple kernels, slowly: the impacts of all cells within reach, at a position in metres. It
+/// shares only the integer hashes with the code under test.
+std::array<double, 3> sumOfImpacts(const Bundle& bundle, const std::array<double, 3>& metres,
+                                   std::uint32_t seed) {
+  constexpr double kAspect = double(kWidth) / kHeight;
+  constexpr std::int64_t kReach = 20;
+  const Noise& noise = bundle.noises[0];
+  const auto& shared = noise.as<MultipleKernelsNoise>();
+  const std::vector<KernelRow> rows =
+      kernelRows(bundle.tables[noise.maps[0].as<MultipleKernelsMap>().kernels], shared);
+  const std::array<double, 3> tile{metres[0], -kAspect * metres[1], metres[2]};
+  std::array<double, 3> sum{0.5, 0.5, 0.5};
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const KernelRow& row = rows[k];
+    const std::array<double, 3> perTile{row.columns / 8.0, row.rows / 8.0, row.layers / 8.0};
+    std::array<std::int64_t, 3> near{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      near[axis] = std::int64_t(std::floor(tile[axis] * perTile[axis]));
+    // Planes of the window in space, 15 / 14 times as wide, have the spread of that in the plane.
+    // Integrals of squared windows (1 - r^2)^3: pi / 7 in the plane, and in space
+    // 2 pi B(3 / 2, 7).
+    const double wider = std::sqrt(15.0 / 14.0);
+    const double integrals = 14.0 * std::beta(1.5, 7.0);
+    const double amplitude =
+        double(row.amplitude) /
+        std::sqrt(perTile[2] * integrals * std::pow(wider, 3.0) / double(row.toWindowZ));
+    for (std::int64_t n = near[2] - kReach; n <= near[2] + kReach; ++n) {
+      const std::uint32_t layerSeed =
+          pcg(pcg(latticeSeed(seed, 4) + std::uint32_t(k)) + std::uint32_t(n));
+      for (std::int64_t j = near[1] - kReach; j <= near[1] + kReach; ++j)
+        for (std::int64_t i = near[0] - kReach; i <= near[0] + kReach; ++i) {
+          const std::uint32_t word = vertexHash(std::uint32_t(i), std::uint32_t(j), layerSeed);
+          const std::uint32_t other = pcg(~word);
+          const double dx =
+              tile[0] - (double(i) + (double(word >> 21) + 0.5) / 2048.0) / perTile[0];
+          const double dy =
+              tile[1] - (double(j) + (double(word >> 10 & 2047u) + 0.5) / 2048.0) / perTile[1];
+          const double dz =
+              tile[2] - (double(n) + (double(other >> 16) + 0.5) / 65536.0) / perTile[2];
+          const double p = double(row.toWindow[0]) * dx + double(row.toWindow[1]) * dy;
+          const double q = double(row.toWindow[2]) * dx + double(row.toWindow[3]) * dy;
+          const double r = double(row.toWindowZ) * dz;
+          const double left = std::max(0.0, 1.0 - (p * p + q * q + r * r) / (wider * wider));
+          double fx = double(row.frequency[0]), fy = double(row.frequency[1]);
+          if (int(k) >= shared.kernels - shared.rings) {
+            const double angle = 2.0 * std::numbers::pi * double(pcg(word)) / std::exp2(32.0);
+            fy = fx * std::sin(angle);
+            fx *= std::cos(angle);
+          }
+          const double fz =
+              1.2 * std::hypot(fx, kAspect * fy) * double(std::int16_t(other & 0xFFFFu)) / 32768.0;
+          const double window = amplitude * left * left * left;
+          const double angle = 2.0 * std::numbers::pi * (fx * dx + fy * dy + fz * dz);
+          const auto signOf = [&](std::size_t bit) { return (word >> bit & 1u) != 0 ? -1.0 : 1.0; };
+          for (std::size_t c = 0; c < 3; ++c)
+            for (std::size_t s = 0; s < 4; ++s)
+              sum[c] += double(row.colors[c][s]) * window * signOf(s) * std::sqrt(2.0) *
+                        std::cos(angle + signOf(4) * -std::numbers::pi / 4.0);
+        }
+    }
+  }
+  return sum;
+}
+
+/// What NoiseEvaluator does not show.
+class Gaussians {
+public:
+  explicit Gaussians(const Bundle& bundle) {
+    if (bundle.noises[0].method() == Method::multipleKernels)
+      kernels_ = MultipleKernelsEvaluator::create(bundle, 0).value();
+    else
+      cosines_ = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  }
+  [[nodiscard]] std::array<float, 4> gaussian(const shader::LichenMaterial& material,
+                                              const SolidFootprint& at) const {
+    return kernels_ ? kernels_->gaussian(0, material, at) : cosines_->gaussian(0, material, at);
+  }
+  [[nodiscard]] std::array<float, 4> evaluate(const shader::LichenMaterial& material,
+                                              const SolidFootprint& at) const {
+    return kernels_ ? kernels_->evaluate(0, material, at) : cosines_->evaluate(0, material, at);
+  }
+
+private:
+  std::optional<MultipleKernelsEvaluator> kernels_;
+  std::optional<LocalRandomPhaseEvaluator> cosines_;
+};
+
 } // namespace
 
 TEST_CASE("the solid shader matches its CPU twin: 99.9 % within 1/1024 and all within 1/255") {
   struct Kind {
+    Method method;
     bool isSlope;
     GaussianOnly gaussian;
   };
-  for (const Kind& kind : {Kind{false, GaussianOnly::no}, Kind{false, GaussianOnly::yes},
-                           Kind{true, GaussianOnly::no}, Kind{true, GaussianOnly::yes}}) {
+  for (const Kind& kind : {Kind{Method::localRandomPhase, false, GaussianOnly::no},
+                           Kind{Method::localRandomPhase, false, GaussianOnly::yes},
+                           Kind{Method::localRandomPhase, true, GaussianOnly::no},
+                           Kind{Method::localRandomPhase, true, GaussianOnly::yes},
+                           Kind{Method::multipleKernels, false, GaussianOnly::no},
+                           Kind{Method::multipleKernels, true, GaussianOnly::no},
+                           Kind{Method::multipleKernels, true, GaussianOnly::yes}}) {
     VulkanDevice* const device = sharedDevice();
-    const std::vector<std::byte> glb = bakedGlb(kind.isSlope, kind.gaussian);
+    const std::vector<std::byte> glb = bakedGlb(kind.method, kind.isSlope, kind.gaussian);
     const Bundle bundle = parseBundle(glb, "noise").value();
     PluginHost host(sharedContext(), glb);
-    const LocalRandomPhaseEvaluator twin = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+    const Gaussians twin(bundle);
     const std::vector<std::uint32_t> pass = committedShader(kPass);
     const std::vector<SolidPoint> points = samplePoints(1000);
     int number = 0;
@@ -224,8 +350,8 @@ TEST_CASE("the solid shader matches its CPU twin: 99.9 % within 1/1024 and all w
       std::size_t beyond = 0, count = 0;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const SolidFootprint at = footprintOf(points[k]);
-        const auto expected = twin.evaluate(0, host.material(), at);
-        const auto expectedGaussian = twin.gaussian(0, host.material(), at);
+        const auto expected = twin.evaluate(host.material(), at);
+        const auto expectedGaussian = twin.gaussian(host.material(), at);
         for (std::size_t c = 0; c < 4; ++c)
           for (const double error : {double(values[k][c]) - double(expected[c]),
                                      double(gaussians[k][c]) - double(expectedGaussian[c])}) {
@@ -234,8 +360,8 @@ TEST_CASE("the solid shader matches its CPU twin: 99.9 % within 1/1024 and all w
             ++count;
           }
       }
-      INFO("slopes " << kind.isSlope << ", table " << (kind.gaussian == GaussianOnly::no)
-                     << ", use " << number++);
+      INFO(nameOf(kind.method) << ", slopes " << kind.isSlope << ", table "
+                               << (kind.gaussian == GaussianOnly::no) << ", use " << number++);
       CHECK(largest <= 1.0 / 255.0);
       CHECK(double(beyond) <= 0.001 * double(count));
     }
@@ -244,7 +370,8 @@ TEST_CASE("the solid shader matches its CPU twin: 99.9 % within 1/1024 and all w
 }
 
 TEST_CASE("solid noise is the sum of the cosines of all vertices under their windows") {
-  const Bundle bundle = parseBundle(bakedGlb(false, GaussianOnly::no), "noise").value();
+  const Bundle bundle =
+      parseBundle(bakedGlb(Method::localRandomPhase, false, GaussianOnly::no), "noise").value();
   const LocalRandomPhaseEvaluator twin = LocalRandomPhaseEvaluator::create(bundle, 0).value();
   const Reference reference(bundle);
   std::mt19937 generator(3u);
@@ -271,5 +398,33 @@ TEST_CASE("solid noise is the sum of the cosines of all vertices under their win
     INFO("origin " << origin);
     // As in the plane (local_random_phase_parity.cpp), at frequencies up to sqrt(3) times as high.
     CHECK(largest < 6e-4);
+  }
+}
+
+TEST_CASE("solid noise of kernels is the sum over the impacts of all cells") {
+  const Bundle bundle = withRings();
+  const MultipleKernelsEvaluator twin = MultipleKernelsEvaluator::create(bundle, 0).value();
+  std::mt19937 generator(3u);
+  std::uniform_real_distribution<float> metres(-9.0f, 9.0f);
+  for (const std::int64_t origin : {0, 21, -8}) {
+    MaterialNoise material;
+    material.mapping = Mapping::solid;
+    material.seed = 7;
+    Placement placement;
+    placement.tileOriginX = origin;
+    placement.tileOriginY = 3 * origin;
+    placement.tileOriginZ = -origin;
+    const shader::LichenMaterial constants = shaderMaterial(bundle, material, placement).material;
+    for (int k = 0; k < 20; ++k) {
+      const SolidFootprint at{{metres(generator), metres(generator), metres(generator)}, {}, {}};
+      const auto value = twin.gaussian(0, constants, at);
+      const auto expected = sumOfImpacts(bundle,
+                                         {double(at.position[0]) + double(origin),
+                                          double(at.position[1]) + 3.0 * double(origin),
+                                          double(at.position[2]) - double(origin)},
+                                         7);
+      for (std::size_t c = 0; c < 3; ++c)
+        CHECK(double(value[c]) == Approx(expected[c]).margin(2e-3));
+    }
   }
 }

@@ -3,6 +3,7 @@
 
 #include <lichen/lattice.h>
 #include <lichen/local_random_phase_evaluate.h>
+#include <lichen/multiple_kernels_evaluate.h>
 #include <lichen/texton_evaluate.h>
 #include <lichen/tiling_evaluate.h>
 
@@ -119,6 +120,10 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
   if (bundle.noises[0].method() == Method::localRandomPhase)
     return withEvaluator(
         [twin = LocalRandomPhaseEvaluator::create(bundle, 0).value()](
+            const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
+  if (bundle.noises[0].method() == Method::multipleKernels)
+    return withEvaluator(
+        [twin = MultipleKernelsEvaluator::create(bundle, 0).value()](
             const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
   return withEvaluator([twin = TilingEvaluator::create(bundle, 0, quality).value()](
                            const auto& use, const auto& at) { return twin.evaluate(0, use, at); });

@@ -165,3 +165,44 @@ TEST_CASE("a spectrum of the user's own excludes a structure") {
   REQUIRE_FALSE(bake);
   CHECK(bake.error().kind == ErrorKind::usage);
 }
+
+TEST_CASE("a coloured picture gives each channel its own spectrum") {
+  // Red is slow and blue is fast; green has both.
+  SpectrumPicture picture{81, 81, {}, 3};
+  const auto isIn = [](double u, double v, double from, double to) {
+    return std::hypot(u, v) >= from && std::hypot(u, v) <= to;
+  };
+  for (int v = -40; v <= 40; ++v)
+    for (int u = -40; u <= 40; ++u) {
+      const float slow = isIn(u, v, 6, 9) ? 1.0f : 0.0f, fast = isIn(u, v, 25, 30) ? 0.3f : 0.0f;
+      picture.amplitudes.insert(picture.amplitudes.end(), {slow, 0.7f * (slow + fast), fast});
+    }
+  const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+  const Bundle bundle = baked(map, picture, 30);
+  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  constexpr int kSide = 256, kTiles = 2;
+  std::array<double, 3> slow{}, all{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<float> plane;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const TileFootprint at{{float(x) * kTiles / kSide, float(y) * kTiles / kSide}, {}, {}};
+        plane.push_back(std::sqrt(evaluator.evaluate(0, material, at)[c])); // as it is stored
+      }
+    const HalfSpectrum spectrum = forwardFft(plane, kSide, kSide);
+    for (int row = 0; row < kSide; ++row)
+      for (int u = 0; u < spectrum.columns(); ++u) {
+        const double power = std::norm(std::complex<double>(spectrum.at(u, row)));
+        const double cycles = std::hypot(u, spectrum.signedRow(row)) / kTiles;
+        if (cycles >= 3.0)
+          all[c] += power;
+        if (cycles >= 3.0 && cycles < 16.0)
+          slow[c] += power;
+      }
+  }
+  // Channels that correlate in the exemplar must do so in the noise: hues are drawn together.
+  CHECK(slow[0] / all[0] > slow[1] / all[1]);
+  CHECK(slow[1] / all[1] > slow[2] / all[2]);
+  CHECK(slow[0] / all[0] > slow[2] / all[2] + 0.2);
+}

@@ -325,7 +325,7 @@ BundleFile smallestKernels() {
   BundleFile file;
   Noise noise;
   noise.name = "ripples";
-  noise.data = MultipleKernelsNoise{16, 12, 2, 1, KernelWindow::gabor, false};
+  noise.data = MultipleKernelsNoise{16, 12, 2, 1, 2, KernelWindow::gabor, false};
   NoiseMap map = makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
   KernelRow row;
   row.frequency = {3.0f, -1.5f};
@@ -334,12 +334,19 @@ BundleFile smallestKernels() {
   row.toWindow = {4.0f, 0.0f, 1.0f, 3.0f};
   row.amplitude = 0.8f;
   row.spread = 0.1064f;
-  row.colors[0][0] = 0.1443f; // the squares of both have 1 / 36
+  row.layers = 24;
+  row.toWindowZ = 4.5f;
+  row.colors[0][0] = 0.1350f; // squares, those of cosines halved, sum to 1 / 36
   KernelRow ring = row;
   ring.frequency = {5.0f, 0.0f};
   ring.toWindow = {4.0f, 0.0f, 0.0f, 4.0f};
   ring.colors[0][0] = 0.0833f;
-  Table table = kernelTable({row, ring});
+  PatternCosine across, down;
+  across.frequency = {2.0f, 0.0f};
+  across.waves[0] = {0.03f, -0.04f};
+  down.frequency = {0.0f, -3.0f};
+  down.waves[0] = {0.05f, 0.0f};
+  Table table = kernelTable({row, ring}, {across, down});
   table.name = "ripples.height.kernels";
   map.data = MultipleKernelsMap{addTable(file.bundle, std::move(table)), std::nullopt, 1};
   addNoise(file, std::move(noise), std::move(map));

@@ -26,7 +26,8 @@ json& sharedOf(GlbParts& parts) { return parts.extension()["noises"][0]["multipl
 /// Sets one float of the image, whose texels end the file.
 void setFloat(GlbParts& parts, std::size_t kernel, std::size_t index, float value) {
   constexpr std::size_t kRow = 4 * kKernelTexels * sizeof(float);
-  std::memcpy(&parts.binary[parts.binary.size() - (2 - kernel) * kRow + index * sizeof(float)],
+  constexpr std::size_t kRows = 3; // two kernels, and below them the pattern
+  std::memcpy(&parts.binary[parts.binary.size() - (kRows - kernel) * kRow + index * sizeof(float)],
               &value, sizeof value);
 }
 
@@ -54,12 +55,17 @@ TEST_CASE("every fault of what the kernels share is found") {
            [](GlbParts& p) { sharedOf(p)["rings"] = 3; }},
           {"a ring with a direction", "kernels-texels",
            [](GlbParts& p) { sharedOf(p)["rings"] = 2; }},
+          {"too many cosines", "range", [](GlbParts& p) { sharedOf(p)["cosines"] = 97; }},
+          {"four cosines", "map-kernels", [](GlbParts& p) { sharedOf(p)["cosines"] = 4; }},
+          {"a pattern in a solid", "material-mapping",
+           [](GlbParts& p) { p.use(0)["mapping"] = "solid"; }},
           {"no window", "required", [](GlbParts& p) { sharedOf(p).erase("window"); }},
           {"another window", "kernels-window", [](GlbParts& p) { sharedOf(p)["window"] = "box"; }},
           {"a sinc that is not upright", "kernels-texels",
            [](GlbParts& p) { sharedOf(p)["window"] = "sinc"; }},
           {"another spectrum", "spectrum", [](GlbParts& p) { sharedOf(p)["spectrum"] = "flat"; }},
-          {"in a solid", "material-mapping", [](GlbParts& p) { p.use(0)["mapping"] = "solid"; }},
+          {"on a surface", "material-mapping",
+           [](GlbParts& p) { p.use(0)["mapping"] = "surface"; }},
       });
 }
 
@@ -75,10 +81,14 @@ TEST_CASE("every fault of an image of kernels is found") {
           {"a huge frequency", "kernels-texels", set(0, 0, 20000.0f)},
           {"no columns", "kernels-texels", set(0, 2, 0.0f)},
           {"half a row", "kernels-texels", set(1, 3, 2.5f)},
+          {"no layers", "kernels-texels", set(0, 10, 0.0f)},
+          {"no window along z", "kernels-texels", set(1, 11, 0.0f)},
           {"a matrix without an inverse", "kernels-texels", set(0, 4, 0.0f)},
           {"a huge matrix", "kernels-texels", set(0, 7, 1e6f)},
           {"a huge amplitude", "kernels-texels", set(1, 8, 2000.0f)},
           {"a huge colour", "kernels-texels", set(1, 23, -2000.0f)},
+          {"half a cycle of a pattern", "kernels-texels", set(2, 8, 0.5f)},
+          {"a huge wave of a pattern", "kernels-texels", set(2, 3, 2000.0f)},
       });
 }
 
@@ -87,6 +97,7 @@ TEST_CASE("the constants of a noise and a material have the numbers of its kerne
   const shader::LichenKernelsNoise noise = kernelsPart(shaderNoise(bundle, 0));
   CHECK(noise.kernels == 2);
   CHECK(noise.rings == 1);
+  CHECK(noise.cosines == 2);
   CHECK(noise.window == LICHEN_WINDOW_GABOR);
   Placement placement;
   placement.tileOriginX = 8 * 5 + 3;

@@ -335,6 +335,7 @@ TEST_CASE("a solid of a noise with a structure is refused, and the properties sa
     LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
     REQUIRE(lichenGetNoiseProperties(handle, 0, &noise) == LICHEN_SUCCESS);
     CHECK(noise.hasStructure == expected);
+    CHECK(((noise.mappings >> LICHEN_MAPPING_SOLID) & 1u) == 1u - expected);
   }
 }
 
@@ -356,6 +357,19 @@ TEST_CASE("the switches of local random-phase noise leave out what only other me
   CHECK(both.find("GAUSSIAN_ONLY") == std::string::npos);
 }
 
+TEST_CASE("the switches of multiple-kernels noise leave out kinds of kernels that there are not") {
+  const OwnedBundle kernels(example::smallestKernels());
+  LichenNoiseProperties noise;
+  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  REQUIRE(lichenGetNoiseProperties(kernels.handle, 0, &noise) == LICHEN_SUCCESS);
+  CHECK(noise.kernelKinds == (LICHEN_KERNELS_RINGS | LICHEN_KERNELS_PATTERN));
+  CHECK(noise.mappings == (1u << LICHEN_MAPPING_UV | 1u << LICHEN_MAPPING_TRIPLANAR));
+  CHECK(switchesOf({parametersOf(kernels.handle)}) ==
+        "-DLICHEN_ROLES=16 -DLICHEN_METHODS=8 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR"
+        " -DLICHEN_TABLES=0 -DLICHEN_SQUARE_KERNELS=0 -DLICHEN_OMIT_SOLID"
+        " -DLICHEN_PERIODIC_LATTICE=0");
+}
+
 TEST_CASE("the switches keep values above 1 for a noise that has them") {
   BundleFile file = example::smallest();
   NoiseMap& height = file.bundle.noises[0].maps[0];
@@ -371,22 +385,27 @@ TEST_CASE("the switches keep values above 1 for a noise that has them") {
 }
 
 TEST_CASE("the longest text of switches fits") {
-  // Materials of both methods, in three planes, with an anisotropic sampler. Each switch that is
+  // Materials of all methods, in three planes, with an anisotropic sampler. Each switch that is
   // missing excludes longer ones.
-  const OwnedBundle tiling(example::smallest()), textons(example::smallestTexton());
-  std::vector<LichenMaterialParameters> materials{parametersOf(tiling.handle),
-                                                  parametersOf(textons.handle)};
+  const OwnedBundle tiling(example::smallest()), textons(example::smallestTexton()),
+      cosines(example::smallestCosines()), kernels(example::smallestKernels());
+  std::vector<LichenMaterialParameters> materials{
+      parametersOf(tiling.handle), parametersOf(textons.handle), parametersOf(cosines.handle),
+      parametersOf(kernels.handle)};
   for (LichenMaterialParameters& material : materials)
     material.mapping = LICHEN_MAPPING_TRIPLANAR;
   LichenPlacement placement = atOrigin();
   placement.maxAnisotropy = 8.0f;
   const std::string text = switchesOf(materials, &placement);
-  CHECK(text == "-DLICHEN_ROLES=16 -DLICHEN_METHODS=3 -DLICHEN_VALUES_ABOVE_ONE=0"
+  CHECK(text == "-DLICHEN_ROLES=16 -DLICHEN_METHODS=15 -DLICHEN_VALUES_ABOVE_ONE=0"
                 " -DLICHEN_OTHER_MAPPINGS=0 -DLICHEN_OMIT_SURFACE_TEXTONS -DLICHEN_MIXED_TEXTONS=0 "
                 "-DLICHEN_POISSON_POINTS=0 -DLICHEN_CUBIC_TEXTONS=0"
-                " -DLICHEN_NEAREST_TEXTONS=0 -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0"
-                " -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_PERIODIC_LATTICE=0 -DLICHEN_ANISOTROPIC=1");
-  CHECK(text.size() < LICHEN_SWITCH_BYTES);
+                " -DLICHEN_NEAREST_TEXTONS=0 -DLICHEN_TILE_ROTATION=0"
+                " -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_STRUCTURE=0 -DLICHEN_SQUARE_KERNELS=0"
+                " -DLICHEN_OMIT_SOLID -DLICHEN_PERIODIC_LATTICE=0 -DLICHEN_ANISOTROPIC=1");
+  const std::string others = " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_RING_KERNELS=0"
+                             " -DLICHEN_KERNEL_PATTERN=0 -DLICHEN_OMIT_TRIPLANAR";
+  CHECK(text.size() + others.size() < LICHEN_SWITCH_BYTES);
 }
 
 TEST_CASE("a buffer that is too small for the switches is an error") {
@@ -398,7 +417,7 @@ TEST_CASE("a buffer that is too small for the switches is an error") {
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
   CHECK(lichenGetShaderSwitches(&pointer, 1, nullptr, text, sizeof text, &diagnostic) ==
         LICHEN_ERROR_USAGE);
-  CHECK(std::string(diagnostic.text) == "textBytes 8 is too small; expected at least 512");
+  CHECK(std::string(diagnostic.text) == "textBytes 8 is too small; expected at least 1024");
   CHECK(std::string(text) == "before");
   CHECK(lichenGetShaderSwitches(nullptr, 1, nullptr, text, sizeof text, nullptr) ==
         LICHEN_ERROR_USAGE);

@@ -7,6 +7,7 @@
 
 #include <lichen/counted.h>
 #include <lichen/local_random_phase.h>
+#include <lichen/plain_fetches.h>
 
 #include <fmt/format.h>
 
@@ -52,8 +53,7 @@ public:
   }
 
   [[nodiscard]] double plainFetches() const override {
-    constexpr double kPerCosine = 1.04, kStructure = 27.6;
-    return kPerCosine * cosines + (structure == 0.0 ? 0.0 : kStructure);
+    return cosineFetches(cosines, structure != 0.0);
   }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {

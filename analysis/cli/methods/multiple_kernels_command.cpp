@@ -4,9 +4,11 @@
 
 #include "../table_words.h"
 #include "outline_risks.h"
+#include "pattern_option.h"
 
 #include <lichen/counted.h>
 #include <lichen/multiple_kernels.h>
+#include <lichen/plain_fetches.h>
 
 #include <fmt/format.h>
 
@@ -16,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kHeading = "Multiple kernels";
+constexpr double kUsualPerturbation = 1.0;
 
 class Bake final : public BakeOptions {
 public:
@@ -24,6 +27,9 @@ public:
   KernelWindow window = KernelWindow::gabor;
   int kernels = 0;
   double impacts = 0.0;
+  double perturb = kUsualPerturbation;
+  std::optional<PatternChoice> pattern;
+  int repeats = 1;
 
   [[nodiscard]] Result<std::vector<std::vector<Risk>>>
   assess(std::span<const MapExemplar> maps, Periodic, const SharedOptions& shared) const override {
@@ -36,8 +42,7 @@ public:
   [[nodiscard]] BakeMemory memory() const override { return {64.0, 160.0}; }
 
   [[nodiscard]] double plainFetches() const override {
-    constexpr double kPerImpact = 2.9;
-    return kPerImpact * impacts;
+    return kernelFetches(impacts, pattern ? cosinesOf(*pattern) : 0);
   }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
@@ -47,6 +52,12 @@ public:
     options.impacts = impacts;
     if (Result<void> given = setSpectrum(common_.spectrum, input.maps, options.spectrum); !given)
       return given.error();
+    if (pattern) {
+      Result<Perturbation> perturbation = perturbationOf(*pattern, perturb, repeats);
+      if (!perturbation)
+        return perturbation.error();
+      options.perturbation = std::move(perturbation).value();
+    }
     options.bits = input.bits;
     options.periodic = input.borders;
     options.progress = input.progress;
@@ -58,15 +69,31 @@ public:
     MethodBake result;
     result.bordersWereBlended = !bake.exemplarWasPeriodic;
     result.json["kernels"] = shared.kernels;
-    result.json["spectrumErrorDb"] = bake.spectrumErrorDb;
+    for (const SpectrumError& error : bake.spectrumErrors)
+      result.json["spectrumErrors"].push_back(
+          {{"kernels", error.kernels}, {"decibels", error.decibels}});
     result.json["periodic"] = bake.exemplarWasPeriodic;
     result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "blended");
     result.facts.emplace_back("Kernels", kernelWords(shared));
-    result.notes.push_back(fmt::format("{}: their spectrum is {:.1f} dB from that asked for",
-                                       kernelWords(shared), bake.spectrumErrorDb));
+    result.notes.push_back(kernelWords(shared) + ": " + errorWords(bake.spectrumErrors));
+    const bool isPicture = pattern && std::holds_alternative<std::filesystem::path>(*pattern);
+    if (!pattern && perturb != kUsualPerturbation)
+      result.notes.emplace_back("--perturb has no effect without --pattern");
+    if (!isPicture && repeats != 1)
+      result.notes.emplace_back("--pattern-repeats has no effect without a picture as --pattern");
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
     return result;
+  }
+
+  /// How far the spectrum is from that asked for, and with fewer kernels.
+  static std::string errorWords(const std::vector<SpectrumError>& errors) {
+    std::string words =
+        fmt::format("their spectrum is {:.2f} dB from that asked for", errors.back().decibels);
+    for (std::size_t k = 0; k + 1 < errors.size(); ++k)
+      words += fmt::format("{} {} kernels {:.2f} dB", k == 0 ? "; with" : ", with",
+                           errors[k].kernels, errors[k].decibels);
+    return words;
   }
 
   static std::string kernelWords(const MultipleKernelsNoise& shared) {
@@ -75,6 +102,9 @@ public:
                     nameOf(shared.window));
     if (shared.rings > 0)
       words += fmt::format(", {} of them {}", shared.rings, shared.rings == 1 ? "a ring" : "rings");
+    if (shared.cosines > 0)
+      words +=
+          fmt::format(", and a pattern of {}", counted(std::uint64_t(shared.cosines), "cosine"));
     return words;
   }
 
@@ -109,6 +139,19 @@ MultipleKernelsCommand::addBakeOptions(CLI::App& verb, const CommonOptions& comm
   addValue(verb, "--kernel-impacts", options->impacts, number(kImpactsRange), "30",
            "Mean number of impacts at a point, of all kernels; shader time is proportional")
       .group(kHeading);
+  addValue(verb, "--pattern", options->pattern, patternChoice(), "",
+           "A regular pattern that the noise perturbs: the exemplar's N strongest waves "
+           "(cosines:N), a picture that tiles, or parts: wave:U:V[:AMPLITUDE[:PHASE]] or "
+           "spline:U:V:VALUE:VALUE..., U and V whole cycles per tile along x and y")
+      .group(kHeading);
+  addValue(verb, "--pattern-repeats", options->repeats, wholeNumber(1, 64), "1",
+           "How often a picture of a pattern lies along each axis of a tile")
+      .group(kHeading);
+  addValue(
+      verb, "--perturb", options->perturb, number(kPerturbationRange), "1",
+      "Strength of the noise beside the pattern: 0 leaves the pattern alone, of a given one in "
+      "the luminance; colours keep their covariance")
+      .group(kHeading);
   return options;
 }
 
@@ -122,8 +165,10 @@ std::unique_ptr<const UseOptions> MultipleKernelsCommand::addApplyOptions(CLI::A
 
 void MultipleKernelsCommand::describe(const Noise& noise, Json& json) const {
   const auto& shared = noise.as<MultipleKernelsNoise>();
-  json["multipleKernels"] = {
-      {"kernels", shared.kernels}, {"rings", shared.rings}, {"window", nameOf(shared.window)}};
+  json["multipleKernels"] = {{"kernels", shared.kernels},
+                             {"rings", shared.rings},
+                             {"cosines", shared.cosines},
+                             {"window", nameOf(shared.window)}};
 }
 
 std::vector<std::string> MultipleKernelsCommand::linesOf(const Noise& noise,
@@ -147,7 +192,8 @@ std::vector<std::string> MultipleKernelsCommand::linesOf(const Bundle& bundle,
 
 int MultipleKernelsCommand::fetches(const Bundle&, const Noise& noise, const NoiseMap& map,
                                     const MaterialNoise&) const {
-  return int(kKernelTexels) * noise.as<MultipleKernelsNoise>().kernels +
+  const auto& shared = noise.as<MultipleKernelsNoise>();
+  return int(kKernelTexels) * shared.kernels + 2 * shared.cosines +
          (map.as<MultipleKernelsMap>().inverseTable ? 1 : 0);
 }
 

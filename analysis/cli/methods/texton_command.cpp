@@ -4,6 +4,7 @@
 
 #include "../table_words.h"
 
+#include <lichen/plain_fetches.h>
 #include <lichen/texton_comparison.h>
 
 #include <fmt/format.h>
@@ -105,10 +106,7 @@ public:
 
   [[nodiscard]] BakeMemory memory() const override { return kTextonMemory; }
 
-  [[nodiscard]] double plainFetches() const override {
-    constexpr double kPerImpact = 1.25;
-    return kPerImpact * material.impacts;
-  }
+  [[nodiscard]] double plainFetches() const override { return textonFetches(material.impacts); }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     TextonOptions texton = options;

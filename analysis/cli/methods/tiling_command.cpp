@@ -4,6 +4,7 @@
 
 #include "../table_words.h"
 
+#include <lichen/plain_fetches.h>
 #include <lichen/tiling.h>
 #include <lichen/tiling_precision.h>
 
@@ -51,7 +52,7 @@ public:
   /// 8192 (docs/benchmarks.md), 238 for four maps of 1024.
   [[nodiscard]] BakeMemory memory() const override { return {32.0, 128.0}; }
 
-  [[nodiscard]] double plainFetches() const override { return 4.1; }
+  [[nodiscard]] double plainFetches() const override { return kTilingFetches; }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     TilingOptions tiling = options;

@@ -4,6 +4,7 @@
 
 #include <lichen/bundle.h>
 #include <lichen/gaussianization.h>
+#include <lichen/pattern.h>
 #include <lichen/result.h>
 #include <lichen/spectrum_picture.h>
 
@@ -14,6 +15,19 @@
 
 namespace lichen {
 
+/// A regular pattern that noise perturbs. Both together have the covariance of the exemplar's
+/// Gaussian values, whatever the amount; few waves have few tones, so that histograms are the
+/// exemplar's only where the noise is strong. [MKN12] section 5.
+struct Perturbation {
+  double amount = 1.0; ///< of the noise, for one of the pattern; kPerturbationRange
+  /// The pattern, up to a factor: it takes 1 / (1 + amount^2) of the luminance, and other maps as
+  /// far as they follow that. Empty for the strongest waves of the exemplar, of which the noise then
+  /// has only what is left.
+  std::vector<PatternWave> pattern;
+  int cosines = 40; ///< at most, [1, kMostPatternCosines]; the strongest
+};
+inline constexpr NumberRange kPerturbationRange{0.0, 16.0};
+
 struct MultipleKernelsOptions : GaussianizationOptions {
   KernelWindow window = KernelWindow::gabor;
   int kernels = 8; ///< at most; fewer where fewer do
@@ -22,17 +36,24 @@ struct MultipleKernelsOptions : GaussianizationOptions {
   /// In place of the exemplar's, which then gives colours only: the channels of the noise hardly
   /// correlate in space.
   std::optional<SpectrumPicture> spectrum;
+  std::optional<Perturbation> perturbation;
 };
 inline constexpr NumberRange kKernelsRange{1.0, double(kMostKernels)};
+
+/// How near so many kernels come to a spectrum.
+struct SpectrumError {
+  int kernels = 0;
+  double decibels = 0.0; ///< root mean square of the difference, over all directions
+};
 
 /// The result of a bake. The maps of `noise` number its tables from 0.
 struct MultipleKernelsBake {
   Noise noise; ///< maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// The root mean square of the difference between the spectra of the exemplar and the noise, over
-  /// all directions.
-  double spectrumErrorDb = 0.0;
+  /// Of a quarter, of half and of all of the most kernels that may be, in this order, without what
+  /// has as many kernels as the one before; the last is that of the noise. What more kernels bring.
+  std::vector<SpectrumError> spectrumErrors;
 };
 
 /// Gaussianizes the maps as bakeTiling() does, and fits kernels to the sum of their power spectra;
@@ -41,7 +62,7 @@ struct MultipleKernelsBake {
 /// also those between channels. Maps may differ in size. Needs at least one map, each within the
 /// ranges of MapExemplar and with a different target. `name` names the noise and, with the target,
 /// its tables. Errors: usage for options or maps outside their ranges; badInput for a spectrum
-/// without power; resources if memory runs out; environment if `options.progress` stops it.
+/// without power or a pattern that does not vary or has a frequency beyond kMostKernelFrequency; resources if memory runs out; environment if `options.progress` stops it.
 /// Thread-safe; runs on all cores; same bytes for any number of threads. O(N (log N + kernels)) in
 /// the number of pixels.
 [[nodiscard]] Result<MultipleKernelsBake>

@@ -5,6 +5,7 @@
 #include <lichen/bundle.h>
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
+#include <lichen/solid_footprint.h>
 #include <lichen/tile_footprint.h>
 #include <lichen/triplanar_footprint.h>
 
@@ -35,6 +36,11 @@ public:
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenTriplanarMaterial& material,
                                const TriplanarFootprint& at) const;
 
+  /// In a solid: windows are of the kind gabor. Values are those of
+  /// LocalRandomPhaseEvaluator::evaluate() in a solid.
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
+                               const SolidFootprint& at) const;
+
   /// The value before decoding: Gaussian with mean 1/2 and, if no variance is lost, standard
   /// deviation 1/6. The fourth is the share of the variance lost to filtering, the mean over the
   /// channels.
@@ -42,6 +48,14 @@ public:
                                const TileFootprint& at) const;
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenTriplanarMaterial& material,
                                const TriplanarFootprint& at) const;
+
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenMaterial& material,
+                               const SolidFootprint& at) const;
+
+  /// The value of the map's first channel and its derivatives along x and y [1 / tile], for bumps.
+  /// Those of the Gaussian values are exact, those of the table are differences.
+  [[nodiscard]] std::array<float, 3>
+  gradient(std::size_t map, const shader::LichenMaterial& material, const TileFootprint& at) const;
 
   /// The cells that an evaluation visits, and the impacts in them that reach the point.
   struct Visited {

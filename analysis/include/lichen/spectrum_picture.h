@@ -12,7 +12,10 @@ namespace lichen {
 /// exemplar's pixels cannot hold do not count.
 struct SpectrumPicture {
   int width = 0, height = 0;
-  std::vector<float> amplitudes;
+  std::vector<float> amplitudes; ///< channels * width * height
+  /// 1, or 3 of one pixel after the other: of the red, green and blue of colour maps. Other maps
+  /// take the root of the mean square.
+  int channels = 1;
 };
 
 } // namespace lichen

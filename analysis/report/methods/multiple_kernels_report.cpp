@@ -19,13 +19,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr GaussianTargets kTargets{0.5, 1.5, true};
 
-/// The power spectral density of a map's kernels, the zero frequency in the middle.
+/// The power spectral density of a map's kernels and its pattern, the zero frequency in the middle.
 LinearImage kernelsPicture(const Table& table, const MultipleKernelsNoise& shared, int side) {
   using namespace multiple_kernels;
   const int width = std::min(side, shared.texelsPerTileX);
   const int height = std::min(side, shared.texelsPerTileY);
   const WindowSpectrum spectrum(shared.window);
-  const std::vector<KernelRow> rows = kernelRows(table);
+  const std::vector<KernelRow> rows = kernelRows(table, shared);
   std::vector<double> density(std::size_t(width) * std::size_t(height), 0.0);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Kernel kernel = kernelOf(rows[k], int(k) >= shared.kernels - shared.rings);
@@ -37,6 +37,21 @@ LinearImage kernelsPicture(const Table& table, const MultipleKernelsNoise& share
             kernel.isRing ? ringDensityAt(spectrum, kernel, std::hypot(u, v))
                           : densityAt(spectrum, kernel, u, v);
       }
+  }
+  for (const PatternCosine& cosine : patternCosines(table, shared)) {
+    double power = 0.0;
+    for (const std::array<float, 2>& wave : cosine.waves)
+      power += 0.25 * (double(wave[0]) * double(wave[0]) + double(wave[1]) * double(wave[1]));
+    for (const double mirror : {1.0, -1.0}) {
+      const auto x =
+          std::lround(mirror * double(cosine.frequency[0]) * width / shared.texelsPerTileX) +
+          width / 2;
+      const auto y =
+          std::lround(mirror * double(cosine.frequency[1]) * height / shared.texelsPerTileY) +
+          height / 2;
+      if (x >= 0 && y >= 0 && x < width && y < height)
+        density[std::size_t(y) * std::size_t(width) + std::size_t(x)] += power;
+    }
   }
   return spectrumPicture(density, width, height);
 }
@@ -62,8 +77,9 @@ Result<Json> MultipleKernelsReport::image(const Bundle& bundle, const Noise& noi
   if (!shown)
     return shown;
   shown.value()["title"] = "Spectrum of the kernels";
-  shown.value()["text"] = "The power of each frequency of the noise, the zero frequency in the "
-                          "middle. Each spot and its mirror are a kernel.";
+  shown.value()["text"] =
+      "The power of each frequency of the noise, the zero frequency in the "
+      "middle. Each spot and its mirror are a kernel, each dot a cosine of the pattern.";
   return shown;
 }
 

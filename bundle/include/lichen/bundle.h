@@ -164,7 +164,7 @@ struct Bundle;
                                                         const NoiseMap& map);
 
 /// Whether a method supports a mapping. All methods support uv and triplanar; textons also support
-/// surface, and local random phase supports solid for noises without a structure
+/// surface, and some noises of local random phase and of multiple kernels support solid
 /// (mappingObstacle()).
 [[nodiscard]] bool mappingFits(Method method, Mapping mapping);
 

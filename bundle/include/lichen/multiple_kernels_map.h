@@ -14,6 +14,7 @@
 namespace lichen {
 
 inline constexpr int kMostKernels = 64;
+inline constexpr int kMostPatternCosines = 96;
 /// The number of tiles that hold whole columns and rows of each kernel's grid.
 inline constexpr int kKernelTiles = 8;
 inline constexpr int kMostKernelCells = 1 << 15; ///< columns or rows in kKernelTiles tiles
@@ -33,6 +34,7 @@ struct MultipleKernelsNoise {
   int texelsPerTileY = 0; ///< likewise
   int kernels = 1;        ///< [1, kMostKernels]
   int rings = 0;          ///< the last so many kernels have a direction at random, [0, kernels]
+  int cosines = 0;        ///< of a pattern that the kernels perturb, [0, kMostPatternCosines]
   KernelWindow window = KernelWindow::gabor;
   /// As LocalRandomPhaseNoise::hasGivenSpectrum.
   bool hasGivenSpectrum = false;
@@ -46,11 +48,16 @@ struct MultipleKernelsNoise {
 /// - column 1: the matrix Q, row by row [1 / tile]: at the offset d from an impact [tiles] the
 ///   kernel is cos(2 pi f.d) w(Q d);
 /// - column 2: the amplitude of the kernel, with which the squares over all impacts sum to 1 in the
-///   mean, and the mean square frequency of w along each of its axes [cycles^2];
+///   mean; the mean square frequency of w along each of its axes [cycles^2]; in a solid the layers
+///   of cells in kKernelTiles tile widths, a whole number in [1, kMostKernelCells], and Q along z
+///   [1 / tile width], above 0;
 /// - columns 3, 4 and 5: of the first, second and third channel, the deviation that each of the
 /// four
-///   signs of an impact adds [Gaussian values].
+///   waves of an impact adds [Gaussian values].
 /// Columns 0 to 2 are the same for all maps.
+/// Below the kernels lies the pattern, three cosines in a row, each in two texels: its frequency
+/// along x and y [whole cycles / tile], then for the first, second and third channel the amplitudes
+/// of its cosine and its sine [Gaussian values]. Texels that no cosine has are 0.
 struct MultipleKernelsMap {
   std::size_t kernels = 0;                 ///< index into Bundle::tables
   std::optional<std::size_t> inverseTable; ///< as TilingMap::inverseTable
@@ -77,16 +84,36 @@ struct KernelRow {
   int columns = 1, rows = 1;
   std::array<float, 4> toWindow{}; ///< Q, row by row
   float amplitude = 0.0f, spread = 0.0f;
+  int layers = 1;
+  float toWindowZ = 1.0f;
   std::array<std::array<float, 4>, 3> colors{};
 };
 inline constexpr std::uint32_t kKernelTexels = 6;
 
-[[nodiscard]] std::vector<KernelRow> kernelRows(const Table& image);
-[[nodiscard]] Table kernelTable(const std::vector<KernelRow>& rows);
+/// A wave of a pattern: of channel c, waves[c][0] cos(2 pi f.x) + waves[c][1] sin(2 pi f.x).
+struct PatternCosine {
+  std::array<float, 2> frequency{}; ///< f [cycles / tile]
+  std::array<std::array<float, 2>, 3> waves{};
+};
+inline constexpr std::uint32_t kRowPatternCosines = 3;
+
+/// The rows of an image that a pattern of so many cosines has.
+[[nodiscard]] constexpr std::uint32_t patternRows(int cosines) {
+  return (std::uint32_t(cosines) + kRowPatternCosines - 1u) / kRowPatternCosines;
+}
+
+/// The kernels of an image, and its pattern.
+[[nodiscard]] std::vector<KernelRow> kernelRows(const Table& image,
+                                                const MultipleKernelsNoise& noise);
+[[nodiscard]] std::vector<PatternCosine> patternCosines(const Table& image,
+                                                        const MultipleKernelsNoise& noise);
+[[nodiscard]] Table kernelTable(const std::vector<KernelRow>& rows,
+                                const std::vector<PatternCosine>& pattern = {});
 
 /// The largest magnitudes in the image: of frequencies, of Q, whose determinant is at least
 /// kLeastKernelDeterminant in magnitude, and of amplitudes, spreads and colours.
 inline constexpr float kMostKernelFrequency = 16384.0f, kMostToWindow = 65536.0f,
-                       kLeastKernelDeterminant = 1e-3f, kMostKernelValue = 1024.0f;
+                       kLeastToWindowZ = 1e-3f, kLeastKernelDeterminant = 1e-3f,
+                       kMostKernelValue = 1024.0f;
 
 } // namespace lichen

@@ -4,7 +4,7 @@
 #include "local_random_phase_format.h"
 #include "methods/map_constants.h"
 #include "methods/method_part.h"
-#include "methods/split_origin.h"
+#include "methods/solid_origin.h"
 
 #include <lichen/structure_texel.h>
 
@@ -67,17 +67,9 @@ void setSolid(const shader::LichenNoise& noise, const MaterialNoise& material,
   constants.columnsPerTile = float(across) / kOctaveTiles;
   constants.rowsPerTile = float(down) / kOctaveTiles;
   constants.seedWord = latticeSeed(material.seed, kSolidPlane);
-  // The exemplar lies as on the plane that looks along z, to the right and down. It may be rotated
-  // and not square; tiles of the origin are cubes.
-  const double right = double(placement.tileOriginX), downward = -double(placement.tileOriginY);
-  const double cosine = std::cos(material.rotation), sine = std::sin(material.rotation);
-  const double aspect = double(noise.tileTexelsX) / double(noise.tileTexelsY);
   // Whole vertices lie three cubes apart along an axis.
   constexpr std::int64_t kStep = 3 * kOctaveTiles;
-  const SplitOrigin x = splitOrigin(cosine * right + sine * downward, material.offset[0], kStep);
-  const SplitOrigin y =
-      splitOrigin(aspect * (cosine * downward - sine * right), material.offset[1], kStep);
-  const SplitOrigin z = splitOrigin(placement.tileOriginZ, 0.0, kStep);
+  const auto [x, y, z] = solidOrigin(noise, material, placement, kStep);
   const std::array<std::int64_t, 3> thirds{x.tile / kStep * across, y.tile / kStep * down,
                                            z.tile / kStep * across};
   const std::int64_t shift = thirds[0] + thirds[1] + thirds[2];

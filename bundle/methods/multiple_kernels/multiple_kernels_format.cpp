@@ -10,7 +10,20 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Of a cosine of a pattern.
+constexpr std::size_t kPatternFloats = 4 * kKernelTexels / kRowPatternCosines;
+
 constexpr std::array<std::string_view, 3> kWindowNames{"gabor", "sinc", "gaussian-sinc"};
+
+std::string_view solidObstacle(KernelWindow window, bool hasPattern, Mapping mapping) {
+  if (mapping != Mapping::solid)
+    return "";
+  if (hasPattern)
+    return "it has a pattern, which lies in a plane";
+  return window == KernelWindow::gabor
+             ? ""
+             : "its kernels have a window on a square, and in solids all have gabor";
+}
 
 } // namespace
 
@@ -23,9 +36,9 @@ std::optional<KernelWindow> kernelWindowFrom(std::string_view name) {
   return std::nullopt;
 }
 
-std::vector<KernelRow> kernelRows(const Table& image) {
+std::vector<KernelRow> kernelRows(const Table& image, const MultipleKernelsNoise& noise) {
   const std::vector<float> texels = decodeLevel(image, 0);
-  std::vector<KernelRow> rows(image.height);
+  std::vector<KernelRow> rows(std::size_t(noise.kernels));
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const float* own = &texels[4 * kKernelTexels * k];
     rows[k].frequency = {own[0], own[1]};
@@ -38,30 +51,60 @@ std::vector<KernelRow> kernelRows(const Table& image) {
     }
     rows[k].amplitude = own[8];
     rows[k].spread = own[9];
+    rows[k].layers = int(own[10]);
+    rows[k].toWindowZ = own[11];
   }
   return rows;
 }
 
-Table kernelTable(const std::vector<KernelRow>& rows) {
+std::vector<PatternCosine> patternCosines(const Table& image, const MultipleKernelsNoise& noise) {
+  const std::vector<float> texels = decodeLevel(image, 0);
+  std::vector<PatternCosine> pattern(std::size_t(noise.cosines));
+  const float* own = texels.data() + 4 * kKernelTexels * std::size_t(noise.kernels);
+  for (PatternCosine& cosine : pattern) {
+    cosine.frequency = {own[0], own[1]};
+    for (std::size_t c = 0; c < 3; ++c)
+      cosine.waves[c] = {own[2 + 2 * c], own[3 + 2 * c]};
+    own += kPatternFloats;
+  }
+  return pattern;
+}
+
+Table kernelTable(const std::vector<KernelRow>& rows, const std::vector<PatternCosine>& pattern) {
   Table table;
   table.format = TexelFormat::rgba32Sfloat;
   table.width = kKernelTexels;
-  table.height = std::uint32_t(rows.size());
+  table.height = std::uint32_t(rows.size()) + patternRows(int(pattern.size()));
   std::vector<float> texels;
   for (const KernelRow& row : rows) {
     texels.insert(texels.end(),
                   {row.frequency[0], row.frequency[1], float(row.columns), float(row.rows)});
     texels.insert(texels.end(), row.toWindow.begin(), row.toWindow.end());
-    texels.insert(texels.end(), {row.amplitude, row.spread, 0.0f, 0.0f});
+    texels.insert(texels.end(), {row.amplitude, row.spread, float(row.layers), row.toWindowZ});
     for (const std::array<float, 4>& color : row.colors)
       texels.insert(texels.end(), color.begin(), color.end());
   }
+  for (const PatternCosine& cosine : pattern) {
+    texels.insert(texels.end(), cosine.frequency.begin(), cosine.frequency.end());
+    for (const std::array<float, 2>& wave : cosine.waves)
+      texels.insert(texels.end(), wave.begin(), wave.end());
+  }
+  texels.resize(std::size_t(4) * table.width * table.height, 0.0f);
   appendTexels(table.texels, table.format, texels);
   return table;
 }
 
-bool MultipleKernelsFormat::fits(Mapping mapping) const {
-  return mapping == Mapping::uv || mapping == Mapping::triplanar;
+bool MultipleKernelsFormat::fits(Mapping mapping) const { return mapping != Mapping::surface; }
+
+std::string_view MultipleKernelsFormat::obstacle(const Noise& noise, Mapping mapping) const {
+  const auto& own = noise.as<MultipleKernelsNoise>();
+  return solidObstacle(own.window, own.cosines > 0, mapping);
+}
+
+std::string_view MultipleKernelsFormat::obstacle(const shader::LichenNoise& noise,
+                                                 Mapping mapping) const {
+  const shader::LichenKernelsNoise own = kernelsPart(noise);
+  return solidObstacle(KernelWindow(own.window), own.cosines > 0, mapping);
 }
 
 std::span<const std::string_view> MultipleKernelsFormat::tableMembers() const {
@@ -76,6 +119,8 @@ void MultipleKernelsFormat::writeNoise(const Noise& noise, Json& json) const {
          {"kernels", shared.kernels}};
   if (shared.rings > 0)
     own["rings"] = shared.rings;
+  if (shared.cosines > 0)
+    own["cosines"] = shared.cosines;
   own["window"] = nameOf(shared.window);
   if (shared.hasGivenSpectrum)
     own["spectrum"] = "given";

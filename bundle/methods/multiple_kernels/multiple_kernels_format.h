@@ -11,6 +11,9 @@ public:
   [[nodiscard]] std::string_view name() const override { return "multiple-kernels"; }
   [[nodiscard]] int revision() const override { return 1; }
   [[nodiscard]] bool fits(Mapping mapping) const override;
+  [[nodiscard]] std::string_view obstacle(const Noise& noise, Mapping mapping) const override;
+  [[nodiscard]] std::string_view obstacle(const shader::LichenNoise& noise,
+                                          Mapping mapping) const override;
   [[nodiscard]] std::span<const std::string_view> tableMembers() const override;
   [[nodiscard]] MethodNoise readNoise(ObjectReader& reader, FindingList& findings) const override;
   [[nodiscard]] MethodMap readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,

@@ -3,7 +3,10 @@
 // method has.
 #include "methods/map_constants.h"
 #include "methods/method_part.h"
+#include "methods/solid_origin.h"
 #include "multiple_kernels_format.h"
+
+#include <array>
 
 namespace lichen {
 
@@ -36,18 +39,35 @@ void MultipleKernelsFormat::setMap(const Bundle& bundle, const Noise&, const Noi
   setImage(constants, bundle.tables[own.kernels]);
   constants.dimensions = shader::uint(own.dimensions);
   setDecoding(constants, bundle, map, own.inverseTable);
+  // Solid noise has a third slope, which no table knows.
+  if (map.encoding == ValueEncoding::slope && own.inverseTable)
+    setLinearRows(constants, map, bundle.tables[*own.inverseTable]);
 }
 
 void MultipleKernelsFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
   const auto& shared = noise.as<MultipleKernelsNoise>();
   setPart(constants,
           shader::LichenKernelsNoise{shader::uint(shared.kernels), shader::uint(shared.rings),
-                                     shader::uint(shared.window), 0});
+                                     shader::uint(shared.window), shader::uint(shared.cosines)});
 }
 
-void MultipleKernelsFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise&,
-                                        const Placement&, shader::LichenMaterial& constants) const {
-  setPart(constants, shader::LichenKernelsMaterial{LICHEN_POINTS_STRATIFIED});
+void MultipleKernelsFormat::setMaterial(const shader::LichenNoise& noise,
+                                        const MaterialNoise& material, const Placement& placement,
+                                        shader::LichenMaterial& constants) const {
+  shader::LichenKernelsMaterial part{};
+  if (material.mapping == Mapping::solid) {
+    const std::array<SplitOrigin, 3> origin = solidOrigin(noise, material, placement, kKernelTiles);
+    const auto group = [&](std::size_t axis) {
+      return std::int32_t(std::uint32_t(std::uint64_t(origin[axis].tile / kKernelTiles)));
+    };
+    constants.seedWord = latticeSeed(material.seed, kSolidPlane);
+    constants.offsetX = origin[0].offset;
+    constants.offsetY = origin[1].offset;
+    constants.cellI = group(0);
+    constants.cellJ = group(1);
+    part = {1, group(2), origin[2].offset};
+  }
+  setPart(constants, part);
 }
 
 shader::LichenKernelsMaterial kernelsPart(const shader::LichenMaterial& material) {

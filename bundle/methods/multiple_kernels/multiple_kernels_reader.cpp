@@ -38,31 +38,52 @@ void checkTexels(ObjectReader& reader, const MultipleKernelsNoise& shared, const
     reader.error("kernels-texels", "kernels", "kernel " + std::to_string(kernel) + ": " + message);
   };
   const auto isWithin = [](float value, float most) { return std::abs(value) <= most; };
-  for (std::size_t k = 0; k < image.height; ++k) {
+  for (std::size_t k = 0; k < std::size_t(shared.kernels); ++k) {
     const float* own = &texels[4 * kKernelTexels * k];
     if (!isWithin(own[0], kMostKernelFrequency) || !isWithin(own[1], kMostKernelFrequency))
       return error(k, "a frequency beyond -" + json(kMostKernelFrequency).dump() + " to " +
                           json(kMostKernelFrequency).dump());
-    for (const float cells : {own[2], own[3]})
+    for (const float cells : {own[2], own[3], own[10]})
       if (!(cells >= 1.0f && cells <= float(kMostKernelCells)) || cells != std::floor(cells))
         return error(k, json(double(cells)).dump() +
-                            " columns or rows; expected a whole number from 1 to " +
+                            " columns, rows or layers; expected a whole number from 1 to " +
                             std::to_string(kMostKernelCells));
     const float* window = own + 4;
     if (!std::all_of(window, window + 4, [&](float v) { return isWithin(v, kMostToWindow); }) ||
         !(std::abs(window[0] * window[3] - window[1] * window[2]) >= kLeastKernelDeterminant))
       return error(k, "a matrix without an inverse, or with numbers beyond -" +
                           json(kMostToWindow).dump() + " to " + json(kMostToWindow).dump());
+    if (!(own[11] >= kLeastToWindowZ && own[11] <= kMostToWindow))
+      return error(k, json(double(own[11])).dump() + " along z; expected " +
+                          json(kLeastToWindowZ).dump() + " to " + json(kMostToWindow).dump());
     const bool isOnSquare = shared.window != KernelWindow::gabor;
     if (isOnSquare && (window[1] != 0.0f || window[2] != 0.0f))
       return error(k, "a matrix that is not diagonal, which only gabor may have");
     const bool isRing = int(k) >= shared.kernels - shared.rings;
     if (isRing && own[1] != 0.0f)
       return error(k, "a ring whose frequency along y is not 0");
-    if (!std::all_of(own + 8, own + 4 * kKernelTexels,
-                     [&](float v) { return isWithin(v, kMostKernelValue); }))
+    const auto isValue = [&](float v) { return isWithin(v, kMostKernelValue); };
+    if (!std::all_of(own + 8, own + 10, isValue) ||
+        !std::all_of(own + 12, own + 4 * kKernelTexels, isValue))
       return error(k, "an amplitude, spread or colour beyond -" + json(kMostKernelValue).dump() +
                           " to " + json(kMostKernelValue).dump());
+  }
+  const std::vector<PatternCosine> pattern = patternCosines(image, shared);
+  for (std::size_t k = 0; k < pattern.size(); ++k) {
+    const std::string name = "cosine " + std::to_string(k) + " of the pattern: ";
+    for (const float cycles : pattern[k].frequency)
+      if (!isWithin(cycles, kMostKernelFrequency) || cycles != std::floor(cycles))
+        return reader.error("kernels-texels", "kernels",
+                            name + "a frequency of " + json(double(cycles)).dump() +
+                                "; expected a whole number from -" +
+                                json(kMostKernelFrequency).dump() + " to " +
+                                json(kMostKernelFrequency).dump());
+    for (const std::array<float, 2>& wave : pattern[k].waves)
+      for (const float amplitude : wave)
+        if (!isWithin(amplitude, kMostKernelValue))
+          return reader.error("kernels-texels", "kernels",
+                              name + "an amplitude beyond -" + json(kMostKernelValue).dump() +
+                                  " to " + json(kMostKernelValue).dump());
   }
 }
 
@@ -71,9 +92,10 @@ void checkImage(ObjectReader& reader, const MultipleKernelsNoise& shared, const 
     reader.error("map-kernels", "kernels", message);
   };
   if (image.depth != 0 || image.width != kKernelTexels ||
-      image.height != std::uint32_t(shared.kernels))
+      image.height != std::uint32_t(shared.kernels) + patternRows(shared.cosines))
     return error(shapeOf(image) + " texels; expected " + std::to_string(kKernelTexels) + " x " +
-                 std::to_string(shared.kernels) + " for its noise's kernels");
+                 std::to_string(std::uint32_t(shared.kernels) + patternRows(shared.cosines)) +
+                 " for its noise's kernels and pattern");
   if (image.mipLevels != 1)
     return error(counted(image.mipLevels, "mip level") + "; expected 1");
   if (image.format != TexelFormat::rgba32Sfloat)
@@ -91,6 +113,7 @@ MethodNoise MultipleKernelsFormat::readNoise(ObjectReader& reader, FindingList& 
   const auto texels = readTexelsPerTile(member);
   const auto kernels = member.integer("kernels", kMostKernels, "range", 1);
   const int rings = member.integerOr("rings", kMostKernels, 0);
+  const int cosines = member.integerOr("cosines", kMostPatternCosines, 0);
   const std::optional<KernelWindow> window = readWindow(member);
   const std::optional<bool> isGiven = readGivenSpectrum(member);
   member.warnOfUnknown();
@@ -101,7 +124,8 @@ MethodNoise MultipleKernelsFormat::readNoise(ObjectReader& reader, FindingList& 
                  std::to_string(rings) + "; expected at most the number of kernels");
     return MultipleKernelsNoise();
   }
-  return MultipleKernelsNoise{(*texels)[0], (*texels)[1], int(*kernels), rings, *window, *isGiven};
+  return MultipleKernelsNoise{(*texels)[0], (*texels)[1], int(*kernels), rings,
+                              cosines,      *window,      *isGiven};
 }
 
 MethodMap MultipleKernelsFormat::readMap(ObjectReader& reader, const Noise& noise,

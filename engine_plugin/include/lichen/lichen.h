@@ -170,11 +170,18 @@ typedef struct LichenNoiseProperties {
   uint32_t textonOrder; /* 0, 1 or 3: degree of a texton's B-spline, with which its cost goes; 0 of
                            other noises */
   /* 1 if a local random-phase noise has a structure, 0 of other noises. LICHEN_STRUCTURE of the
-   * shader library may be 0 where no noise has one. Noises with a structure do not support
-   * LICHEN_MAPPING_SOLID. */
+   * shader library may be 0 where no noise has one. */
   uint32_t hasStructure;
-  uint32_t reserved; /* 0 */
+  uint32_t mappings;    /* bit m: a material of the noise may have the LichenMapping m */
+  uint32_t kernelKinds; /* LICHEN_KERNELS_... of a multiple-kernels noise, 0 of others */
+  uint32_t reserved;    /* 0 */
 } LichenNoiseProperties;
+
+/* Bits of LichenNoiseProperties::kernelKinds. The switch of the shader library that each names may
+ * be 0 where no noise has the bit. */
+#define LICHEN_KERNELS_RINGS 1u   /* LICHEN_RING_KERNELS */
+#define LICHEN_KERNELS_SQUARE 2u  /* LICHEN_SQUARE_KERNELS: sinc or gaussian-sinc */
+#define LICHEN_KERNELS_PATTERN 4u /* LICHEN_KERNEL_PATTERN */
 
 /* noise < noiseCount. */
 LICHEN_API LichenResult lichenGetNoiseProperties(LichenBundle bundle, uint32_t noise,
@@ -415,7 +422,7 @@ typedef struct LichenMaterialParameters {
   /* The shader must compute its point for the same mapping: with LICHEN_POINT for
    * LICHEN_MAPPING_UV, LICHEN_POINT_TRIPLANAR for LICHEN_MAPPING_TRIPLANAR, LICHEN_POINT_SURFACE
    * for LICHEN_MAPPING_SURFACE, which only textons have, and LICHEN_POINT_SOLID for
-   * LICHEN_MAPPING_SOLID, which local random-phase noise without a structure has. */
+   * LICHEN_MAPPING_SOLID; LichenNoiseProperties::mappings says who has it. */
   LichenMapping mapping;
   uint32_t seed; /* any; another seed is another noise of the same look */
   /* [0, 65536] of tiling: the number of evenly spaced angles by which tiles are rotated. 0 and 1:
@@ -478,7 +485,7 @@ LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* param
                                            LichenDiagnostic* diagnostic);
 
 /* Enough for every text of lichenGetShaderSwitches. */
-#define LICHEN_SWITCH_BYTES 512
+#define LICHEN_SWITCH_BYTES 1024
 
 /* The switches of the shader library that fit all these materials, which may be of several bundles:
  * what none of them needs is left out. Writes one line of arguments for a compiler, such as

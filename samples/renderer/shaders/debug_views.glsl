@@ -101,9 +101,9 @@ vec3 multipleKernelsDebug(LichenKernelsPoint point) {
 vec3 solidDebug(LichenSolidPoint point) {
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return kNothingToShow;
-  return shownGaussian(lichenSolidGaussian(lichenSolidSum(LICHEN_IMAGE(LICHEN_BASE_COLOR), point,
-                                                          lichenMaterial, lichenNoise, shownMap()),
-                                           lichenMaterial)
+  float depthSlope;
+  return shownGaussian(lichenSolidGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), point, lichenMaterial,
+                                           lichenNoise, shownMap(), depthSlope)
                            .rgb);
 }
 #endif
@@ -180,8 +180,7 @@ vec3 noiseDebug(Footprint footprint) {
     return textonDebug(shading.point.texton);
 #endif
 #ifndef LICHEN_OMIT_SOLID
-  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, lichenNoise) &&
-      lichenIsSolid(lichenMaterial))
+  if (lichenIsSolid(lichenMaterial, lichenNoise))
     return solidDebug(shading.solid);
 #endif
 #ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE

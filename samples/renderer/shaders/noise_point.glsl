@@ -14,6 +14,9 @@ layout(constant_id = 8) const bool kObjectSpaces = true; // whether any is in ob
 layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates its tiles
 layout(constant_id = 10) const bool kSolid = true; // whether any uses solid mapping
 layout(constant_id = 11) const bool kStructure = true; // whether any has a structure
+layout(constant_id = 12) const bool kRingKernels = true; // whether any has rings
+layout(constant_id = 13) const bool kSquareKernels = true; // whether any has windows on a square
+layout(constant_id = 14) const bool kKernelPattern = true; // whether any perturbs a pattern
 #define LICHEN_USED_METHODS kMethods
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR kTriplanar
@@ -21,6 +24,9 @@ layout(constant_id = 11) const bool kStructure = true; // whether any has a stru
 #endif
 #define LICHEN_SOLID kSolid
 #define LICHEN_STRUCTURE kStructure
+#define LICHEN_RING_KERNELS kRingKernels
+#define LICHEN_SQUARE_KERNELS kSquareKernels
+#define LICHEN_KERNEL_PATTERN kKernelPattern
 #define LICHEN_MIXED_TEXTONS kMixedTextons
 #define LICHEN_TILE_ROTATION kTileRotation
 #define LICHEN_GAUSSIAN_ONLY kGaussianOnly
@@ -152,8 +158,7 @@ LichenShadingPoint noisePoint(Footprint f) {
   }
 #endif
 #ifndef LICHEN_OMIT_SOLID
-  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, lichenNoise) &&
-      lichenIsSolid(lichenMaterial))
+  if (lichenIsSolid(lichenMaterial, lichenNoise))
     return LICHEN_POINT_SOLID(spot.position, spot.dx, spot.dy);
 #endif
   vec2 dx = second ? f.dx.zw : f.dx.xy;

@@ -3,11 +3,15 @@
 // SPDX-License-Identifier: MIT
 // Multiple-kernels noise, as a material's base colour uses it.
 
-// The usual material: an endless grid, one table, known at compile time.
+// The usual material: an endless grid, fitted kernels, one table, known at compile time.
 #define LICHEN_METHODS 8
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_GAUSSIAN_ONLY 0
+#define LICHEN_RING_KERNELS 0
+#define LICHEN_SQUARE_KERNELS 0
+#define LICHEN_KERNEL_PATTERN 0
 #define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_OMIT_SOLID
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

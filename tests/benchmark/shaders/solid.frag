@@ -1,12 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Local random-phase noise in a solid, on a plane in space, as local_random_phase.frag has it on
-// texture coordinates: the same pixels see the same texels.
+// A noise in a solid, on a plane in space, as local_random_phase.frag and multiple_kernels.frag have
+// it on texture coordinates: the same pixels see the same texels. LICHEN_METHODS says which.
 
 // The usual material, as there.
-#define LICHEN_METHODS 4
 #define LICHEN_GAUSSIAN_ONLY 0
+#define LICHEN_RING_KERNELS 0
+#define LICHEN_SQUARE_KERNELS 0
+#define LICHEN_KERNEL_PATTERN 0
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1

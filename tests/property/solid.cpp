@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Solid local random-phase noise: its statistics and the spectra of its planes, its slopes in
-// space, and its filter, against the exemplar and against averages.
+// Solid noise of all methods that have it: its statistics and the spectra of its planes, its slopes
+// in space, and its filter, against the exemplar and against averages.
 #include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/local_random_phase.h>
 #include <lichen/local_random_phase_evaluate.h>
+#include <lichen/multiple_kernels.h>
+#include <lichen/multiple_kernels_evaluate.h>
 #include <lichen/noise_evaluator.h>
 #include <lichen/quality.h>
 #include <lichen/spectrum.h>
@@ -17,7 +19,11 @@
 #include <array>
 #include <cmath>
 #include <local_random_phase/solid_vertices.h>
+#include <optional>
 #include <random>
+#include <span>
+#include <string>
+#include <utility>
 
 using namespace lichen;
 using namespace lichen::local_random_phase;
@@ -33,12 +39,47 @@ LocalRandomPhaseOptions withoutStructure() {
   return options;
 }
 
-const Bundle& example() {
-  static const Bundle bundle = [] {
+constexpr std::array<Method, 2> kMethods{Method::localRandomPhase, Method::multipleKernels};
+
+/// The noise of a set by a method that has solids.
+Bundle baked(Method method, std::span<const MapExemplar> maps,
+             GaussianOnly gaussian = GaussianOnly::no) {
+  if (method == Method::multipleKernels) {
+    MultipleKernelsOptions options;
+    options.gaussian = gaussian;
+    return test::bundleOf(bakeMultipleKernels("example", maps, options));
+  }
+  LocalRandomPhaseOptions options = withoutStructure();
+  options.gaussian = gaussian;
+  return test::bundleOf(bakeLocalRandomPhase("example", maps, options));
+}
+
+/// The Gaussian values of the first map.
+class Evaluator {
+public:
+  explicit Evaluator(const Bundle& bundle) {
+    if (bundle.noises[0].method() == Method::multipleKernels)
+      kernels_ = MultipleKernelsEvaluator::create(bundle, 0).value();
+    else
+      cosines_ = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  }
+  template <class Footprint>
+  [[nodiscard]] std::array<float, 4> gaussian(const shader::LichenMaterial& material,
+                                              const Footprint& at) const {
+    return kernels_ ? kernels_->gaussian(0, material, at) : cosines_->gaussian(0, material, at);
+  }
+
+private:
+  std::optional<MultipleKernelsEvaluator> kernels_;
+  std::optional<LocalRandomPhaseEvaluator> cosines_;
+};
+
+const Bundle& example(Method method) {
+  static const std::array<Bundle, 2> bundles = [] {
     const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
-    return test::bundleOf(bakeLocalRandomPhase("example", {&map, 1}, withoutStructure()));
+    return std::array<Bundle, 2>{baked(kMethods[0], {&map, 1}), baked(kMethods[1], {&map, 1})};
   }();
-  return bundle;
+  return bundles[method == kMethods[0] ? 0 : 1];
 }
 
 shader::LichenMaterial solidMaterial(const Bundle& bundle, std::uint32_t seed) {
@@ -52,7 +93,7 @@ shader::LichenMaterial solidMaterial(const Bundle& bundle, std::uint32_t seed) {
 /// deviations].
 std::vector<float> planeOf(const Bundle& bundle, std::uint32_t seed, int side, const Vec3& right,
                            const Vec3& down) {
-  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const Evaluator evaluator(bundle);
   const shader::LichenMaterial constants = solidMaterial(bundle, seed);
   std::vector<float> plane;
   for (int y = 0; y < side; ++y)
@@ -60,7 +101,7 @@ std::vector<float> planeOf(const Bundle& bundle, std::uint32_t seed, int side, c
       SolidFootprint at{{0.37f, 1.21f, -0.83f}, {}, {}};
       for (std::size_t k = 0; k < 3; ++k)
         at.position[k] += (float(x) * right[k] + float(y) * down[k]) / float(kTexels);
-      plane.push_back(6.0f * (evaluator.gaussian(0, constants, at)[0] - 0.5f));
+      plane.push_back(6.0f * (evaluator.gaussian(constants, at)[0] - 0.5f));
     }
   return plane;
 }
@@ -83,7 +124,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 
 TEST_CASE("the four vertices around a point of a solid are those in reach, and the squares of "
           "their windows sum to 1") {
-  const shader::LichenMaterial material = solidMaterial(example(), 1);
+  const shader::LichenMaterial material = solidMaterial(example(Method::localRandomPhase), 1);
   const std::array<float, 3> perTile = cubesPerTile(material);
   std::mt19937 generator(1u);
   std::uniform_real_distribution<float> place(-2.0f, 2.0f);
@@ -115,17 +156,17 @@ TEST_CASE("the four vertices around a point of a solid are those in reach, and t
 }
 
 TEST_CASE("solid noise has the covariance of Gaussian values") {
+  const Bundle& bundle = example(GENERATE(from_range(kMethods)));
   constexpr int kSeeds = 16, kSamples = 20000;
-  const LocalRandomPhaseEvaluator evaluator =
-      LocalRandomPhaseEvaluator::create(example(), 0).value();
+  const Evaluator evaluator(bundle);
   std::mt19937 generator(2u);
   std::uniform_real_distribution<float> place(-20.0f, 20.0f);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
-    const shader::LichenMaterial constants = solidMaterial(example(), seed);
+    const shader::LichenMaterial constants = solidMaterial(bundle, seed);
     for (int sample = 0; sample < kSamples; ++sample) {
       const auto value = evaluator.gaussian(
-          0, constants,
+          constants,
           SolidFootprint{{place(generator), place(generator), place(generator)}, {}, {}});
       const Eigen::Vector3d deviation(6.0 * (double(value[0]) - 0.5),
                                       6.0 * (double(value[1]) - 0.5),
@@ -140,22 +181,21 @@ TEST_CASE("solid noise has the covariance of Gaussian values") {
 
 TEST_CASE("planes across z have the spectrum of the noise in the plane, and others nearly") {
   constexpr int kCrop = 32, kSide = 384;
-  const LocalRandomPhaseEvaluator evaluator =
-      LocalRandomPhaseEvaluator::create(example(), 0).value();
-  const shader::LichenMaterial flat = shaderMaterial(example(), MaterialNoise(), {}).material;
+  const Bundle& bundle = example(GENERATE(from_range(kMethods)));
+  const Evaluator evaluator(bundle);
+  const shader::LichenMaterial flat = shaderMaterial(bundle, MaterialNoise(), {}).material;
   std::vector<float> plane;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x)
-      plane.push_back(
-          6.0f *
-          (evaluator.gaussian(
-               0, flat,
-               TileFootprint{{float(x) / float(kTexels), float(y) / float(kTexels)}, {}, {}})[0] -
-           0.5f));
+      plane.push_back(6.0f * (evaluator.gaussian(flat, TileFootprint{{float(x) / float(kTexels),
+                                                                      float(y) / float(kTexels)},
+                                                                     {},
+                                                                     {}})[0] -
+                              0.5f));
   const std::vector<double> wanted = radialPowerSpectrum(plane, kSide, kSide, kCrop);
   const auto found = [&](const Vec3& right, const Vec3& down) {
-    return distance(wanted, radialPowerSpectrum(planeOf(example(), 1, kSide, right, down), kSide,
-                                                kSide, kCrop));
+    return distance(
+        wanted, radialPowerSpectrum(planeOf(bundle, 1, kSide, right, down), kSide, kSide, kCrop));
   };
   CHECK(found({1, 0, 0}, {0, -1, 0}) < 0.5);
   CHECK(found({1, 0, 0}, {0, 0, 1}) < 1.5);
@@ -167,9 +207,10 @@ TEST_CASE("planes across z have the spectrum of the noise in the plane, and othe
 
 TEST_CASE("planes of a solid have few strokes, those across z hardly any") {
   constexpr int kSide = 384;
+  const Bundle& bundle = example(GENERATE(from_range(kMethods)));
   const auto excess = [&](const Vec3& right, const Vec3& down) {
     SrgbImage image(kSide, kSide, 1);
-    image.values = planeOf(example(), 1, kSide, right, down);
+    image.values = planeOf(bundle, 1, kSide, right, down);
     return strokeExcess(image, 12).value().value;
   };
   // Standard errors are about 0.015.
@@ -201,13 +242,12 @@ TEST_CASE("the slopes of a solid are the gradient of its height, along z too") {
       slopes.values.push_back(0.5f * kRelief * (heightAt(x + 1, y) - heightAt(x - 1, y)));
       slopes.values.push_back(0.5f * kRelief * (heightAt(x, y - 1) - heightAt(x, y + 1)));
     }
-  LocalRandomPhaseOptions options = withoutStructure();
+  const Method method = GENERATE(from_range(kMethods));
   const auto [rotation, gaussian] =
       GENERATE(std::pair(0.0, GaussianOnly::yes), std::pair(0.7, GaussianOnly::yes),
                std::pair(0.0, GaussianOnly::no));
-  options.gaussian = gaussian;
   const std::array<MapExemplar, 2> maps{height, slopes};
-  const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("set", maps, options));
+  const Bundle bundle = baked(method, maps, gaussian);
   MaterialNoise material;
   material.mapping = Mapping::solid;
   material.rotation = rotation;
@@ -235,16 +275,19 @@ TEST_CASE("the slopes of a solid are the gradient of its height, along z too") {
     INFO("axis " << k << ", rotation " << rotation << ", table " << (gaussian == GaussianOnly::no));
     correlation[k] = products[k] / std::sqrt(squares[k] * differences[k]);
     // Cosines of a set that are not in one phase with the height decorrelate, and tables more.
-    CHECK(correlation[k] > (gaussian == GaussianOnly::no ? 0.4 : 0.7));
+    // Kernels keep no phases between channels: their slopes are as steep as the height.
+    if (method == Method::localRandomPhase)
+      CHECK(correlation[k] > (gaussian == GaussianOnly::no ? 0.4 : 0.7));
     CHECK(std::sqrt(squares[k] / differences[k]) == Approx(1.0).margin(0.3));
   }
-  CHECK(correlation[2] > 0.45 * (correlation[0] + correlation[1]));
+  if (method == Method::localRandomPhase)
+    CHECK(correlation[2] > 0.45 * (correlation[0] + correlation[1]));
 }
 
 TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
-  const LocalRandomPhaseEvaluator evaluator =
-      LocalRandomPhaseEvaluator::create(example(), 0).value();
-  const shader::LichenMaterial constants = solidMaterial(example(), 9);
+  const Bundle& bundle = example(GENERATE(from_range(kMethods)));
+  const Evaluator evaluator(bundle);
+  const shader::LichenMaterial constants = solidMaterial(bundle, 9);
   std::mt19937 generator(6u);
   std::uniform_real_distribution<float> place(-20.0f, 20.0f);
   std::normal_distribution<float> gaussian;
@@ -272,9 +315,9 @@ TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
         SolidFootprint there{at.position, {}, {}};
         for (std::size_t k = 0; k < 3; ++k)
           there.position[k] += u * at.dx[k] + v * at.dy[k];
-        mean += deviations(evaluator.gaussian(0, constants, there)) / double(kInner * kInner);
+        mean += deviations(evaluator.gaussian(constants, there)) / double(kInner * kInner);
       }
-      const auto value = evaluator.gaussian(0, constants, at);
+      const auto value = evaluator.gaussian(constants, at);
       const Eigen::Vector3d own = deviations(value);
       averages += mean.squaredNorm() / (3.0 * kSamples);
       filtered += own.squaredNorm() / (3.0 * kSamples);
@@ -286,15 +329,18 @@ TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
     CHECK(filtered + lost == Approx(1.0).margin(0.05));
     // Of averages, what of a cosine is left beyond its first zero stays, which is little.
     CHECK(filtered == Approx(averages).margin(0.1));
+    // Kernels are attenuated and not widened, of which those as small as a texel are seen to
+    // differ.
     if (averages > 0.3)
-      CHECK(product / std::sqrt(averages * filtered) > 0.95);
+      CHECK(product / std::sqrt(averages * filtered) >
+            (bundle.noises[0].method() == Method::localRandomPhase ? 0.95 : 0.88));
   }
 }
 
 TEST_CASE("a solid does not depend on the tile origin, and scale and offset move it") {
   const MapExemplar map = test::threeMaterials(64, 48, 3); // no square
-  const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("x", {&map, 1}, withoutStructure()));
-  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const Bundle bundle = baked(GENERATE(from_range(kMethods)), {&map, 1});
+  const Evaluator evaluator(bundle);
   std::mt19937 generator(6u);
   std::uniform_real_distribution<float> metres(-0.5f, 0.5f);
   for (const double rotation : {0.0, 0.7}) {
@@ -320,7 +366,7 @@ TEST_CASE("a solid does not depend on the tile origin, and scale and offset move
       const SolidFootprint at{{metres(generator), metres(generator), metres(generator)}, {}, {}};
       const auto same = [&](const shader::LichenMaterial& a, const SolidFootprint& atA,
                             const shader::LichenMaterial& b, const SolidFootprint& atB) {
-        const auto first = evaluator.gaussian(0, a, atA), second = evaluator.gaussian(0, b, atB);
+        const auto first = evaluator.gaussian(a, atA), second = evaluator.gaussian(b, atB);
         for (std::size_t c = 0; c < 3; ++c)
           CHECK(double(first[c]) == Approx(double(second[c])).margin(4e-3));
       };
@@ -341,16 +387,23 @@ TEST_CASE("a solid does not depend on the tile origin, and scale and offset move
   }
 }
 
-TEST_CASE("a noise with a structure is refused in a solid, by name") {
+TEST_CASE("a noise of a plane is refused in a solid, by name") {
   const MapExemplar map = test::threeMaterials(64, 64, 3);
-  LocalRandomPhaseOptions options;
-  options.structure = 0.5;
-  const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("x", {&map, 1}, options));
+  LocalRandomPhaseOptions structured;
+  structured.structure = 0.5;
+  MultipleKernelsOptions sinc;
+  sinc.window = KernelWindow::sinc;
+  const std::string refusal = "noise 'x' does not fit the mapping solid: ";
   MaterialNoise material;
   material.mapping = Mapping::solid;
-  const auto refused = NoiseEvaluator::create(bundle, material);
-  REQUIRE(!refused);
-  CHECK(refused.error().kind == ErrorKind::usage);
-  CHECK(refused.error().message ==
-        "noise 'x' does not fit the mapping solid: it has a structure, which lies in a plane");
+  for (const auto& [bundle, reason] :
+       {std::pair(test::bundleOf(bakeLocalRandomPhase("x", {&map, 1}, structured)),
+                  "it has a structure, which lies in a plane"),
+        std::pair(test::bundleOf(bakeMultipleKernels("x", {&map, 1}, sinc)),
+                  "its kernels have a window on a square, and in solids all have gabor")}) {
+    const auto refused = NoiseEvaluator::create(bundle, material);
+    REQUIRE(!refused);
+    CHECK(refused.error().kind == ErrorKind::usage);
+    CHECK(refused.error().message == refusal + reason);
+  }
 }

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// Transforms of Gaussian channels -> the cosines of a pattern, and scales that keep covariances.
+#include "perturbation.h"
+
+#include "transport/covariance_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <numbers>
+#include <tuple>
+
+namespace lichen::multiple_kernels {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+using spectra::MapSpectrum;
+
+VectorXcd channelsAt(const std::vector<MapSpectrum>& maps, int u, int v) {
+  VectorXcd values(spectra::firstChannels(maps).back());
+  Index row = 0;
+  for (const MapSpectrum& map : maps)
+    for (std::size_t c = 0; c < map.channels.size(); ++c)
+      values[row++] = map.at(c, u, v);
+  return values;
+}
+
+/// Takes a frequency and its mirror out of all maps.
+void remove(std::vector<MapSpectrum>& maps, int u, int v) {
+  if (u < 0)
+    return remove(maps, -u, -v);
+  for (MapSpectrum& map : maps)
+    for (std::size_t c = 0; c < map.channels.size(); ++c) {
+      const std::complex<double> value = map.at(c, u, v);
+      if (value == 0.0)
+        continue;
+      map.variances[c] = std::max(0.0, map.variances[c] - 2.0 * std::norm(value));
+      HalfSpectrum& own = map.channels[c];
+      own.at(u, v < 0 ? v + own.height : v) = 0.0f;
+      if (u == 0)
+        own.at(0, v > 0 ? own.height - v : -v) = 0.0f;
+    }
+}
+
+/// The frequencies of the largest powers.
+std::vector<PatternTerm> strongest(int cosines, std::vector<MapSpectrum>& maps) {
+  const spectra::PowerPlane plane = spectra::powerPlane(maps);
+  struct Place {
+    double power = 0.0;
+    int u = 0, v = 0;
+  };
+  std::vector<Place> places;
+  for (int row = 0; row < plane.rows; ++row)
+    for (int u = 0; u < plane.columns; ++u)
+      if (const int v = row - plane.rows / 2; u > 0 || v > 0)
+        places.push_back(
+            {plane.values[std::size_t(row) * std::size_t(plane.columns) + std::size_t(u)], u, v});
+  const auto count = std::min(places.size(), std::size_t(cosines));
+  std::partial_sort(places.begin(), places.begin() + std::ptrdiff_t(count), places.end(),
+                    [](const Place& a, const Place& b) {
+                      return std::tuple(-a.power, a.u, a.v) < std::tuple(-b.power, b.u, b.v);
+                    });
+  places.resize(count);
+  std::vector<PatternTerm> terms;
+  for (const Place& place : places) {
+    const VectorXcd values = channelsAt(maps, place.u, place.v);
+    Eigen::MatrixX2d waves(values.size(), 2); // both mirrors
+    waves << 2.0 * values.real(), -2.0 * values.imag();
+    terms.push_back({place.u, place.v, std::move(waves)});
+    remove(maps, place.u, place.v);
+  }
+  return terms;
+}
+
+/// The covariance of all channels of all maps.
+MatrixXd covarianceOf(const std::vector<MapSpectrum>& maps) {
+  const spectra::PowerPlane plane = spectra::powerPlane(maps);
+  const Index channels = spectra::firstChannels(maps).back();
+  MatrixXd covariance = MatrixXd::Zero(channels, channels);
+  for (int v = -(plane.rows / 2); v <= plane.rows / 2; ++v)
+    for (int u = 0; u < plane.columns; ++u)
+      if (u > 0 || v != 0) {
+        const VectorXcd values = channelsAt(maps, u, v);
+        covariance += ((u == 0 ? 1.0 : 2.0) * values * values.adjoint()).real();
+      }
+  spectra::scaleToVariances(covariance, maps);
+  return covariance;
+}
+
+/// How all channels follow the luminance of the first map that has one, or else the first map's
+/// values: the covariance with it where it has the variance 1.
+VectorXd luminanceAxis(const MatrixXd& covariance, const std::vector<MapSpectrum>& maps) {
+  const std::vector<Index> first = spectra::firstChannels(maps);
+  VectorXd weights = VectorXd::Zero(first.back());
+  std::size_t leading = 0;
+  while (leading < maps.size() && maps[leading].luminance.empty())
+    ++leading;
+  if (leading == maps.size()) {
+    leading = 0;
+    while (leading + 1 < maps.size() && maps[leading].channels.empty())
+      ++leading;
+    weights.segment(first[leading], first[leading + 1] - first[leading]) =
+        maps[leading].toStored.colwise().sum().transpose();
+  } else {
+    for (std::size_t c = 0; c < maps[leading].luminance.size(); ++c)
+      weights[first[leading] + Index(c)] = maps[leading].luminance[c];
+  }
+  const double variance = weights.dot(covariance * weights);
+  return covariance * weights / std::sqrt(std::max(variance, 1e-30));
+}
+
+/// A given pattern along that axis, with variance 1.
+std::vector<PatternTerm> given(const Perturbation& perturbation, const VectorXd& axis,
+                               std::vector<MapSpectrum>& maps) {
+  const std::vector<PatternWave> waves = strongestWaves(perturbation.pattern, perturbation.cosines);
+  double variance = 0.0;
+  for (const PatternWave& wave : waves)
+    variance += 0.5 * wave.amplitude * wave.amplitude;
+  std::vector<PatternTerm> terms;
+  for (const PatternWave& wave : waves) {
+    const double amplitude = wave.amplitude / std::sqrt(variance);
+    const double angle = 2.0 * std::numbers::pi * wave.phase;
+    Eigen::MatrixX2d own(axis.size(), 2);
+    own << amplitude * std::cos(angle) * axis, -amplitude * std::sin(angle) * axis;
+    terms.push_back({wave.u, wave.v, std::move(own)});
+    remove(maps, wave.u, wave.v);
+  }
+  return terms;
+}
+
+} // namespace
+
+TakenPattern takePattern(const Perturbation& perturbation, std::vector<MapSpectrum>& maps) {
+  TakenPattern taken;
+  if (spectra::firstChannels(maps).back() == 0) // nothing varies
+    return taken;
+  taken.whole = covarianceOf(maps);
+  if (perturbation.pattern.empty()) {
+    taken.terms = strongest(perturbation.cosines, maps);
+  } else {
+    taken.luminance = luminanceAxis(taken.whole, maps);
+    taken.terms = given(perturbation, taken.luminance, maps);
+  }
+  return taken;
+}
+
+std::vector<PerturbedScale> perturbedScales(const TakenPattern& pattern, const MatrixXd& noise,
+                                            const std::vector<Index>& firstChannels,
+                                            double amount) {
+  const bool isGiven = pattern.luminance.size() > 0;
+  const double share = 1.0 / (1.0 + amount * amount);
+  MatrixXd together = amount * amount * noise;
+  for (const PatternTerm& term : pattern.terms)
+    together += 0.5 * term.waves * term.waves.transpose();
+  std::vector<PerturbedScale> scales;
+  for (std::size_t m = 0; m + 1 < firstChannels.size(); ++m) {
+    const Index first = firstChannels[m], count = firstChannels[m + 1] - first;
+    const MatrixXd whole = pattern.whole.block(first, first, count, count);
+    if (count == 0) {
+      scales.emplace_back();
+    } else if (isGiven) {
+      const VectorXd own = pattern.luminance.segment(first, count);
+      const MatrixXd rest = whole - share * own * own.transpose();
+      scales.push_back(
+          {std::sqrt(share) * MatrixXd::Identity(count, count),
+           transport::covarianceMap<MatrixXd>(noise.block(first, first, count, count), rest)});
+    } else {
+      const MatrixXd scale =
+          transport::covarianceMap<MatrixXd>(together.block(first, first, count, count), whole);
+      scales.push_back({scale, amount * scale});
+    }
+  }
+  return scales;
+}
+
+} // namespace lichen::multiple_kernels

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// Multiple-kernels noise in a solid: a point in space and its footprint -> for each kernel the sum
+// over the impacts around it -> the Gaussian value and the share of its variance that the footprint
+// loses. Kernels of the plane become ellipsoids with waves in space; the image stays the same. The
+// CPU twin is analysis/multiple_kernels/solid_kernels. docs/decisions/030-solid.md
+#ifndef LICHEN_SOLID_KERNELS_GLSL
+#define LICHEN_SOLID_KERNELS_GLSL
+
+#include "../interface/fetch.glsl"
+#include "../interface/lichen_interface.h"
+#include "hash.glsl"
+#include "method_parts.glsl"
+#include "multiple_kernels.glsl"
+#include "solid_footprint.glsl"
+
+/// What all maps of a solid noise share at one point. Along z a tile is as long as it is wide.
+struct LichenSolidKernelsPoint {
+  LichenKernelsPoint plane; // x and y
+  int groupZ;               // of LICHEN_KERNEL_TILES tile widths; modulo 2^32
+  float insideZ;            // the place in it, [0, 1)
+  LichenSolidFootprint footprint;
+};
+
+/// A kernel in space. Offsets along z are in layers of cells.
+struct LichenSolidKernel {
+  LichenKernel plane;
+  vec2 frequency;  // [cycles / tile width]; of a ring, (radius, 0)
+  float aspect;    // of a tile: its width over its height
+  float perLayer;  // [tile widths] height of a cell
+  float toWindowZ; // from an offset in layers to the window's third coordinate
+  uint layer;      // the one that holds the point; its place in that:
+  float place;     // [0, 1)
+  // The squared cycles that a pixel spans of a wave with the third frequency z are
+  // cycles.x + z (cycles.y + z cycles.z); of the window as lichenKernelRetained takes them.
+  vec3 cycles;
+  float trace, determinant;
+  // The spread of the window along z, and along the wave in the plane. [cycles^2 / tile width^2]
+  float depthSpread, planarSpread;
+};
+
+/// Sums over impacts: of their four waves, and of slopes these times the slope along z for one
+/// along x and for one along y.
+struct LichenSolidKernelSums {
+  vec4 waves, depthX, depthY;
+};
+
+/// The kernel in row `row` of an image.
+LichenSolidKernel lichenSolidKernelAt(LICHEN_IMAGE_2D image, int row, LichenSolidKernelsPoint point,
+                                      LichenMaterial material, LichenNoise noise) {
+  LichenSolidKernel kernel;
+  kernel.plane = lichenKernelAt(image, row, point.plane, material, lichenKernelsNoise(noise));
+  vec2 depth = LICHEN_FETCH_2D(image, ivec2(2, row)).zw; // layers, and the window's Q along z
+  kernel.aspect = noise.tileAspect;
+  kernel.frequency = kernel.plane.isRing ? kernel.plane.frequency
+                                         : kernel.plane.frequency / kernel.plane.perCell *
+                                               vec2(1.0, kernel.aspect);
+  // Windows in space are wider by the root of 15 / 14: planes then have the spread of the window in
+  // the plane. The integral of a squared window there is 0.6365 times that in the plane.
+  const float kShrink = 0.966091783, kIntegral = 0.636518;
+  float layersPerTile = depth.x / float(LICHEN_KERNEL_TILES);
+  kernel.plane.amplitude *=
+      sqrt(kShrink * kShrink * kShrink * depth.y / (kIntegral * layersPerTile));
+  kernel.perLayer = 1.0 / layersPerTile;
+  float position = point.insideZ * depth.x;
+  float corner = floor(position);
+  kernel.place = position - corner;
+  kernel.layer = uint(int(corner)) + uint(point.groupZ) * uint(int(depth.x));
+  LichenSolidFootprint axes = point.footprint;
+  vec2 perTile = 1.0 / kernel.plane.perCell;
+  // Of the window, whose Q is in tiles, and of the wave: rings have all directions.
+  vec3 windowA = vec3(kernel.plane.toWindow * (perTile * axes.a.xy), depth.y * axes.a.z);
+  vec3 windowB = vec3(kernel.plane.toWindow * (perTile * axes.b.xy), depth.y * axes.b.z);
+  vec2 ofPlane = vec2(dot(kernel.plane.frequency, perTile * axes.a.xy),
+                      dot(kernel.plane.frequency, perTile * axes.b.xy));
+  vec2 ofDepth = vec2(axes.a.z, axes.b.z);
+  if (kernel.plane.isRing)
+    ofPlane = kernel.frequency.x * sqrt(0.5) * vec2(length(axes.a.xy), length(axes.b.xy));
+  float both = kernel.plane.isRing ? 0.0 : 2.0 * dot(ofPlane, ofDepth);
+  kernel.cycles = vec3(dot(ofPlane, ofPlane), both, dot(ofDepth, ofDepth));
+  vec3 ofWindow = kernel.plane.spread * vec3(dot(windowA, windowA), dot(windowB, windowB),
+                                             dot(windowA, windowB));
+  kernel.trace = ofWindow.x + ofWindow.y;
+  kernel.determinant = ofWindow.x * ofWindow.y - ofWindow.z * ofWindow.z;
+  mat2 window = mat2(perTile.x * kernel.plane.toWindow[0],
+                     kernel.aspect * perTile.y * kernel.plane.toWindow[1]);
+  kernel.planarSpread =
+      0.5 * kernel.plane.spread * (dot(window[0], window[0]) + dot(window[1], window[1]));
+  kernel.depthSpread = kernel.plane.spread * depth.y * depth.y;
+  kernel.plane.toWindow *= kShrink;
+  kernel.toWindowZ = kShrink * depth.y * kernel.perLayer;
+  return kernel;
+}
+
+/// The amplitude that a pixel leaves of a wave with the third frequency z.
+float lichenSolidRetained(float z, LichenSolidKernel kernel) {
+  vec3 cycles = kernel.cycles;
+  return lichenKernelRetained(cycles.x + z * (cycles.y + z * cycles.z), kernel.trace,
+                              kernel.determinant);
+}
+
+/// The mean of its square over all third frequencies, and in y the most that it is.
+vec2 lichenSolidRetainedSquare(LichenSolidKernel kernel) {
+  float most = kLichenMostDepth * length(kernel.frequency);
+  // By three of Gauss's points.
+  const float kNode = 0.774596669;
+  vec3 at = vec3(lichenSolidRetained(-kNode * most, kernel),
+                 lichenSolidRetained(0.0, kernel),
+                 lichenSolidRetained(kNode * most, kernel));
+  float least = clamp(-0.5 * kernel.cycles.y / max(kernel.cycles.z, 1.0e-20), -most, most);
+  return vec2(dot(at * at, vec3(5.0, 8.0, 5.0) / 18.0),
+              lichenSolidRetained(least, kernel));
+}
+
+/// Adds one impact. `word`: its random numbers, `depth` in [-1, 1) its share of the largest third
+/// frequency; `offset` from it to the point [cells, layers].
+void lichenAddSolidImpact(inout LichenSolidKernelSums sums, uint word, float depth, vec3 offset,
+                          LichenSolidKernel kernel, bool isSlope) {
+  vec3 place = vec3(kernel.plane.toWindow * offset.xy, kernel.toWindowZ * offset.z);
+  float left = max(1.0 - dot(place, place), 0.0);
+  vec3 distance = offset * vec3(kernel.plane.perCell, kernel.perLayer);
+  vec2 planar = kernel.frequency;
+  if (kernel.plane.isRing)
+    planar = kernel.frequency.x * lichenRingDirection(word) * vec2(1.0, kernel.aspect);
+  float square = dot(planar, planar);
+  float z = kLichenMostDepth * depth * sqrt(square);
+  float turns = planar.x * distance.x + planar.y * distance.y / kernel.aspect +
+                z * distance.z + lichenKernelPhase(word);
+  float value = left * left * left * lichenSolidRetained(z, kernel);
+  vec4 waves = lichenKernelWaves(value * lichenCosineOfTurns(vec4(turns)).x, word);
+  sums.waves += waves;
+  if (isSlope) {
+    // As lichenAddSolidVertex has it, with what the window adds to both frequencies.
+    // That of a kernel without a wave lies along x.
+    float ratio = sqrt((z * z + kernel.depthSpread) / (square + kernel.planarSpread));
+    vec2 slope = (depth < 0.0 ? -ratio : ratio) *
+                 normalize(vec2(planar.x + 1.0e-6, -planar.y));
+    sums.depthX += slope.x * waves;
+    sums.depthY += slope.y * waves;
+  }
+}
+
+/// The sums over the impacts of a kernel that reach the point.
+LichenSolidKernelSums lichenSolidKernelSums(LichenSolidKernel kernel, uint seed, bool isSlope) {
+  // As lichenKernelSums, in each layer with the chords of an ellipse that is smaller there.
+  mat2 q = kernel.plane.toWindow;
+  float xx = dot(q[0], q[0]), xy = dot(q[0], q[1]), yy = dot(q[1], q[1]);
+  float perY = yy - xy * xy / xx, perZ = kernel.toWindowZ * kernel.toWindowZ;
+  float reachY = inversesqrt(perY), reachZ = 1.0 / kernel.toWindowZ;
+  float shear = xy / xx;
+  LichenSolidKernelSums sums =
+      LichenSolidKernelSums(vec4(0.0), vec4(0.0), vec4(0.0));
+  int first = int(floor(kernel.plane.place.y - reachY));
+  int last = int(floor(kernel.plane.place.y + reachY));
+  int lastLayer = int(floor(kernel.place + reachZ));
+  int j = first;
+  // One loop over the rows of all layers: Mesa 22.3's lavapipe crashes with four in each other.
+  for (int k = int(floor(kernel.place - reachZ)); k <= lastLayer;) {
+    vec2 low = vec2(kernel.plane.place.y, kernel.place) - vec2(ivec2(j, k)) - 1.0;
+    vec2 near = clamp(vec2(0.0), low, low + 1.0);
+    float rest = 1.0 - near.x * near.x * perY - near.y * near.y * perZ;
+    float chord = sqrt(max(rest, 0.0) / xx);
+    float middleLow = -shear * low.x, middleHigh = -shear * (low.x + 1.0);
+    int end = int(floor(kernel.plane.place.x - min(middleLow, middleHigh) + chord));
+    int i = int(floor(kernel.plane.place.x - max(middleLow, middleHigh) - chord));
+    if (rest <= 0.0)
+      i = end + 1;
+    uint row = kernel.plane.corner.y + uint(j);
+    uint layerSeed = lichenPcg(seed + kernel.layer + uint(k));
+    for (; i <= end; ++i) {
+      uint word = lichenVertexHash(kernel.plane.corner.x + uint(i), row, layerSeed);
+      // Its place in the layer, and its third frequency: 16 bits each.
+      uint other = lichenPcg(~word);
+      const float kStep = 1.0 / 65536.0, kPerBit = 1.0 / 2147483648.0;
+      float above = (float(int(other >> 16u)) + 0.5) * kStep;
+      vec3 offset = vec3(kernel.plane.place - vec2(float(i), float(j)) - lichenKernelPlace(word),
+                         kernel.place - float(k) - above);
+      lichenAddSolidImpact(sums, word, kPerBit * float(int(other << 16u)), offset, kernel, isSlope);
+    }
+    ++j;
+    if (j > last) {
+      j = first;
+      ++k;
+    }
+  }
+  sums.waves *= kernel.plane.amplitude;
+  sums.depthX *= kernel.plane.amplitude;
+  sums.depthY *= kernel.plane.amplitude;
+  return sums;
+}
+
+// The seam's functions; see solid_method.glsl.
+
+void lichenSetSolidPoint(out LichenSolidKernelsPoint point, vec3 position,
+                         LichenSolidFootprint footprint, LichenMaterial material) {
+  LichenKernelsMaterial own = lichenKernelsMaterial(material);
+  vec3 place = (position + vec3(0.0, 0.0, own.offsetZ)) / float(LICHEN_KERNEL_TILES);
+  vec3 group = floor(place);
+  point.plane.inside = place.xy - group.xy;
+  point.plane.group = ivec2(group.xy) + ivec2(material.cellI, material.cellJ);
+  point.plane.seedWord = material.seedWord;
+  point.plane.gradientX = vec2(0.0);
+  point.plane.gradientY = vec2(0.0);
+  point.insideZ = place.z - group.z;
+  point.groupZ = int(group.z) + own.cellK;
+  point.footprint = footprint;
+}
+
+vec4 lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenSolidKernelsPoint point,
+                           LichenMaterial material, LichenNoise noise, LichenMap map,
+                           out float depthSlope) {
+  bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
+  vec3 sum = vec3(0.0);
+  float squares = 0.0, lost = 0.0;
+  depthSlope = 0.0;
+  int rows = int(lichenKernelsNoise(noise).kernels);
+  for (int row = 0; row < rows; ++row) {
+    vec4 color0 = LICHEN_FETCH_2D(image, ivec2(3, row));
+    vec4 color1 = LICHEN_FETCH_2D(image, ivec2(4, row));
+    vec4 color2 = LICHEN_FETCH_2D(image, ivec2(5, row));
+    LichenSolidKernel kernel = lichenSolidKernelAt(image, row, point, material, noise);
+    vec2 retained = lichenSolidRetainedSquare(kernel);
+    float own = dot(color0, color0) + dot(color1, color1) + dot(color2, color2);
+    squares += own;
+    lost += own * (1.0 - retained.x);
+    if (retained.y > 0.0 && own > 0.0) {
+      LichenSolidKernelSums sums =
+          lichenSolidKernelSums(kernel, lichenPcg(point.plane.seedWord + uint(row)), isSlope);
+      sum += vec3(dot(color0, sums.waves), dot(color1, sums.waves), dot(color2, sums.waves));
+      depthSlope += dot(map.row0.x * color0 + map.row0.y * color1, sums.depthX) +
+                    dot(map.row1.x * color0 + map.row1.y * color1, sums.depthY);
+    }
+  }
+  depthSlope *= material.contrast;
+  const float kLeast = 1.0e-20; // of a map that does not vary
+  return vec4(0.5 + material.contrast * sum, lost / max(squares, kLeast));
+}
+
+#endif
