@@ -107,8 +107,9 @@ std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window,
   const auto spread = float(windowSpread(window));
   std::vector<KernelRow> rows;
   for (const Kernel& kernel : kernels) {
-    KernelRow row =
-        gridOf(kernel, window, std::max(kFewest, impacts * kernel.energy / energy), tileAspect);
+    // A ring has all directions, of which few impacts leave some to stand out.
+    const double own = (kernel.isRing ? 2.0 : 1.0) * impacts * kernel.energy / energy;
+    KernelRow row = gridOf(kernel, window, std::max(kFewest, own), tileAspect);
     row.frequency = {float(kernel.frequency[0]), float(kernel.frequency[1])};
     const Eigen::Matrix2d toWindow = kernel.toWindow();
     row.toWindow = {float(toWindow(0, 0)), float(toWindow(0, 1)), float(toWindow(1, 0)),

@@ -46,9 +46,9 @@ struct KernelSums {
 };
 
 /// lichenAddKernelImpact
-void addImpact(KernelSums& sums, std::uint32_t word, const std::array<float, 2>& offset,
-               const KernelRow& row, const PlacedKernel& kernel, bool isRing, KernelWindow window,
-               bool hasSlopes) {
+void addImpact(KernelSums& sums, std::uint32_t word, std::uint32_t ring,
+               const std::array<float, 2>& offset, const KernelRow& row, const PlacedKernel& kernel,
+               bool isRing, KernelWindow window, bool hasSlopes) {
   const auto& q = kernel.toWindow;
   const std::array<float, 2> place{q[0] * offset[0] + q[1] * offset[1],
                                    q[2] * offset[0] + q[3] * offset[1]};
@@ -57,7 +57,7 @@ void addImpact(KernelSums& sums, std::uint32_t word, const std::array<float, 2>&
     return;
   std::array<float, 2> frequency = row.frequency;
   if (isRing) {
-    const std::array<float, 2> direction = ringDirection(word);
+    const std::array<float, 2> direction = ringDirection(ring);
     frequency = {row.frequency[0] * direction[0], row.frequency[0] * direction[1]};
   }
   for (std::size_t k = 0; k < 2; ++k)
@@ -109,11 +109,11 @@ Gradient gradientAt(const std::vector<KernelRow>& rows, const std::vector<Patter
       continue;
     const PlacedKernel kernel = placedKernel(row, place, material);
     KernelSums sums;
-    forEachKernelImpact(kernel, window == KernelWindow::gabor,
-                        pcg(material.seedWord + std::uint32_t(k)),
-                        [&](std::uint32_t word, const std::array<float, 2>& offset) {
-                          addImpact(sums, word, offset, row, kernel, isRing, window, hasSlopes);
-                        });
+    forEachKernelImpact(
+        kernel, window == KernelWindow::gabor, pcg(material.seedWord + std::uint32_t(k)),
+        [&](std::uint32_t word, std::uint32_t ring, const std::array<float, 2>& offset) {
+          addImpact(sums, word, ring, offset, row, kernel, isRing, window, hasSlopes);
+        });
     const float amplitude = retained * kernel.amplitude;
     for (std::size_t c = 0; c < 3; ++c)
       for (std::size_t s = 0; s < sums.waves.size(); ++s) {
@@ -243,7 +243,7 @@ MultipleKernelsEvaluator::visited(const shader::LichenMaterial& material,
     const PlacedKernel kernel = placedKernel(rows[k], place, material);
     forEachKernelImpact(kernel, window == KernelWindow::gabor,
                         pcg(material.seedWord + std::uint32_t(k)),
-                        [&](std::uint32_t, const std::array<float, 2>& offset) {
+                        [&](std::uint32_t, std::uint32_t, const std::array<float, 2>& offset) {
                           ++result.cells;
                           const auto& q = kernel.toWindow;
                           if (kernelWindow(q[0] * offset[0] + q[1] * offset[1],

@@ -84,10 +84,15 @@ inline std::array<float, 2> placeOfImpact(std::uint32_t word) {
   return {(float(word >> 21) + 0.5f) * kStep, (float(word >> 10 & 2047u) + 0.5f) * kStep};
 }
 
+/// lichenRingTurns [2^-32 turns]
+inline std::uint32_t ringTurns(std::uint32_t column, std::uint32_t row, std::uint32_t seed) {
+  return column * 0xC13FA9A9u + row * 0x91E10DA5u + seed;
+}
+
 /// lichenRingDirection
-inline std::array<float, 2> ringDirection(std::uint32_t word) {
-  const float turns = float(pcg(word)) * 0x1p-32f;
-  return {cosineOfTurns(turns), cosineOfTurns(turns - 0.25f)};
+inline std::array<float, 2> ringDirection(std::uint32_t turns) {
+  const float direction = float(std::int32_t(turns)) * 0x1p-32f;
+  return {cosineOfTurns(direction), cosineOfTurns(direction - 0.25f)};
 }
 
 /// lichenKernelPhase [turns]
@@ -101,8 +106,8 @@ inline std::array<float, 4> kernelWaves(float wave, std::uint32_t word) {
   return waves;
 }
 
-/// Calls act(word, offset from the impact to the point [cells]) for each impact in the cells that
-/// the support may reach.
+/// Calls act(word, direction of a ring [2^-32 turns], offset from the impact to the point [cells])
+/// for each impact in the cells that the support may reach.
 template <class Act>
 void forEachKernelImpact(const PlacedKernel& kernel, bool isDisk, std::uint32_t seed,
                          const Act& act) {
@@ -132,8 +137,9 @@ void forEachKernelImpact(const PlacedKernel& kernel, bool isDisk, std::uint32_t 
       const std::uint32_t column = wrapped(kernel.corner[0] + std::uint32_t(i), kernel.period[0]);
       const std::uint32_t word = vertexHash(column, row, seed);
       const std::array<float, 2> place = placeOfImpact(word);
-      act(word, std::array<float, 2>{kernel.place[0] - float(i) - place[0],
-                                     kernel.place[1] - float(j) - place[1]});
+      act(word, ringTurns(column, row, seed),
+          std::array<float, 2>{kernel.place[0] - float(i) - place[0],
+                               kernel.place[1] - float(j) - place[1]});
     }
   }
 }

@@ -119,7 +119,8 @@ struct Impact {
 };
 
 /// lichenAddSolidImpact
-Impact impactOf(const SolidKernel& kernel, std::uint32_t word, float depth, const Vec3& offset) {
+Impact impactOf(const SolidKernel& kernel, std::uint32_t word, std::uint32_t ring, float depth,
+                const Vec3& offset) {
   const auto& q = kernel.plane.toWindow;
   const Vec3 place{q[0] * offset[0] + q[1] * offset[1], q[2] * offset[0] + q[3] * offset[1],
                    kernel.toWindowZ * offset[2]};
@@ -129,7 +130,7 @@ Impact impactOf(const SolidKernel& kernel, std::uint32_t word, float depth, cons
     return impact;
   Vec2 planar = kernel.frequency;
   if (kernel.isRing) {
-    const Vec2 direction = ringDirection(word);
+    const Vec2 direction = ringDirection(ring);
     planar = {kernel.frequency[0] * direction[0],
               kernel.aspect * kernel.frequency[0] * direction[1]};
   }
@@ -169,15 +170,17 @@ void forEachImpact(const SolidKernel& kernel, std::uint32_t seed, const Act& act
       const float chord = std::sqrt(rest / xx);
       const float middleLow = -shear * lowY, middleHigh = -shear * (lowY + 1.0f);
       const int end = int(std::floor(place[0] - std::min(middleLow, middleHigh) + chord));
-      const std::uint32_t layerSeed = pcg(seed + kernel.layer + std::uint32_t(k));
+      const std::uint32_t layer = kernel.layer + std::uint32_t(k), layerSeed = pcg(seed + layer);
       for (int i = int(std::floor(place[0] - std::max(middleLow, middleHigh) - chord)); i <= end;
            ++i) {
-        const std::uint32_t word = vertexHash(kernel.plane.corner[0] + std::uint32_t(i),
-                                              kernel.plane.corner[1] + std::uint32_t(j), layerSeed);
+        const std::uint32_t column = kernel.plane.corner[0] + std::uint32_t(i),
+                            row = kernel.plane.corner[1] + std::uint32_t(j);
+        const std::uint32_t word = vertexHash(column, row, layerSeed);
         const std::uint32_t other = pcg(~word);
         const float above = (float(other >> 16) + 0.5f) * 0x1p-16f;
         const std::array<float, 2> inCell = placeOfImpact(word);
-        act(impactOf(kernel, word, float(std::int32_t(other << 16)) * 0x1p-31f,
+        act(impactOf(kernel, word, ringTurns(column, row, seed + layer * 0xABC98389u),
+                     float(std::int32_t(other << 16)) * 0x1p-31f,
                      {place[0] - float(i) - inCell[0], place[1] - float(j) - inCell[1],
                       kernel.place - float(k) - above}));
       }

@@ -152,11 +152,16 @@ vec4 lichenKernelWaves(float wave, uint word) {
   return uintBitsToFloat(uvec4(floatBitsToUint(wave)) ^ signs);
 }
 
-/// The direction of a ring's impact, for its random numbers.
-vec2 lichenRingDirection(uint word) {
-  const float kPerBit = 1.0 / 4294967296.0;
-  float turns = float(lichenPcg(word)) * kPerBit;
-  return lichenCosineOfTurns(vec4(turns, turns - 0.25, 0.0, 0.0)).xy;
+/// The direction of a ring's impact in a cell [2^-32 turns]. Those of neighbours are spread evenly,
+/// by 2^32 over the plastic number and over its square: of few random ones some would stand out.
+uint lichenRingTurns(uint column, uint row, uint seed) {
+  return column * 0xC13FA9A9u + row * 0x91E10DA5u + seed;
+}
+
+vec2 lichenRingDirection(uint turns) {
+  const float kPerBit = 1.0 / 4294967296.0; // of signed integers: -1/2 to 1/2
+  float direction = kPerBit * float(int(turns));
+  return lichenCosineOfTurns(vec4(direction, direction - 0.25, 0.0, 0.0)).xy;
 }
 
 /// Sums over impacts of their four waves, and derivatives of these along x and y [1 / cell].
@@ -164,22 +169,22 @@ struct LichenKernelSums {
   vec4 waves, alongX, alongY;
 };
 
-/// Adds one impact. `word`: its random numbers; `offset` from it to the point. Derivatives are 0
-/// unless `hasSlopes`, a constant.
-void lichenAddKernelImpact(inout LichenKernelSums sums, uint word, vec2 offset,
+/// Adds one impact. `word`: its random numbers; `turns`: its direction, of a ring; `offset` from it
+/// to the point. Derivatives are 0 unless `hasSlopes`, a constant.
+void lichenAddKernelImpact(inout LichenKernelSums sums, uint word, uint turns, vec2 offset,
                            LichenKernel kernel, uint window, bool hasSlopes) {
   vec2 place = kernel.toWindow * offset;
   float value = lichenKernelWindow(place, window);
   vec2 frequency = kernel.frequency;
   if (kernel.isRing)
-    frequency = kernel.frequency.x * lichenRingDirection(word) * kernel.perCell;
-  float turns = dot(frequency, offset) + lichenKernelPhase(word);
-  float wave = lichenCosineOfTurns(vec4(turns)).x;
+    frequency = kernel.frequency.x * lichenRingDirection(turns) * kernel.perCell;
+  float phase = dot(frequency, offset) + lichenKernelPhase(word);
+  float wave = lichenCosineOfTurns(vec4(phase)).x;
   sums.waves += lichenKernelWaves(value * wave, word);
   if (hasSlopes) {
     const float kRadians = 6.28318531;
     vec2 slope = lichenKernelWindowSlope(place, window) * kernel.toWindow * wave;
-    slope += kRadians * value * lichenCosineOfTurns(vec4(turns + 0.25)).x * frequency;
+    slope += kRadians * value * lichenCosineOfTurns(vec4(phase + 0.25)).x * frequency;
     sums.alongX += lichenKernelWaves(slope.x, word);
     sums.alongY += lichenKernelWaves(slope.y, word);
   }
@@ -222,7 +227,8 @@ LichenKernelSums lichenKernelSums(LichenKernel kernel, uint seed, uint window, b
             uint(int(column) - lichenFloorDivide(int(column), kernel.period.x) * kernel.period.x);
       uint word = lichenVertexHash(column, row, seed);
       vec2 offset = kernel.place - vec2(float(i), float(j)) - lichenKernelPlace(word);
-      lichenAddKernelImpact(sums, word, offset, kernel, window, hasSlopes);
+      lichenAddKernelImpact(sums, word, lichenRingTurns(column, row, seed), offset, kernel, window,
+                            hasSlopes);
     }
   }
   sums.waves *= kernel.amplitude;

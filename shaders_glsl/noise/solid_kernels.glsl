@@ -111,22 +111,22 @@ vec2 lichenSolidRetainedSquare(LichenSolidKernel kernel) {
               lichenSolidRetained(least, kernel));
 }
 
-/// Adds one impact. `word`: its random numbers, `depth` in [-1, 1) its share of the largest third
-/// frequency; `offset` from it to the point [cells, layers].
-void lichenAddSolidImpact(inout LichenSolidKernelSums sums, uint word, float depth, vec3 offset,
-                          LichenSolidKernel kernel, bool isSlope) {
+/// Adds one impact. `word`: its random numbers, `turns`: its direction, of a ring; `depth` in
+/// [-1, 1) its share of the largest third frequency; `offset` from it to the point [cells, layers].
+void lichenAddSolidImpact(inout LichenSolidKernelSums sums, uint word, uint turns, float depth,
+                          vec3 offset, LichenSolidKernel kernel, bool isSlope) {
   vec3 place = vec3(kernel.plane.toWindow * offset.xy, kernel.toWindowZ * offset.z);
   float left = max(1.0 - dot(place, place), 0.0);
   vec3 distance = offset * vec3(kernel.plane.perCell, kernel.perLayer);
   vec2 planar = kernel.frequency;
   if (kernel.plane.isRing)
-    planar = kernel.frequency.x * lichenRingDirection(word) * vec2(1.0, kernel.aspect);
+    planar = kernel.frequency.x * lichenRingDirection(turns) * vec2(1.0, kernel.aspect);
   float square = dot(planar, planar);
   float z = kLichenMostDepth * depth * sqrt(square);
-  float turns = planar.x * distance.x + planar.y * distance.y / kernel.aspect +
+  float phase = planar.x * distance.x + planar.y * distance.y / kernel.aspect +
                 z * distance.z + lichenKernelPhase(word);
   float value = left * left * left * lichenSolidRetained(z, kernel);
-  vec4 waves = lichenKernelWaves(value * lichenCosineOfTurns(vec4(turns)).x, word);
+  vec4 waves = lichenKernelWaves(value * lichenCosineOfTurns(vec4(phase)).x, word);
   sums.waves += waves;
   if (isSlope) {
     // As lichenAddSolidVertex has it, with what the window adds to both frequencies.
@@ -165,16 +165,20 @@ LichenSolidKernelSums lichenSolidKernelSums(LichenSolidKernel kernel, uint seed,
     if (rest <= 0.0)
       i = end + 1;
     uint row = kernel.plane.corner.y + uint(j);
-    uint layerSeed = lichenPcg(seed + kernel.layer + uint(k));
+    uint layer = kernel.layer + uint(k);
+    uint layerSeed = lichenPcg(seed + layer);
     for (; i <= end; ++i) {
-      uint word = lichenVertexHash(kernel.plane.corner.x + uint(i), row, layerSeed);
+      uint column = kernel.plane.corner.x + uint(i);
+      uint word = lichenVertexHash(column, row, layerSeed);
       // Its place in the layer, and its third frequency: 16 bits each.
       uint other = lichenPcg(~word);
       const float kStep = 1.0 / 65536.0, kPerBit = 1.0 / 2147483648.0;
       float above = (float(int(other >> 16u)) + 0.5) * kStep;
       vec3 offset = vec3(kernel.plane.place - vec2(float(i), float(j)) - lichenKernelPlace(word),
                          kernel.place - float(k) - above);
-      lichenAddSolidImpact(sums, word, kPerBit * float(int(other << 16u)), offset, kernel, isSlope);
+      uint turns = lichenRingTurns(column, row, seed + layer * 0xABC98389u);
+      lichenAddSolidImpact(sums, word, turns, kPerBit * float(int(other << 16u)), offset, kernel,
+                           isSlope);
     }
     ++j;
     if (j > last) {

@@ -93,7 +93,10 @@ std::array<double, 3> reference(const Bundle& bundle, double x, double y, std::u
         const double q = double(row.toWindow[2]) * dx + double(row.toWindow[3]) * dy;
         double fx = double(row.frequency[0]), fy = double(row.frequency[1]);
         if (int(k) >= shared.kernels - shared.rings) {
-          const double angle = 2.0 * std::numbers::pi * double(pcg(word)) / std::exp2(32.0);
+          const double angle =
+              2.0 * std::numbers::pi *
+              double(std::uint32_t(i) * 0xC13FA9A9u + std::uint32_t(j) * 0x91E10DA5u + own) /
+              std::exp2(32.0);
           fy = fx * std::sin(angle);
           fx *= std::cos(angle);
         }

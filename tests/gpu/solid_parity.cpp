@@ -260,8 +260,8 @@ std::array<double, 3> sumOfImpacts(const Bundle& bundle, const std::array<double
         double(row.amplitude) /
         std::sqrt(perTile[2] * integrals * std::pow(wider, 3.0) / double(row.toWindowZ));
     for (std::int64_t n = near[2] - kReach; n <= near[2] + kReach; ++n) {
-      const std::uint32_t layerSeed =
-          pcg(pcg(latticeSeed(seed, 4) + std::uint32_t(k)) + std::uint32_t(n));
+      const std::uint32_t own = pcg(latticeSeed(seed, 4) + std::uint32_t(k));
+      const std::uint32_t layerSeed = pcg(own + std::uint32_t(n));
       for (std::int64_t j = near[1] - kReach; j <= near[1] + kReach; ++j)
         for (std::int64_t i = near[0] - kReach; i <= near[0] + kReach; ++i) {
           const std::uint32_t word = vertexHash(std::uint32_t(i), std::uint32_t(j), layerSeed);
@@ -278,7 +278,11 @@ std::array<double, 3> sumOfImpacts(const Bundle& bundle, const std::array<double
           const double left = std::max(0.0, 1.0 - (p * p + q * q + r * r) / (wider * wider));
           double fx = double(row.frequency[0]), fy = double(row.frequency[1]);
           if (int(k) >= shared.kernels - shared.rings) {
-            const double angle = 2.0 * std::numbers::pi * double(pcg(word)) / std::exp2(32.0);
+            const double angle =
+                2.0 * std::numbers::pi *
+                double(std::uint32_t(i) * 0xC13FA9A9u + std::uint32_t(j) * 0x91E10DA5u +
+                       std::uint32_t(n) * 0xABC98389u + own) /
+                std::exp2(32.0);
             fy = fx * std::sin(angle);
             fx *= std::cos(angle);
           }

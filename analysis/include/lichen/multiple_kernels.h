@@ -21,8 +21,8 @@ namespace lichen {
 struct Perturbation {
   double amount = 1.0; ///< of the noise, for one of the pattern; kPerturbationRange
   /// The pattern, up to a factor: it takes 1 / (1 + amount^2) of the luminance, and other maps as
-  /// far as they follow that. Empty for the strongest waves of the exemplar, of which the noise then
-  /// has only what is left.
+  /// far as they follow that. Empty for the strongest waves of the exemplar, of which the noise
+  /// then has only what is left.
   std::vector<PatternWave> pattern;
   int cosines = 40; ///< at most, [1, kMostPatternCosines]; the strongest
 };
@@ -31,7 +31,8 @@ inline constexpr NumberRange kPerturbationRange{0.0, 16.0};
 struct MultipleKernelsOptions : GaussianizationOptions {
   KernelWindow window = KernelWindow::gabor;
   int kernels = 8; ///< at most; fewer where fewer do
-  /// The mean number of impacts that reach a point, over all kernels; kImpactsRange.
+  /// The mean number of impacts that reach a point, over all kernels; rings take
+  /// twice as many. kImpactsRange.
   double impacts = 30.0;
   /// In place of the exemplar's, which then gives colours only: the channels of the noise hardly
   /// correlate in space.
@@ -62,9 +63,9 @@ struct MultipleKernelsBake {
 /// also those between channels. Maps may differ in size. Needs at least one map, each within the
 /// ranges of MapExemplar and with a different target. `name` names the noise and, with the target,
 /// its tables. Errors: usage for options or maps outside their ranges; badInput for a spectrum
-/// without power or a pattern that does not vary or has a frequency beyond kMostKernelFrequency; resources if memory runs out; environment if `options.progress` stops it.
-/// Thread-safe; runs on all cores; same bytes for any number of threads. O(N (log N + kernels)) in
-/// the number of pixels.
+/// without power or a pattern that does not vary or has a frequency beyond kMostKernelFrequency;
+/// resources if memory runs out; environment if `options.progress` stops it. Thread-safe; runs on
+/// all cores; same bytes for any number of threads. O(N (log N + kernels)) in the number of pixels.
 [[nodiscard]] Result<MultipleKernelsBake>
 bakeMultipleKernels(std::string name, std::span<const MapExemplar> maps,
                     const MultipleKernelsOptions& options);
