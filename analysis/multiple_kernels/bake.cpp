@@ -107,7 +107,7 @@ std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window,
   const auto spread = float(windowSpread(window));
   std::vector<KernelRow> rows;
   for (const Kernel& kernel : kernels) {
-    // A ring has all directions, of which few impacts leave some to stand out.
+    // A ring has waves in all directions. With few impacts, single directions are seen.
     const double own = (kernel.isRing ? 2.0 : 1.0) * impacts * kernel.energy / energy;
     KernelRow row = gridOf(kernel, window, std::max(kFewest, own), tileAspect);
     row.frequency = {float(kernel.frequency[0]), float(kernel.frequency[1])};

@@ -84,7 +84,7 @@ TEST_CASE("a pattern that cannot be is refused") {
                      {"the pattern does not vary"});
 }
 
-TEST_CASE("options of a pattern that has none are without effect, with a note") {
+TEST_CASE("without a pattern its options have no effect, and a note says so") {
   const Photograph photograph;
   CHECK_THAT(photograph.bake({"--perturb", "2"}).notes,
              Catch::Contains("--perturb has no effect without --pattern"));

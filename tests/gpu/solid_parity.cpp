@@ -3,6 +3,7 @@
 // in double precision that sum the cosines of all vertices, or the impacts of all cells, around a
 // point.
 #include "../property/example_exemplar.h"
+#include "../property/solid_twin.h"
 #include "plugin_host.h"
 #include "shared_device.h"
 
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <random>
 
 using namespace lichen;
@@ -301,29 +301,6 @@ std::array<double, 3> sumOfImpacts(const Bundle& bundle, const std::array<double
   return sum;
 }
 
-/// What NoiseEvaluator does not show.
-class Gaussians {
-public:
-  explicit Gaussians(const Bundle& bundle) {
-    if (bundle.noises[0].method() == Method::multipleKernels)
-      kernels_ = MultipleKernelsEvaluator::create(bundle, 0).value();
-    else
-      cosines_ = LocalRandomPhaseEvaluator::create(bundle, 0).value();
-  }
-  [[nodiscard]] std::array<float, 4> gaussian(const shader::LichenMaterial& material,
-                                              const SolidFootprint& at) const {
-    return kernels_ ? kernels_->gaussian(0, material, at) : cosines_->gaussian(0, material, at);
-  }
-  [[nodiscard]] std::array<float, 4> evaluate(const shader::LichenMaterial& material,
-                                              const SolidFootprint& at) const {
-    return kernels_ ? kernels_->evaluate(0, material, at) : cosines_->evaluate(0, material, at);
-  }
-
-private:
-  std::optional<MultipleKernelsEvaluator> kernels_;
-  std::optional<LocalRandomPhaseEvaluator> cosines_;
-};
-
 } // namespace
 
 TEST_CASE("the solid shader matches its CPU twin: 99.9 % within 1/1024 and all within 1/255") {
@@ -343,7 +320,7 @@ TEST_CASE("the solid shader matches its CPU twin: 99.9 % within 1/1024 and all w
     const std::vector<std::byte> glb = bakedGlb(kind.method, kind.isSlope, kind.gaussian);
     const Bundle bundle = parseBundle(glb, "noise").value();
     PluginHost host(sharedContext(), glb);
-    const Gaussians twin(bundle);
+    const SolidTwin twin(bundle);
     const std::vector<std::uint32_t> pass = committedShader(kPass);
     const std::vector<SolidPoint> points = samplePoints(1000);
     int number = 0;

@@ -3,6 +3,7 @@
 // in space, and its filter, against the exemplar and against averages.
 #include "bundle_of.h"
 #include "example_exemplar.h"
+#include "solid_twin.h"
 
 #include <lichen/local_random_phase.h>
 #include <lichen/local_random_phase_evaluate.h>
@@ -19,7 +20,6 @@
 #include <array>
 #include <cmath>
 #include <local_random_phase/solid_vertices.h>
-#include <optional>
 #include <random>
 #include <span>
 #include <string>
@@ -54,26 +54,6 @@ Bundle baked(Method method, std::span<const MapExemplar> maps,
   return test::bundleOf(bakeLocalRandomPhase("example", maps, options));
 }
 
-/// The Gaussian values of the first map.
-class Evaluator {
-public:
-  explicit Evaluator(const Bundle& bundle) {
-    if (bundle.noises[0].method() == Method::multipleKernels)
-      kernels_ = MultipleKernelsEvaluator::create(bundle, 0).value();
-    else
-      cosines_ = LocalRandomPhaseEvaluator::create(bundle, 0).value();
-  }
-  template <class Footprint>
-  [[nodiscard]] std::array<float, 4> gaussian(const shader::LichenMaterial& material,
-                                              const Footprint& at) const {
-    return kernels_ ? kernels_->gaussian(0, material, at) : cosines_->gaussian(0, material, at);
-  }
-
-private:
-  std::optional<MultipleKernelsEvaluator> kernels_;
-  std::optional<LocalRandomPhaseEvaluator> cosines_;
-};
-
 const Bundle& example(Method method) {
   static const std::array<Bundle, 2> bundles = [] {
     const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
@@ -93,7 +73,7 @@ shader::LichenMaterial solidMaterial(const Bundle& bundle, std::uint32_t seed) {
 /// deviations].
 std::vector<float> planeOf(const Bundle& bundle, std::uint32_t seed, int side, const Vec3& right,
                            const Vec3& down) {
-  const Evaluator evaluator(bundle);
+  const test::SolidTwin evaluator(bundle);
   const shader::LichenMaterial constants = solidMaterial(bundle, seed);
   std::vector<float> plane;
   for (int y = 0; y < side; ++y)
@@ -158,7 +138,7 @@ TEST_CASE("the four vertices around a point of a solid are those in reach, and t
 TEST_CASE("solid noise has the covariance of Gaussian values") {
   const Bundle& bundle = example(GENERATE(from_range(kMethods)));
   constexpr int kSeeds = 16, kSamples = 20000;
-  const Evaluator evaluator(bundle);
+  const test::SolidTwin evaluator(bundle);
   std::mt19937 generator(2u);
   std::uniform_real_distribution<float> place(-20.0f, 20.0f);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -182,7 +162,7 @@ TEST_CASE("solid noise has the covariance of Gaussian values") {
 TEST_CASE("planes across z have the spectrum of the noise in the plane, and others nearly") {
   constexpr int kCrop = 32, kSide = 384;
   const Bundle& bundle = example(GENERATE(from_range(kMethods)));
-  const Evaluator evaluator(bundle);
+  const test::SolidTwin evaluator(bundle);
   const shader::LichenMaterial flat = shaderMaterial(bundle, MaterialNoise(), {}).material;
   std::vector<float> plane;
   for (int y = 0; y < kSide; ++y)
@@ -286,7 +266,7 @@ TEST_CASE("the slopes of a solid are the gradient of its height, along z too") {
 
 TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
   const Bundle& bundle = example(GENERATE(from_range(kMethods)));
-  const Evaluator evaluator(bundle);
+  const test::SolidTwin evaluator(bundle);
   const shader::LichenMaterial constants = solidMaterial(bundle, 9);
   std::mt19937 generator(6u);
   std::uniform_real_distribution<float> place(-20.0f, 20.0f);
@@ -329,8 +309,8 @@ TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
     CHECK(filtered + lost == Approx(1.0).margin(0.05));
     // Of averages, what of a cosine is left beyond its first zero stays, which is little.
     CHECK(filtered == Approx(averages).margin(0.1));
-    // Kernels are attenuated and not widened, of which those as small as a texel are seen to
-    // differ.
+    // A pixel attenuates a kernel and does not widen it. Those as small as a texel therefore differ
+    // from their average.
     if (averages > 0.3)
       CHECK(product / std::sqrt(averages * filtered) >
             (bundle.noises[0].method() == Method::localRandomPhase ? 0.95 : 0.88));
@@ -340,7 +320,7 @@ TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
 TEST_CASE("a solid does not depend on the tile origin, and scale and offset move it") {
   const MapExemplar map = test::threeMaterials(64, 48, 3); // no square
   const Bundle bundle = baked(GENERATE(from_range(kMethods)), {&map, 1});
-  const Evaluator evaluator(bundle);
+  const test::SolidTwin evaluator(bundle);
   std::mt19937 generator(6u);
   std::uniform_real_distribution<float> metres(-0.5f, 0.5f);
   for (const double rotation : {0.0, 0.7}) {

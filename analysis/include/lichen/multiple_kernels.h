@@ -20,9 +20,10 @@ namespace lichen {
 /// exemplar's only where the noise is strong. [MKN12] section 5.
 struct Perturbation {
   double amount = 1.0; ///< of the noise, for one of the pattern; kPerturbationRange
-  /// The pattern, up to a factor: it takes 1 / (1 + amount^2) of the luminance, and other maps as
-  /// far as they follow that. Empty for the strongest waves of the exemplar, of which the noise
-  /// then has only what is left.
+  /// The waves of the pattern; their relative amplitudes count. They take 1 / (1 + amount^2) of the
+  /// luminance's variance, and change other maps as far as these correlate with luminance. If it is
+  /// empty, the pattern is the strongest waves of the exemplar, and the noise has the rest of its
+  /// spectrum.
   std::vector<PatternWave> pattern;
   int cosines = 40; ///< at most, [1, kMostPatternCosines]; the strongest
 };
