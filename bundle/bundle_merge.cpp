@@ -3,6 +3,7 @@
 #include "extension_writer.h"
 
 #include <lichen/bundle_merge.h>
+#include <lichen/layered_noise.h>
 
 #include <algorithm>
 #include <set>
@@ -48,6 +49,18 @@ void placeTables(Bundle& into, const Bundle& from, Noise& noise, const std::stri
     visitTables(map, [&](std::size_t& table) { table = placed(table); });
 }
 
+/// Whether only layered noises use a noise, and no material.
+bool isMereLayer(const Bundle& bundle, std::size_t index) {
+  if (std::ranges::any_of(bundle.materials, [&](const std::optional<MaterialNoise>& material) {
+        return material && material->noise == index;
+      }))
+    return false;
+  bool isLayer = false;
+  for (const Noise& noise : bundle.noises)
+    visitLayerNoises(noise, [&](std::size_t other) { isLayer = isLayer || other == index; });
+  return isLayer;
+}
+
 /// Merges bundles one after the other.
 class Merger {
 public:
@@ -64,12 +77,20 @@ private:
 void Merger::addNoise(const NamedBundle& input, std::size_t index) {
   Bundle& bundle = merged_.bundle;
   Noise noise = input.bundle.noises[index];
+  const std::size_t first = bundle.noises.size() - index; // of this input
+  visitLayerNoises(noise, [&](std::size_t& other) { other += first; });
   const std::string name = uniqueName(noise.name, noiseNames_);
   if (name != noise.name)
     merged_.notes.push_back(input.file + ": noise '" + noise.name + "' is named '" + name +
                             "', since another has that name");
   placeTables(bundle, input.bundle, noise, name);
 
+  noise.name = name;
+  const std::string original = input.bundle.noises[index].name;
+  if (isMereLayer(input.bundle, index)) {
+    bundle.noises.push_back(std::move(noise));
+    return;
+  }
   MaterialNoise use;
   std::string materialName = name;
   std::size_t users = 0;
@@ -78,19 +99,18 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
     if (!material || material->noise != index || users++ > 0)
       continue;
     use = *material;
-    if (const std::string& own = input.bundle.materialNames[m]; !own.empty() && own != noise.name)
+    if (const std::string& own = input.bundle.materialNames[m]; !own.empty() && own != original)
       materialName = own;
   }
   if (users > 1)
     merged_.notes.push_back(input.file + ": " + std::to_string(users) + " materials use noise '" +
-                            noise.name + "'; the first one's parameters are kept");
+                            original + "'; the first one's parameters are kept");
   use.noise = bundle.noises.size();
   if (use.mix.source == MixSource::texture) {
-    merged_.notes.push_back(input.file + ": noise '" + noise.name +
+    merged_.notes.push_back(input.file + ": noise '" + original +
                             "': the mask of its mix is not copied; its first step is shown");
     use.mix = {};
   }
-  noise.name = name;
   bundle.noises.push_back(std::move(noise));
   bundle.materials.emplace_back(use);
   bundle.materialNames.push_back(uniqueName(materialName, materialNames_));
@@ -120,6 +140,10 @@ Result<void> Merger::add(const NamedBundle& input) {
 std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
                        std::set<std::string> taken) {
   Noise noise = from.noises[index];
+  visitLayerNoises(noise, [&](std::size_t& other) {
+    other = placeNoise(into, from, other, taken);
+    taken.insert(into.noises[other].name);
+  });
   const std::size_t tablesBefore = into.tables.size();
   const std::string name = uniqueName(noise.name, taken);
   placeTables(into, from, noise, name);
@@ -134,6 +158,47 @@ std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
   noise.name = name;
   into.noises.push_back(std::move(noise));
   return into.noises.size() - 1;
+}
+
+Result<Bundle> layerNoises(const std::string& name, std::span<const BundledNoise> layers,
+                           std::span<const BundledNoise> indices, std::vector<LayerNode> nodes) {
+  const auto build = [&]() -> Result<Bundle> {
+    Bundle bundle;
+    const auto add = [&](const BundledNoise& input, std::string named) {
+      Noise noise = input.bundle->noises[input.noise];
+      placeTables(bundle, *input.bundle, noise, named);
+      noise.name = std::move(named);
+      noise.layers.reset();
+      bundle.noises.push_back(std::move(noise));
+      return bundle.noises.size() - 1;
+    };
+    NoiseLayers result;
+    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+      const std::size_t place =
+          add(layers[layer], layer == 0 ? name : name + ".layer" + std::to_string(layer + 1));
+      if (layer > 0)
+        result.others.push_back(place);
+    }
+    for (std::size_t node = 0; node < nodes.size(); ++node)
+      nodes[node].index = add(indices[node], name + ".index" + std::to_string(node + 1));
+    result.nodes = std::move(nodes);
+    bundle.noises[0].layers = std::move(result);
+    if (const std::string fault = layersFault(bundle, 0); !fault.empty())
+      return Error{ErrorKind::usage, fault};
+    const BundledNoise& first = layers.front();
+    MaterialNoise material;
+    for (const std::optional<MaterialNoise>& each : first.bundle->materials)
+      if (each && each->noise == first.noise) {
+        material = *each;
+        break;
+      }
+    material.noise = 0;
+    material.mix = {};
+    bundle.materials.emplace_back(material);
+    bundle.materialNames.push_back(name);
+    return bundle;
+  };
+  return withinMemory([] { return "not enough memory to layer the noises"; }, build);
 }
 
 Result<MergedBundle> mergeBundles(std::span<const NamedBundle> inputs) {

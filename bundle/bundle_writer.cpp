@@ -25,17 +25,17 @@ Result<void> checkParts(const BundleFile& file) {
   const std::size_t noises = file.bundle.noises.size();
   if (noises == 0)
     return refusal("no noises; expected at least one");
-  if (file.bundle.materials.size() != noises || file.previews.size() != noises)
-    return refusal(counted(file.bundle.materials.size(), "material") + " and " +
-                   counted(file.previews.size(), "preview") + " for " + counted(noises, "noise") +
-                   "; expected one of each per noise");
-  if (file.shape == PreviewShape::plane && noises > std::size_t(kGroundSectors))
-    return refusal(std::to_string(noises) + " noises; a preview plane shows at most " +
+  const std::size_t materials = file.bundle.materials.size();
+  if (materials == 0 || file.previews.size() != materials)
+    return refusal(counted(materials, "material") + " and " +
+                   counted(file.previews.size(), "preview") + "; expected one of each or more");
+  if (file.shape == PreviewShape::plane && materials > std::size_t(kGroundSectors))
+    return refusal(std::to_string(materials) + " materials; a preview plane shows at most " +
                    std::to_string(kGroundSectors) + ", a sphere or none any number");
-  for (std::size_t i = 0; i < noises; ++i) {
+  for (std::size_t i = 0; i < materials; ++i) {
     const std::optional<MaterialNoise>& use = file.bundle.materials[i];
-    if (!use || use->noise != i)
-      return refusal("material " + std::to_string(i) + " does not use noise " + std::to_string(i));
+    if (!use || use->noise >= noises)
+      return refusal("material " + std::to_string(i) + " uses no noise of the bundle");
     if (use->texCoord != 0 && file.shape != PreviewShape::none)
       return refusal("texCoord " + std::to_string(use->texCoord) +
                      "; the preview scene has only texture coordinates 0");
@@ -71,10 +71,12 @@ Json describe(const BundleFile& file, GltfBuilder& builder) {
   root["extensionsUsed"].push_back(kExtensionName);
   root["extensions"][std::string(kExtensionName)] = describeBundle(bundle, builder);
   std::vector<bool> needsTangents;
-  for (std::size_t i = 0; i < bundle.noises.size(); ++i) {
+  for (std::size_t i = 0; i < bundle.materials.size(); ++i) {
+    const MaterialNoise& use = *bundle.materials[i];
+    const Noise& noise = bundle.noises[use.noise];
     const bool named = i < bundle.materialNames.size() && !bundle.materialNames[i].empty();
-    addMaterial(root, builder, named ? bundle.materialNames[i] : bundle.noises[i].name,
-                bundle.noises[i], *bundle.materials[i], file.previews[i]);
+    addMaterial(root, builder, named ? bundle.materialNames[i] : noise.name, noise, use,
+                file.previews[i]);
     needsTangents.push_back(!file.previews[i].normal.empty());
   }
   addPreviewScene(root, builder, file.shape, needsTangents, exemplarAspect(bundle));

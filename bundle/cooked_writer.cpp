@@ -48,8 +48,8 @@ Json describe(const Bundle& bundle, std::size_t firstByte) {
                                    {"offset", offset}});
     offset = alignedUp(offset + table.bytes().size());
   }
-  for (const Noise& noise : bundle.noises)
-    extension["noises"].push_back(describeNoise(noise));
+  for (std::size_t n = 0; n < bundle.noises.size(); ++n)
+    extension["noises"].push_back(describeNoise(bundle.noises[n], n));
   Json document = Json::object();
   if (!bundle.noises.empty()) {
     document["extensionsUsed"] = {kExtensionName};

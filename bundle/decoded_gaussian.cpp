@@ -31,6 +31,8 @@ float meanDecoded(float stored, float variance, shader::uint encoding) {
 std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
                                      const std::array<float, 3>& gaussian,
                                      const std::array<float, 3>& lostVariance) {
+  if (map.encoding == LICHEN_ENCODING_INDEX)
+    return {gaussian[0], gaussian[1], gaussian[2], lostVariance[0]};
   const std::array<const shader::vec4*, 3> rows{&map.row0, &map.row1, &map.row2};
   std::array<float, 4> value{0.0f, 0.0f, 0.0f, 1.0f};
   std::array<float, 3> variance{};

@@ -4,6 +4,8 @@
 
 #include "methods/method_format.h"
 
+#include <lichen/layered_noise.h>
+
 #include <algorithm>
 #include <limits>
 #include <set>
@@ -73,8 +75,10 @@ IgnoredNoise ignoreNoise(const json& noise, std::size_t place, const std::string
   return ignored;
 }
 
+/// Reads a noise but for its layers, which name other noises.
 Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings) {
   Noise noise;
+  static_cast<void>(reader.optional("layers"));
   noise.name = reader.text("name").value_or("");
   Method method{};
   if (const auto named = reader.text("method"))
@@ -106,6 +110,26 @@ struct NoisePlace {
   std::size_t index = 0;
 };
 using NoisePlaces = std::vector<NoisePlace>;
+
+/// Reads the layers of all noises, and checks them once all noises are without faults.
+void readAllLayers(const json& list, const std::string& pointer, const NoisePlaces& places,
+                   Bundle& bundle, FindingList& findings) {
+  std::vector<std::optional<std::size_t>> known;
+  for (const NoisePlace& place : places)
+    known.push_back(place.isIgnored ? std::nullopt : std::optional(place.index));
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!known[i] || !list[i].is_object() || !list[i].contains("layers"))
+      continue;
+    ObjectReader reader(list[i], elementPointer(pointer, i), findings);
+    bundle.noises[*known[i]].layers = readLayers(reader, *known[i], known, findings);
+  }
+  if (findings.errorCount() > 0)
+    return;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (known[i] && bundle.noises[*known[i]].layers)
+      if (const std::string fault = layersFault(bundle, *known[i]); !fault.empty())
+        findings.error("layer-fit", elementPointer(pointer, i) + "/layers", fault);
+}
 
 NoisePlaces readNoises(const json& list, const std::string& pointer, const Tables& tables,
                        Bundle& bundle, FindingList& findings) {
@@ -139,9 +163,9 @@ IgnoredNoise* ignoredNoiseOf(const json& use, const NoisePlaces& places, Bundle&
   return place.isIgnored ? &bundle.ignoredNoises[place.index] : nullptr;
 }
 
-/// Reads a material's mapping and checks that the noise supports it. `noise` is null if there is
-/// none.
-Mapping readMapping(ObjectReader& reader, const Noise* noise) {
+/// Reads a material's mapping and checks that the noise `index` supports it, if there is one.
+Mapping readMapping(ObjectReader& reader, const Bundle& bundle, std::size_t index) {
+  const Noise* noise = bundle.noises.empty() ? nullptr : &bundle.noises[index];
   const Method method = noise == nullptr ? Method{} : noise->method();
   const std::string name = reader.text("mapping").value_or("uv");
   const std::optional<Mapping> mapping = mappingFrom(name);
@@ -157,10 +181,8 @@ Mapping readMapping(ObjectReader& reader, const Noise* noise) {
   }
   if (noise == nullptr)
     return *mapping;
-  if (const std::string_view obstacle = mappingObstacle(*noise, *mapping); !obstacle.empty())
-    reader.error("material-mapping", "mapping",
-                 quoted(name) + " does not fit the noise " + quoted(noise->name) + ": " +
-                     std::string(obstacle));
+  if (const std::string obstacle = mappingObstacle(bundle, index, *mapping); !obstacle.empty())
+    reader.error("material-mapping", "mapping", obstacle);
   return *mapping;
 }
 
@@ -186,7 +208,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
   else if (noise)
     use.noise = places[std::size_t(*noise)].index;
   if (reader.has("mapping"))
-    use.mapping = readMapping(reader, bundle.noises.empty() ? nullptr : &bundle.noises[use.noise]);
+    use.mapping = readMapping(reader, bundle, use.noise);
   if (reader.has("space"))
     use.space = readSpace(reader, use.mapping);
   use.texCoord = reader.integerOr("texCoord", kMaxTexCoord, use.texCoord);
@@ -317,6 +339,8 @@ NoisePlaces readRoot(TableSource& source, const json& extension, Bundle& bundle,
     keepTables(std::move(tables), bundle);
     if (bundle.ignoredNoises.empty())
       warnOfUnusedTables(bundle, reader.pointerTo("tables"), findings);
+    if (noiseList != nullptr)
+      readAllLayers(*noiseList, reader.pointerTo("noises"), places, bundle, findings);
   }
   return places;
 }

@@ -29,6 +29,12 @@ struct MapMoments {
 /// levels.
 [[nodiscard]] std::vector<double> readLosses(ObjectReader& reader, std::size_t rows);
 
+/// Reads the member `layers` of the noise `own`, if there is one. `places` has the index of each
+/// noise of the file in Bundle::noises, of ignored ones none. layersFault() checks the rest.
+[[nodiscard]] std::optional<NoiseLayers>
+readLayers(ObjectReader& noise, std::size_t own, std::span<const std::optional<std::size_t>> places,
+           FindingList& findings);
+
 /// Reads and checks the mix weight of a material. `textures` is the number of textures in the glTF
 /// document.
 [[nodiscard]] MixWeight readMixWeight(ObjectReader& material, std::size_t textures,

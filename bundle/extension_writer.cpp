@@ -44,9 +44,24 @@ Json describeMix(const MixWeight& mix) {
   return json;
 }
 
+/// The node `index` of the layers of the noise `own`, and all below it.
+Json describeNode(const NoiseLayers& layers, std::size_t index, std::size_t own) {
+  const auto noiseOrNode = [&](const LayerSide& side) -> Json {
+    if (side.isNode)
+      return describeNode(layers, side.index, own);
+    return side.index == 0 ? own : layers.others[side.index - 1];
+  };
+  const LayerNode& node = layers.nodes[index];
+  return {{"index", node.index},
+          {"proportion", node.proportion},
+          {"softness", node.softness},
+          {"below", noiseOrNode(node.below)},
+          {"above", noiseOrNode(node.above)}};
+}
+
 } // namespace
 
-Json describeNoise(const Noise& noise) {
+Json describeNoise(const Noise& noise, std::size_t index) {
   const MethodFormat& format = formatOf(noise);
   Json json = {{"name", noise.name},
                {"method", format.name()},
@@ -56,6 +71,8 @@ Json describeNoise(const Noise& noise) {
   json["maps"] = Json::array();
   for (const NoiseMap& map : noise.maps)
     json["maps"].push_back(describeMap(map, format));
+  if (noise.layers)
+    json["layers"] = describeNode(*noise.layers, 0, index);
   return json;
 }
 
@@ -73,8 +90,8 @@ Json describeBundle(const Bundle& bundle, GltfBuilder& builder) {
   for (const Table& table : bundle.tables)
     json["tables"].push_back(
         describeTable(table, builder.addView(encodeKtx2(table), kTableAlignment)));
-  for (const Noise& noise : bundle.noises)
-    json["noises"].push_back(describeNoise(noise));
+  for (std::size_t n = 0; n < bundle.noises.size(); ++n)
+    json["noises"].push_back(describeNoise(bundle.noises[n], n));
   return json;
 }
 

@@ -8,8 +8,8 @@
 
 namespace lichen {
 
-/// Returns the JSON object of a noise.
-[[nodiscard]] nlohmann::ordered_json describeNoise(const Noise& noise);
+/// Returns the JSON object of a noise, which has this index in the file.
+[[nodiscard]] nlohmann::ordered_json describeNoise(const Noise& noise, std::size_t index);
 /// Returns the JSON object of a table. The buffer view `bufferView` holds its KTX2 file.
 [[nodiscard]] nlohmann::ordered_json describeTable(const Table& table, std::size_t bufferView);
 

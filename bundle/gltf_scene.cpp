@@ -292,11 +292,12 @@ Result<AppliedNoise> GltfScene::applyNoise(const Bundle& bundle, std::size_t noi
     for (std::size_t t = tablesBefore; t < own.tables.size(); ++t)
       root["tables"].push_back(describeTable(
           own.tables[t], state_->added.addView(encodeKtx2(own.tables[t]), kTableAlignment)));
-    if (own.noises.size() > noisesBefore) {
-      Noise added = own.noises[place];
+    for (std::size_t n = noisesBefore; n < own.noises.size(); ++n) {
+      Noise added = own.noises[n];
       for (NoiseMap& map : added.maps)
         visitTables(map, [&](std::size_t& table) { table += state_->ignoredTables; });
-      root["noises"].push_back(describeNoise(added));
+      visitLayerNoises(added, [&](std::size_t& other) { other += state_->ignoredNoises; });
+      root["noises"].push_back(describeNoise(added, state_->ignoredNoises + n));
       state_->noiseNames.insert(added.name);
     }
     Json& used = state_->edited["extensionsUsed"];

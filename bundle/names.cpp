@@ -14,8 +14,8 @@ constexpr std::array<std::string_view, 6> kTargetNames = {
 constexpr std::array<std::string_view, 10> kChannelNames = {
     "red",       "green",     "blue",     "slopeX", "slopeY",
     "occlusion", "roughness", "metallic", "height", "opacity"};
-constexpr std::array<std::string_view, 5> kEncodingNames = {"root", "linear", "slope", "log2",
-                                                            "srgb"};
+constexpr std::array<std::string_view, 6> kEncodingNames = {"root", "linear", "slope", "log2",
+                                                            "srgb", "index"};
 constexpr std::array<std::string_view, 4> kMappingNames = {"uv", "triplanar", "surface", "solid"};
 constexpr std::array<std::string_view, 2> kSpaceNames = {"world", "object"};
 constexpr std::array<std::string_view, 2> kPointProcessNames = {"stratified", "poisson"};
@@ -49,7 +49,7 @@ std::optional<MapChannel> mapChannelFrom(std::string_view name) {
 }
 std::optional<ValueEncoding> valueEncodingFrom(std::string_view name) {
   const std::optional<ValueEncoding> found = find<ValueEncoding>(kEncodingNames, name);
-  return found == ValueEncoding::srgb ? std::nullopt : found;
+  return found >= ValueEncoding::srgb ? std::nullopt : found; // not in files
 }
 std::optional<Mapping> mappingFrom(std::string_view name) {
   return find<Mapping>(kMappingNames, name);

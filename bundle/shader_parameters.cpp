@@ -4,6 +4,7 @@
 #include "methods/method_format.h"
 #include "methods/split_origin.h"
 
+#include <lichen/layered_noise.h>
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
@@ -25,6 +26,8 @@ shader::uint encodingOf(ValueEncoding encoding) {
     return LICHEN_ENCODING_SLOPE;
   case ValueEncoding::log2:
     return LICHEN_ENCODING_LOG2;
+  case ValueEncoding::index:
+    return LICHEN_ENCODING_INDEX;
   }
   return LICHEN_ENCODING_ROOT;
 }
@@ -158,12 +161,41 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, std::size_t noiseIndex) {
   return result;
 }
 
+namespace {
+
+void setLayers(const Bundle& bundle, const Noise& noise, shader::LichenNoiseConstants& result) {
+  const NoiseLayers& layers = *noise.layers;
+  result.layers = shaderLayers(noise);
+  for (std::size_t layer = 1; layer <= layers.others.size(); ++layer) {
+    const std::size_t index = layers.others[layer - 1];
+    const Noise& other = bundle.noises[index];
+    result.layerNoises[layer - 1] = shaderNoise(bundle, index);
+    for (std::size_t map = 0; map < other.maps.size(); ++map)
+      result.maps[layerSlot(layer, roleOf(other.maps[map].target))] = shaderMap(bundle, other, map);
+  }
+  for (std::size_t n = 0; n < layers.nodes.size(); ++n) {
+    const std::size_t index = layers.nodes[n].index;
+    result.indexNoises[n] = shaderNoise(bundle, index);
+    result.indexMaps[n] = shaderMap(bundle, asIndex(bundle.noises[index]), 0);
+  }
+}
+
+/// A seed for part `part` of a layered noise: multiples of 2^32 over the golden ratio.
+std::uint32_t seedOf(std::uint32_t seed, std::size_t part) {
+  constexpr std::uint32_t kGolden = 0x9E3779B9u;
+  return seed + kGolden * std::uint32_t(part);
+}
+
+} // namespace
+
 shader::LichenNoiseConstants shaderConstants(const Bundle& bundle, std::size_t noiseIndex) {
   const Noise& noise = bundle.noises[noiseIndex];
   shader::LichenNoiseConstants result{};
   result.noise = shaderNoise(bundle, noiseIndex);
   for (std::size_t map = 0; map < noise.maps.size(); ++map)
     result.maps[roleOf(noise.maps[map].target)] = shaderMap(bundle, noise, map);
+  if (noise.layers)
+    setLayers(bundle, noise, result);
   return result;
 }
 
@@ -190,6 +222,33 @@ shader::LichenTriplanarMaterial shaderMaterial(const shader::LichenNoise& noise,
     setCells(result, noise, material, placement);
   format.setMaterial(noise, material, placement, result);
   return planes;
+}
+
+MaterialNoise layerMaterial(const MaterialNoise& material, std::size_t layer) {
+  MaterialNoise result = material;
+  result.seed = seedOf(material.seed, layer);
+  return result;
+}
+
+MaterialNoise indexMaterial(const MaterialNoise& material, std::size_t node) {
+  MaterialNoise result = layerMaterial(material, LICHEN_MAX_LAYERS + node);
+  result.contrast = 1.0;
+  result.tileRotation = 0;
+  return result;
+}
+
+shader::LichenLayeredMaterial shaderLayeredMaterial(std::span<const shader::LichenNoise> layers,
+                                                    std::span<const shader::LichenNoise> indices,
+                                                    const MaterialNoise& material,
+                                                    const Placement& placement) {
+  shader::LichenLayeredMaterial result{};
+  result.first = shaderMaterial(layers.front(), material, placement);
+  for (std::size_t layer = 1; layer < layers.size(); ++layer)
+    result.layers[layer - 1] =
+        shaderMaterial(layers[layer], layerMaterial(material, layer), placement);
+  for (std::size_t node = 0; node < indices.size(); ++node)
+    result.indices[node] = shaderMaterial(indices[node], indexMaterial(material, node), placement);
+  return result;
 }
 
 shader::LichenTriplanarMaterial shaderMaterial(const Bundle& bundle, const MaterialNoise& material,

@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <span>
 
 using namespace lichen;
 using namespace lichen::plugin;
@@ -41,27 +43,44 @@ LichenResult readPointProcess(LichenPointProcess value, PointProcess& process,
   return LICHEN_SUCCESS;
 }
 
-LichenResult readMapping(LichenMapping value, const shader::LichenNoise& noise, Mapping& mapping,
+/// Whether all layers and index maps of the noise have a mapping. If not, says why not.
+LichenResult checkMapping(LichenMapping value, const NoiseSummary& summary, Mapping mapping,
+                          LichenDiagnostic* diagnostic) {
+  std::vector<const shader::LichenNoise*> noises{&summary.constants};
+  for (std::uint32_t layer = 1; layer < summary.layerCount; ++layer) {
+    noises.push_back(&summary.layers[layer - 1]);
+    noises.push_back(&summary.indices[layer - 1]);
+  }
+  for (const shader::LichenNoise* noise : noises) {
+    if (!mappingFits(Method(noise->method), mapping)) {
+      writeDiagnostic(
+          diagnostic,
+          "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar), for "
+          "texton noise 2 (surface) or for local random-phase and multiple-kernels noise 3 (solid)",
+          int(value), nameOf(Method(noise->method)).data());
+      return LICHEN_ERROR_USAGE;
+    }
+    const std::string_view obstacle = mappingObstacle(*noise, mapping);
+    if (!obstacle.empty()) {
+      writeDiagnostic(diagnostic, "mapping %d (%s) does not fit the noise: %.*s", int(value),
+                      nameOf(mapping).data(), int(obstacle.size()), obstacle.data());
+      return LICHEN_ERROR_USAGE;
+    }
+  }
+  return LICHEN_SUCCESS;
+}
+
+LichenResult readMapping(LichenMapping value, const NoiseSummary& summary, Mapping& mapping,
                          LichenDiagnostic* diagnostic) {
-  const auto method = Method(noise.method);
   for (const auto& [code, candidate] : {std::pair{LICHEN_MAPPING_UV, Mapping::uv},
                                         {LICHEN_MAPPING_TRIPLANAR, Mapping::triplanar},
                                         {LICHEN_MAPPING_SURFACE, Mapping::surface},
                                         {LICHEN_MAPPING_SOLID, Mapping::solid}})
-    if (value == code && mappingFits(method, candidate)) {
+    if (value == code) {
       mapping = candidate;
-      const std::string_view obstacle = mappingObstacle(noise, candidate);
-      if (obstacle.empty())
-        return LICHEN_SUCCESS;
-      writeDiagnostic(diagnostic, "mapping %d (%s) does not fit the noise: %.*s", int(value),
-                      nameOf(candidate).data(), int(obstacle.size()), obstacle.data());
-      return LICHEN_ERROR_USAGE;
+      return checkMapping(value, summary, candidate, diagnostic);
     }
-  writeDiagnostic(
-      diagnostic,
-      "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar), for "
-      "texton noise 2 (surface) or for local random-phase and multiple-kernels noise 3 (solid)",
-      int(value), nameOf(method).data());
+  writeDiagnostic(diagnostic, "mapping %d is invalid; expected 0 to 3", int(value));
   return LICHEN_ERROR_USAGE;
 }
 
@@ -78,9 +97,8 @@ LichenResult readMixSource(LichenMixSource value, MixSource& source, LichenDiagn
   return LICHEN_ERROR_USAGE;
 }
 
-LichenResult readParameters(const LichenMaterialParameters& source,
-                            const shader::LichenNoise& noise, MaterialNoise& parameters,
-                            LichenDiagnostic* diagnostic) {
+LichenResult readParameters(const LichenMaterialParameters& source, const NoiseSummary& summary,
+                            MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
   parameters.noise = source.noise;
   parameters.seed = source.seed;
   parameters.tileRotation = source.tileRotation;
@@ -96,7 +114,7 @@ LichenResult readParameters(const LichenMaterialParameters& source,
   parameters.mix.end = {source.mixEnd[0], source.mixEnd[1]};
   LichenResult result = readPointProcess(source.pointProcess, parameters.pointProcess, diagnostic);
   if (result == LICHEN_SUCCESS)
-    result = readMapping(source.mapping, noise, parameters.mapping, diagnostic);
+    result = readMapping(source.mapping, summary, parameters.mapping, diagnostic);
   if (result == LICHEN_SUCCESS)
     result = readMixSource(source.mixSource, parameters.mix.source, diagnostic);
   return result;
@@ -207,6 +225,7 @@ LichenResult lichenFillMaterial(const LichenMaterialParameters* hostParameters,
                                 LichenDiagnostic* diagnostic) {
   static_assert(sizeof(shader::LichenMaterial) == LICHEN_MATERIAL_BYTES);
   static_assert(sizeof(shader::LichenTriplanarMaterial) == LICHEN_TRIPLANAR_MATERIAL_BYTES);
+  static_assert(sizeof(shader::LichenLayeredMaterial) == LICHEN_LAYERED_MATERIAL_BYTES);
   return guarded(diagnostic, [&] {
     if (destination == nullptr) {
       writeDiagnostic(diagnostic, "destination must not be NULL");
@@ -223,7 +242,7 @@ LichenResult lichenFillMaterial(const LichenMaterialParameters* hostParameters,
     if (result == LICHEN_SUCCESS)
       result = readNoiseSummary(values, summary, diagnostic);
     if (result == LICHEN_SUCCESS)
-      result = readParameters(values, summary.constants, parameters, diagnostic);
+      result = readParameters(values, summary, parameters, diagnostic);
     if (result == LICHEN_SUCCESS)
       result = checkParameters(parameters, info, diagnostic);
     if (result != LICHEN_SUCCESS)
@@ -236,6 +255,15 @@ LichenResult lichenFillMaterial(const LichenMaterialParameters* hostParameters,
     placement.periodTilesX = info.periodTiles[0];
     placement.periodTilesY = info.periodTiles[1];
     placement.maxAnisotropy = double(info.maxAnisotropy);
+    if (summary.layerCount > 1) {
+      std::array<shader::LichenNoise, LICHEN_MAX_LAYERS> layers{summary.constants};
+      std::copy(std::begin(summary.layers), std::end(summary.layers), layers.begin() + 1);
+      const shader::LichenLayeredMaterial filled = shaderLayeredMaterial(
+          std::span(layers).first(summary.layerCount),
+          std::span(summary.indices).first(summary.layerCount - 1), parameters, placement);
+      std::memcpy(destination, &filled, sizeof filled);
+      return LICHEN_SUCCESS;
+    }
     const shader::LichenTriplanarMaterial filled =
         shaderMaterial(summary.constants, parameters, placement);
     std::memcpy(destination, &filled,
@@ -249,12 +277,19 @@ namespace {
 LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& source,
                              LichenMaterialParameters* parameters) {
   NoiseSummary summary{};
-  summary.constants = plan.noises[source.noise].constants.noise;
-  for (const NoiseMap& map : plan.bundle.noises[source.noise].maps) {
-    const bool hasTable = inverseTableOf(map).has_value();
-    summary.mapKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
-    if (map.encoding == ValueEncoding::log2)
-      summary.mapKinds |= kValuesAboveOne;
+  const shader::LichenNoiseConstants& constants = plan.noises[source.noise].constants;
+  summary.constants = constants.noise;
+  std::copy(std::begin(constants.layerNoises), std::end(constants.layerNoises), summary.layers);
+  std::copy(std::begin(constants.indexNoises), std::end(constants.indexNoises), summary.indices);
+  for (const std::size_t layer : layersOf(plan.bundle, source.noise)) {
+    ++summary.layerCount;
+    for (const NoiseMap& map : plan.bundle.noises[layer].maps) {
+      const bool hasTable = inverseTableOf(map).has_value();
+      if (plan.bundle.noises[layer].method() != Method::texton)
+        summary.mapKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
+      if (map.encoding == ValueEncoding::log2)
+        summary.mapKinds |= kValuesAboveOne;
+    }
   }
   summary.checksum = checksumOf(summary);
   LichenMaterialParameters values{};

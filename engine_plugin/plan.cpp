@@ -5,6 +5,7 @@
 
 #include "abi.h"
 
+#include <lichen/layered_noise.h>
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
@@ -76,6 +77,7 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
   result.constants = shaderConstants(plan.bundle, index);
   result.images.fill(noImage);
   result.tables.fill(noTable);
+  result.indices.fill(noImage);
   for (const NoiseMap& map : noise.maps) {
     const std::uint32_t role = roleOf(map.target);
     result.images[role] = std::uint32_t(imageOf(map));
@@ -100,6 +102,25 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
   return result;
 }
 
+/// Places the images of a layered noise's other layers in its slots, and those of its index maps.
+void planLayers(LichenBundle_T& plan, std::size_t index) {
+  const Noise& noise = plan.bundle.noises[index];
+  if (!noise.layers)
+    return;
+  LichenBundle_T::NoisePlan& result = plan.noises[index];
+  for (std::size_t layer = 1; layer <= noise.layers->others.size(); ++layer) {
+    const std::size_t other = noise.layers->others[layer - 1];
+    for (const NoiseMap& map : plan.bundle.noises[other].maps) {
+      const std::uint32_t role = roleOf(map.target);
+      result.images[layerSlot(layer, role)] = plan.noises[other].images[role];
+      result.tables[layerSlot(layer, role)] = plan.noises[other].tables[role];
+    }
+  }
+  for (std::size_t node = 0; node < noise.layers->nodes.size(); ++node)
+    result.indices[node] =
+        std::uint32_t(imageOf(plan.bundle.noises[noise.layers->nodes[node].index].maps.front()));
+}
+
 void planBundle(LichenBundle_T& plan) {
   const auto append = [&](Table table) {
     plan.bundle.tables.push_back(std::move(table));
@@ -112,6 +133,8 @@ void planBundle(LichenBundle_T& plan) {
     plan.fetchedOnly.resize(plan.bundle.tables.size());
     for (std::size_t noise = 0; noise < plan.bundle.noises.size(); ++noise)
       plan.noises.push_back(planNoise(plan, noise, noImage, noTable));
+    for (std::size_t noise = 0; noise < plan.bundle.noises.size(); ++noise)
+      planLayers(plan, noise);
   }
   for (const Table& table : plan.bundle.tables)
     plan.extents.push_back(
@@ -256,12 +279,19 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   const auto* cosines = std::get_if<LocalRandomPhaseNoise>(&source.data);
   values.hasStructure = cosines != nullptr && cosines->structure.columns > 0 ? 1 : 0;
   for (const Mapping mapping : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
-    if (mappingFits(source.method(), mapping) && mappingObstacle(source, mapping).empty())
+    if (mappingObstacle(bundle->bundle, noise, mapping).empty())
       values.mappings |= 1u << mappingNumber(mapping);
   if (const auto* kernels = std::get_if<MultipleKernelsNoise>(&source.data))
     values.kernelKinds = (kernels->rings > 0 ? LICHEN_KERNELS_RINGS : 0u) |
                          (kernels->window != KernelWindow::gabor ? LICHEN_KERNELS_SQUARE : 0u) |
                          (kernels->cosines > 0 ? LICHEN_KERNELS_PATTERN : 0u);
+  std::fill(std::begin(values.layers), std::end(values.layers), LICHEN_NO_NOISE);
+  std::fill(std::begin(values.indices), std::end(values.indices), LICHEN_NO_NOISE);
+  for (const std::size_t layer : layersOf(bundle->bundle, noise))
+    values.layers[values.layerCount++] = std::uint32_t(layer);
+  if (source.layers)
+    for (std::size_t node = 0; node < source.layers->nodes.size(); ++node)
+      values.indices[node] = std::uint32_t(source.layers->nodes[node].index);
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
 }
 
@@ -369,15 +399,21 @@ LichenResult lichenGetSamplerProperties(LichenSamplerUse use, LichenSamplerPrope
 LichenResult lichenGetBinding(LichenBundle bundle, std::uint32_t noise, std::uint32_t index,
                               LichenBinding* binding) {
   static_assert(LICHEN_SET_BINDINGS == LICHEN_BINDING_COUNT);
-  if (bundle == nullptr || noise >= bundle->noises.size() || index >= LICHEN_SET_BINDINGS)
+  static_assert(LICHEN_LAYERED_SET_BINDINGS == LICHEN_LAYERED_BINDING_COUNT);
+  if (bundle == nullptr || noise >= bundle->noises.size() || index >= LICHEN_LAYERED_SET_BINDINGS)
     return LICHEN_ERROR_USAGE;
   const LichenBundle_T::NoisePlan& plan = bundle->noises[noise];
   LichenBinding values{};
   values.binding = index;
-  values.sampler = index == LICHEN_BINDING_TABLE_SAMPLER || index >= LICHEN_BINDING_TABLE(0)
-                       ? LICHEN_SAMPLER_TABLE
-                       : LICHEN_SAMPLER_IMAGE;
-  if (index >= LICHEN_BINDING_TABLE(0)) {
+  const bool isIndex = index >= LICHEN_BINDING_INDEX(0);
+  values.sampler =
+      !isIndex && (index == LICHEN_BINDING_TABLE_SAMPLER || index >= LICHEN_BINDING_TABLE(0))
+          ? LICHEN_SAMPLER_TABLE
+          : LICHEN_SAMPLER_IMAGE;
+  if (isIndex) {
+    values.kind = LICHEN_BINDING_SAMPLED_IMAGE;
+    values.image = plan.indices[index - LICHEN_BINDING_INDEX(0)];
+  } else if (index >= LICHEN_BINDING_TABLE(0)) {
     values.kind = LICHEN_BINDING_SAMPLED_IMAGE;
     values.image = plan.tables[index - LICHEN_BINDING_TABLE(0)];
   } else if (index >= LICHEN_BINDING_IMAGE(0)) {

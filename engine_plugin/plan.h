@@ -23,11 +23,12 @@ struct LichenBundle_T {
   std::vector<bool> showsGreenAsAlpha;
   /// Per table: whether the shader fetches single texels of it only.
   std::vector<bool> fetchedOnly;
-  /// Per noise: its block, and the index of the image and the table of each role, of placeholders
-  /// where the noise lacks them.
+  /// Per noise: its block, and the index of the image and the table of each role, or slot of a
+  /// layered noise, and of the image of each index map: of placeholders where the noise lacks them.
   struct NoisePlan {
     lichen::shader::LichenNoiseConstants constants{};
     std::array<std::uint32_t, LICHEN_MAX_MAPS> images{}, tables{};
+    std::array<std::uint32_t, LICHEN_MAX_LAYER_NODES> indices{};
   };
   std::vector<NoisePlan> noises;
   /// Per material: the revision of its noise, at least 1, if its method or revision is unknown,

@@ -5,6 +5,7 @@
 
 #include <lichen/shader_parameters.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -15,8 +16,9 @@ namespace {
 
 /// What some material needs.
 struct Needs {
-  std::uint32_t roles = 0, methods = 0;      // bits
-  bool tables = false, gaussianOnly = false; // of tiling
+  std::uint32_t roles = 0, methods = 0;       // bits
+  std::uint32_t layers = 1, layerMethods = 0; // the latter without index maps
+  bool tables = false, gaussianOnly = false;  // of tiling
   bool valuesAboveOne = false;
   bool triplanar = false, otherMappings = false, surface = false, solid = false;
   bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
@@ -35,9 +37,9 @@ void addTiling(const LichenMaterialParameters& parameters, Needs& needs) {
   needs.sharpness = needs.sharpness || parameters.blendSharpness != 1.0;
 }
 
-void addTextons(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
+void addTextons(const LichenMaterialParameters& parameters, const shader::LichenNoise& noise,
                 Needs& needs) {
-  const shader::LichenTextonNoise texton = textonPart(noise.constants);
+  const shader::LichenTextonNoise texton = textonPart(noise);
   constexpr std::uint32_t kCubic = 3;
   needs.mixes = needs.mixes || texton.steps > 1;
   needs.poisson = needs.poisson || parameters.pointProcess == LICHEN_POINT_PROCESS_POISSON;
@@ -45,31 +47,43 @@ void addTextons(const LichenMaterialParameters& parameters, const NoiseSummary& 
   needs.nearest = needs.nearest || texton.order == 0;
 }
 
-void addKernels(const NoiseSummary& noise, Needs& needs) {
-  const shader::LichenKernelsNoise kernels = kernelsPart(noise.constants);
+void addKernels(const shader::LichenNoise& noise, Needs& needs) {
+  const shader::LichenKernelsNoise kernels = kernelsPart(noise);
   needs.rings = needs.rings || kernels.rings > 0;
   needs.squares = needs.squares || kernels.window != LICHEN_WINDOW_GABOR;
   needs.patterns = needs.patterns || kernels.cosines > 0;
 }
 
+/// What the method of a layer or of an index map needs.
+void addNoise(const LichenMaterialParameters& parameters, const shader::LichenNoise& noise,
+              Needs& needs) {
+  needs.methods |= 1u << noise.method;
+  if (noise.method == LICHEN_METHOD_TEXTON)
+    addTextons(parameters, noise, needs);
+  if (noise.method == LICHEN_METHOD_TILING)
+    addTiling(parameters, needs);
+  if (noise.method == LICHEN_METHOD_LOCAL_RANDOM_PHASE)
+    needs.structure = needs.structure || cosinesPart(noise).structure != 0;
+  if (noise.method == LICHEN_METHOD_MULTIPLE_KERNELS)
+    addKernels(noise, needs);
+}
+
 void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
                  Needs& needs) {
   needs.roles |= noise.constants.roles;
-  needs.methods |= 1u << noise.constants.method;
+  needs.layers = std::max(needs.layers, noise.layerCount);
   needs.valuesAboveOne = needs.valuesAboveOne || (noise.mapKinds & kValuesAboveOne) != 0;
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? needs.triplanar : needs.otherMappings) = true;
   needs.surface = needs.surface || parameters.mapping == LICHEN_MAPPING_SURFACE;
   needs.solid = needs.solid || parameters.mapping == LICHEN_MAPPING_SOLID;
-  if (noise.constants.method == LICHEN_METHOD_TEXTON)
-    addTextons(parameters, noise, needs);
-  else
-    addTables(noise, needs);
-  if (noise.constants.method == LICHEN_METHOD_TILING)
-    addTiling(parameters, needs);
-  if (noise.constants.method == LICHEN_METHOD_LOCAL_RANDOM_PHASE)
-    needs.structure = needs.structure || cosinesPart(noise.constants).structure != 0;
-  if (noise.constants.method == LICHEN_METHOD_MULTIPLE_KERNELS)
-    addKernels(noise, needs);
+  addTables(noise, needs);
+  addNoise(parameters, noise.constants, needs);
+  needs.layerMethods |= 1u << noise.constants.method;
+  for (std::uint32_t layer = 1; layer < noise.layerCount; ++layer) {
+    addNoise(parameters, noise.layers[layer - 1], needs);
+    needs.layerMethods |= 1u << noise.layers[layer - 1].method;
+    addNoise(parameters, noise.indices[layer - 1], needs);
+  }
 }
 
 std::string switchesOf(const Needs& needs) {
@@ -77,6 +91,11 @@ std::string switchesOf(const Needs& needs) {
   std::snprintf(bits, sizeof bits, "-DLICHEN_ROLES=%u -DLICHEN_METHODS=%u", needs.roles,
                 needs.methods);
   std::string text = bits;
+  if (needs.layers > 1) {
+    std::snprintf(bits, sizeof bits, " -DLICHEN_LAYERS=%u -DLICHEN_LAYER_METHODS=%u", needs.layers,
+                  needs.layerMethods);
+    text += bits;
+  }
   const auto unless = [&](bool isNeeded, const char* name) {
     if (!isNeeded)
       text += std::string(" -DLICHEN_") + name;
@@ -94,7 +113,7 @@ std::string switchesOf(const Needs& needs) {
   }
   if ((needs.methods & ~(1u << LICHEN_METHOD_TEXTON)) != 0) {
     unless(needs.tables, "TABLES=0");
-    unless(needs.gaussianOnly, "GAUSSIAN_ONLY=0");
+    unless(needs.gaussianOnly || !needs.tables, "GAUSSIAN_ONLY=0"); // not both: index maps
   }
   if (has(LICHEN_METHOD_TILING)) {
     unless(needs.rotation, "TILE_ROTATION=0");

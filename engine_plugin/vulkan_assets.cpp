@@ -246,12 +246,16 @@ void planNoise(LichenVulkanAssets_T& assets, LichenBundle bundle, std::uint32_t 
   LichenBinding binding;
   LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
   std::size_t image = 0;
-  for (std::uint32_t i = 0; i < LICHEN_SET_BINDINGS; ++i) {
+  for (std::uint32_t i = 0; i < LICHEN_LAYERED_SET_BINDINGS; ++i) {
     (void)lichenGetBinding(bundle, index, i, &binding); // noise and index are in range
     if (binding.kind == LICHEN_BINDING_SAMPLED_IMAGE)
       assets.noises[index].imageInfos[image++] = {VK_NULL_HANDLE, assets.images[binding.image].view,
                                                   VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
   }
+  LichenNoiseProperties noise;
+  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  (void)lichenGetNoiseProperties(bundle, index, &noise);
+  assets.noises[index].isLayered = noise.layerCount > 1;
 }
 
 } // namespace
@@ -489,6 +493,13 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
     }
     const LichenVulkanContext_T& context = *assets->context;
     const LichenVulkanAssets_T::Noise& source = assets->noises[noise];
+    if (source.isLayered && !context.hasLayers) {
+      writeDiagnostic(diagnostic,
+                      "noise %u is layered; create the context with the flag "
+                      "LICHEN_VULKAN_LAYERS",
+                      noise);
+      return LICHEN_ERROR_USAGE;
+    }
     VkDescriptorSetAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
     info.descriptorPool = pool;
@@ -502,7 +513,7 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
     const VkDescriptorBufferInfo constants{
         assets->constants, noise * VkDeviceSize(LICHEN_NOISE_BYTES), LICHEN_NOISE_BYTES};
     // Samplers are immutable. The images' bindings follow each other: LICHEN_BINDING_*.
-    std::array<VkWriteDescriptorSet, 2 + LICHEN_SET_IMAGES> writes{};
+    std::array<VkWriteDescriptorSet, 2 + LICHEN_LAYERED_SET_IMAGES> writes{};
     for (VkWriteDescriptorSet& write : writes) {
       write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
       write.dstSet = created;
@@ -515,12 +526,12 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
     writes[1].dstBinding = context.firstBinding + LICHEN_BINDING_MATERIAL;
     writes[1].descriptorType = context.materialType;
     writes[1].pBufferInfo = material;
-    for (std::uint32_t i = 0; i < LICHEN_SET_IMAGES; ++i) {
+    const std::uint32_t images = setImages(context);
+    for (std::uint32_t i = 0; i < images; ++i) {
       writes[2 + i].dstBinding = context.firstBinding + LICHEN_BINDING_IMAGE(0) + i;
       writes[2 + i].pImageInfo = &source.imageInfos[i];
     }
-    context.functions.updateDescriptorSets(context.device, std::uint32_t(writes.size()),
-                                           writes.data(), 0, nullptr);
+    context.functions.updateDescriptorSets(context.device, 2 + images, writes.data(), 0, nullptr);
     *set = created;
     return LICHEN_SUCCESS;
   });
@@ -534,6 +545,6 @@ LichenResult lichenVulkanGetDescriptors(LichenVulkanAssets assets, std::uint32_t
     return LICHEN_ERROR_USAGE;
   *constants = {assets->constants, noise * VkDeviceSize(LICHEN_NOISE_BYTES), LICHEN_NOISE_BYTES};
   const auto& source = assets->noises[noise].imageInfos;
-  std::copy(source.begin(), source.end(), images);
+  std::copy_n(source.begin(), setImages(*assets->context), images);
   return LICHEN_SUCCESS;
 }

@@ -96,9 +96,10 @@ LichenResult checkInfo(const LichenVulkanInfo& info, LichenDiagnostic* diagnosti
     writeDiagnostic(diagnostic, "physicalDevice and device must not be VK_NULL_HANDLE");
     return LICHEN_ERROR_USAGE;
   }
-  if (info.flags & ~std::uint32_t(LICHEN_VULKAN_DYNAMIC_UNIFORMS)) {
+  constexpr std::uint32_t kFlags = LICHEN_VULKAN_DYNAMIC_UNIFORMS | LICHEN_VULKAN_LAYERS;
+  if (info.flags & ~kFlags) {
     writeDiagnostic(diagnostic, "flags 0x%x has unknown bits; the LichenVulkanFlags bits are 0x%x",
-                    info.flags, unsigned(LICHEN_VULKAN_DYNAMIC_UNIFORMS));
+                    info.flags, kFlags);
     return LICHEN_ERROR_USAGE;
   }
   if (!(info.maxAnisotropy >= 0.0f && double(info.maxAnisotropy) <= kMostAnisotropy)) {
@@ -106,10 +107,12 @@ LichenResult checkInfo(const LichenVulkanInfo& info, LichenDiagnostic* diagnosti
                     double(info.maxAnisotropy), kMostAnisotropy);
     return LICHEN_ERROR_USAGE;
   }
-  if (info.firstBinding > UINT32_MAX - LICHEN_SET_BINDINGS) {
+  const bool hasLayers = (info.flags & LICHEN_VULKAN_LAYERS) != 0;
+  const std::uint32_t bindings = hasLayers ? LICHEN_LAYERED_SET_BINDINGS : LICHEN_SET_BINDINGS;
+  if (info.firstBinding > UINT32_MAX - bindings) {
     writeDiagnostic(diagnostic,
                     "firstBinding %u is too large; a noise needs %u consecutive binding numbers",
-                    info.firstBinding, unsigned(LICHEN_SET_BINDINGS));
+                    info.firstBinding, bindings);
     return LICHEN_ERROR_USAGE;
   }
   return LICHEN_SUCCESS;
@@ -149,8 +152,8 @@ VkResult createSampler(LichenVulkanContext_T& context, LichenSamplerUse use, flo
 
 /// The layout of every noise's set.
 VkResult createSetLayout(LichenVulkanContext_T& context) {
-  std::array<VkDescriptorSetLayoutBinding, LICHEN_SET_BINDINGS> bindings{};
-  for (std::uint32_t i = 0; i < LICHEN_SET_BINDINGS; ++i) {
+  std::array<VkDescriptorSetLayoutBinding, LICHEN_LAYERED_SET_BINDINGS> bindings{};
+  for (std::uint32_t i = 0; i < LICHEN_LAYERED_SET_BINDINGS; ++i) {
     bindings[i].binding = context.firstBinding + i;
     bindings[i].descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
     bindings[i].descriptorCount = 1;
@@ -165,7 +168,7 @@ VkResult createSetLayout(LichenVulkanContext_T& context) {
   }
   VkDescriptorSetLayoutCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-  info.bindingCount = std::uint32_t(bindings.size());
+  info.bindingCount = context.hasLayers ? LICHEN_LAYERED_SET_BINDINGS : LICHEN_SET_BINDINGS;
   info.pBindings = bindings.data();
   return create(context, context.functions.createDescriptorSetLayout, info, context.setLayout);
 }
@@ -195,8 +198,8 @@ LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* 
   case VK_ERROR_FRAGMENTED_POOL:
     writeDiagnostic(diagnostic,
                     "%s: the descriptor pool is too small: a set takes 2 uniform buffers, 2 "
-                    "samplers and %d sampled images",
-                    what, LICHEN_SET_IMAGES);
+                    "samplers and %d sampled images, with LICHEN_VULKAN_LAYERS %d",
+                    what, LICHEN_SET_IMAGES, LICHEN_LAYERED_SET_IMAGES);
     return LICHEN_ERROR_OUT_OF_POOL_MEMORY;
   default:
     writeDiagnostic(diagnostic, "%s: VkResult %d", what, int(result));
@@ -235,6 +238,7 @@ LichenResult lichenVulkanCreateContext(const LichenVulkanInfo* hostInfo,
     if (!newContext->hostAllocates)
       newContext->functions.getPhysicalDeviceMemoryProperties(info.physicalDevice,
                                                               &newContext->memory);
+    newContext->hasLayers = (info.flags & LICHEN_VULKAN_LAYERS) != 0;
     newContext->materialType = (info.flags & LICHEN_VULKAN_DYNAMIC_UNIFORMS)
                                    ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC
                                    : VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;

@@ -21,6 +21,7 @@ struct LichenVulkanContext_T {
   VkDescriptorType materialType;
   std::uint32_t firstBinding;
   VkShaderStageFlags stages;
+  bool hasLayers;                    // LICHEN_VULKAN_LAYERS
   std::array<VkSampler, 2> samplers; // indexed by LichenSamplerUse
   VkDescriptorSetLayout setLayout;   // null where the host has given no functions for sets
   LichenVulkanAssets retired;        // head of a linked list
@@ -44,7 +45,8 @@ struct LichenVulkanAssets_T {
     std::optional<LichenDeviceMemory> stagingMemory;
   };
   struct Noise {
-    std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> imageInfos{}; // images, then tables
+    std::array<VkDescriptorImageInfo, LICHEN_LAYERED_SET_IMAGES> imageInfos{}; // by binding
+    bool isLayered = false;
   };
 
   explicit LichenVulkanAssets_T(LichenVulkanContext owner) : context(owner) {}
@@ -65,6 +67,11 @@ struct LichenVulkanAssets_T {
 };
 
 namespace lichen::plugin {
+
+/// Sampled images of a set.
+inline std::uint32_t setImages(const LichenVulkanContext_T& context) {
+  return context.hasLayers ? LICHEN_LAYERED_SET_IMAGES : LICHEN_SET_IMAGES;
+}
 
 /// Returns the result code for a failed Vulkan call, and writes its diagnostic.
 LichenResult vulkanFailure(const char* what, VkResult result, LichenDiagnostic* diagnostic);

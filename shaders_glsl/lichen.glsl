@@ -8,6 +8,7 @@
 //   LICHEN_SET            the descriptor set that the plugin fills
 //   LICHEN_FIRST_BINDING  its first binding (0)
 //   LICHEN_ROLES          bit r: some noise has a map of role r (63, all); others are never there
+//   LICHEN_LAYERS         most layers of a noise, 1 to 4 (1, no noise is layered)
 // which gives lichenNoise, lichenMaps[role] and lichenMaterial,
 // LICHEN_POINT(uv, gradientX, gradientY), where the noise is evaluated, or of other mappings
 // LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal),
@@ -15,8 +16,12 @@
 // LICHEN_POINT_SOLID(position, gradientX, gradientY),
 // LICHEN_HAS(role), whether the noise has that map,
 // LICHEN_VALUE(role, point), its value there, whatever the noise's method,
-// LICHEN_GRADIENT(role, uv, gradientX, gradientY), a value and its derivatives for bumps, and
-// LICHEN_IMAGE(role) and LICHEN_TABLE(role), which other functions take.
+// LICHEN_GRADIENT(role, uv, gradientX, gradientY), a value and its derivatives for bumps (without
+// layers), LICHEN_SHADING_POINT, the type of a point, and
+// LICHEN_IMAGE(role) and LICHEN_TABLE(role), which other functions take (likewise).
+// Shaders with LICHEN_LAYERS above 1 draw layered noises alone, which are not mapped onto surfaces;
+// LICHEN_POINT_ANYWHERE(uv, gradientX, gradientY, position, gradientX, gradientY, normal) is a point
+// of a material with any mapping.
 //
 // A host that knows more at compile time leaves out what it does not need: less code to run. The
 // switches are in README.md.
@@ -37,6 +42,12 @@ layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
                                    LICHEN_BINDING_IMAGE_SAMPLER) uniform sampler lichenImageSampler;
 layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
                                    LICHEN_BINDING_TABLE_SAMPLER) uniform sampler lichenTableSampler;
+#ifndef LICHEN_LAYERS
+#define LICHEN_LAYERS 1
+#endif
+#if LICHEN_LAYERS > 1
+#include "interface/layer_images.glsl"
+#else
 #define LICHEN_IMAGE_2D texture2D
 #define LICHEN_IMAGE_3D texture3D
 #define LICHEN_SAMPLE_2D(image, uv, level)                                                         \
@@ -47,6 +58,7 @@ layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
   textureLod(sampler3D(image, lichenTableSampler), uvw, level)
 #define LICHEN_FETCH_2D(image, texel) texelFetch(sampler2D(image, lichenImageSampler), texel, 0)
 #define LICHEN_GATHER_2D(image, uv) textureGather(sampler2D(image, lichenImageSampler), uv, 0)
+#endif
 #endif
 
 #include "mapping/mix.glsl"
@@ -60,12 +72,22 @@ layout(std140, set = LICHEN_SET,
        binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_NOISE) uniform LichenNoiseBlock {
   LichenNoise lichenNoise;
   LichenMap lichenMaps[LICHEN_MAX_MAPS];
+#if LICHEN_LAYERS > 1
+  LichenLayers lichenLayers;
+  LichenNoise lichenLayerNoises[LICHEN_MAX_LAYERS - 1];
+  LichenNoise lichenIndexNoises[LICHEN_MAX_LAYER_NODES];
+  LichenMap lichenIndexMaps[LICHEN_MAX_LAYER_NODES];
+#endif
 };
 layout(std140, set = LICHEN_SET,
        binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_MATERIAL) uniform LichenMaterialBlock {
   LichenMaterial lichenMaterial;
-#ifndef LICHEN_OMIT_TRIPLANAR
+#if !defined(LICHEN_OMIT_TRIPLANAR) || LICHEN_LAYERS > 1
   LichenPlane lichenPlaneY, lichenPlaneZ;
+#endif
+#if LICHEN_LAYERS > 1
+  LichenTriplanarMaterial lichenLayerMaterials[LICHEN_MAX_LAYERS - 1];
+  LichenTriplanarMaterial lichenIndexMaterials[LICHEN_MAX_LAYER_NODES];
 #endif
 };
 
@@ -75,45 +97,45 @@ layout(std140, set = LICHEN_SET,
   layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_TABLE(role))            \
       uniform texture3D lichenTable##role
 
-#define LICHEN_VALUE_HERE(role, shading)                                                           \
-  lichenValue(lichenImage##role, lichenTable##role, shading, lichenMapOf(role, lichenMaps[role]))
-
+#if LICHEN_LAYERS == 1
 #if (LICHEN_ROLES & 1) != 0
 LICHEN_DECLARE_ROLE(0);
-#define LICHEN_VALUE_0(shading) LICHEN_VALUE_HERE(0, shading)
-#else
-#define LICHEN_VALUE_0(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 2) != 0
 LICHEN_DECLARE_ROLE(1);
-#define LICHEN_VALUE_1(shading) LICHEN_VALUE_HERE(1, shading)
-#else
-#define LICHEN_VALUE_1(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 4) != 0
 LICHEN_DECLARE_ROLE(2);
-#define LICHEN_VALUE_2(shading) LICHEN_VALUE_HERE(2, shading)
-#else
-#define LICHEN_VALUE_2(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 8) != 0
 LICHEN_DECLARE_ROLE(3);
-#define LICHEN_VALUE_3(shading) LICHEN_VALUE_HERE(3, shading)
-#else
-#define LICHEN_VALUE_3(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 16) != 0
 LICHEN_DECLARE_ROLE(4);
-#define LICHEN_VALUE_4(shading) LICHEN_VALUE_HERE(4, shading)
-#else
-#define LICHEN_VALUE_4(shading) vec4(0.0)
 #endif
 #if (LICHEN_ROLES & 32) != 0
 LICHEN_DECLARE_ROLE(5);
-#define LICHEN_VALUE_5(shading) LICHEN_VALUE_HERE(5, shading)
-#else
-#define LICHEN_VALUE_5(shading) vec4(0.0)
 #endif
+#endif
+
+#if LICHEN_LAYERS > 1
+#define LICHEN_VALUE_ROLES (LICHEN_ROLES & 7)
+#include "mapping/layered.glsl"
+#define LICHEN_VALUE_HERE(role, shading) shading.values[role]
+#define LICHEN_SHADING_POINT LichenLayeredPoint
+#define LICHEN_POINT(uv, gradientX, gradientY) lichenLayeredUv(uv, gradientX, gradientY)
+#define LICHEN_POINT_ANYWHERE(uv, uvGradientX, uvGradientY, position, gradientX, gradientY,        \
+                              normal)                                                              \
+  lichenLayeredAnywhere(uv, uvGradientX, uvGradientY, position, gradientX, gradientY, normal)
+#define LICHEN_POINT_SOLID(position, gradientX, gradientY)                                         \
+  lichenLayeredInSpace(position, gradientX, gradientY, vec3(0.0))
+#define LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal)                             \
+  lichenLayeredInSpace(position, gradientX, gradientY, normal)
+#else
+#define LICHEN_VALUE_ROLES LICHEN_ROLES
+#define LICHEN_VALUE_HERE(role, shading)                                                           \
+  lichenValue(lichenImage##role, lichenTable##role, shading, lichenMapOf(role, lichenMaps[role]))
+#define LICHEN_SHADING_POINT LichenShadingPoint
 
 #define LICHEN_POINT(uv, gradientX, gradientY)                                                     \
   lichenPointUvGrad(uv, gradientX, gradientY, lichenMaterial, lichenNoise)
@@ -137,8 +159,40 @@ LICHEN_DECLARE_ROLE(5);
                            LichenTriplanarMaterial(lichenMaterial, lichenPlaneY, lichenPlaneZ),    \
                            lichenNoise)
 #endif
+#endif
 
-#define LICHEN_HAS(role) ((((lichenNoise.roles & uint(LICHEN_ROLES)) >> uint(role)) & 1u) != 0u)
+#if (LICHEN_VALUE_ROLES & 1) != 0
+#define LICHEN_VALUE_0(shading) LICHEN_VALUE_HERE(0, shading)
+#else
+#define LICHEN_VALUE_0(shading) vec4(0.0)
+#endif
+#if (LICHEN_VALUE_ROLES & 2) != 0
+#define LICHEN_VALUE_1(shading) LICHEN_VALUE_HERE(1, shading)
+#else
+#define LICHEN_VALUE_1(shading) vec4(0.0)
+#endif
+#if (LICHEN_VALUE_ROLES & 4) != 0
+#define LICHEN_VALUE_2(shading) LICHEN_VALUE_HERE(2, shading)
+#else
+#define LICHEN_VALUE_2(shading) vec4(0.0)
+#endif
+#if (LICHEN_VALUE_ROLES & 8) != 0
+#define LICHEN_VALUE_3(shading) LICHEN_VALUE_HERE(3, shading)
+#else
+#define LICHEN_VALUE_3(shading) vec4(0.0)
+#endif
+#if (LICHEN_VALUE_ROLES & 16) != 0
+#define LICHEN_VALUE_4(shading) LICHEN_VALUE_HERE(4, shading)
+#else
+#define LICHEN_VALUE_4(shading) vec4(0.0)
+#endif
+#if (LICHEN_VALUE_ROLES & 32) != 0
+#define LICHEN_VALUE_5(shading) LICHEN_VALUE_HERE(5, shading)
+#else
+#define LICHEN_VALUE_5(shading) vec4(0.0)
+#endif
+
+#define LICHEN_HAS(role) ((((lichenNoise.roles & uint(LICHEN_VALUE_ROLES)) >> uint(role)) & 1u) != 0u)
 
 // Twice, so that a role's name becomes its number before it is pasted.
 #define LICHEN_IMAGE(role) LICHEN_IMAGE_OF(role)

@@ -40,6 +40,7 @@ using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addCompare(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addCook(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addInspect(CLI::App& verb, const SharedOptions& shared);
+[[nodiscard]] Runner addLayer(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addMerge(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addMix(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addSynth(CLI::App& verb, const SharedOptions& shared);

@@ -11,6 +11,8 @@
 #include "noise_choice.h"
 #include "options.h"
 
+#include <lichen/layered_noise.h>
+
 #include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -55,16 +57,6 @@ struct Outcome {
   std::vector<MeshFrames> frames;
   std::vector<std::string> notes;
 };
-
-/// Splits BUNDLE:NAME at the last colon, if the part before it is a file and the whole text is not.
-std::pair<std::string, std::string> splitNoise(const std::string& text) {
-  std::error_code ignored;
-  const std::size_t colon = text.rfind(':');
-  if (colon == std::string::npos || std::filesystem::exists(text, ignored) ||
-      !std::filesystem::exists(text.substr(0, colon), ignored))
-    return {text, ""};
-  return {text.substr(0, colon), text.substr(colon + 1)};
-}
 
 /// Returns the parameters of the bundle's first material that uses the noise, since the user has
 /// seen the noise with them; the options override them.
@@ -210,6 +202,11 @@ Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
   const Noise& noise = bundle.value().noises[index.value()];
   if (Result<void> fits = checkMapping(noise, arguments.mapping); !fits)
     return fits.error();
+  if (const std::string obstacle =
+          mappingObstacle(bundle.value(), index.value(), arguments.mapping);
+      !obstacle.empty()) // of another layer
+    return Error{ErrorKind::usage,
+                 fmt::format("--mapping {}: {}", nameOf(arguments.mapping), obstacle)};
   if (Result<void> fits = checkMethodOptions(arguments, noise); !fits)
     return fits.error();
   return ChosenNoise{std::move(bundle).value(), index.value()};

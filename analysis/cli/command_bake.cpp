@@ -5,6 +5,7 @@
 #include "command.h"
 #include "exemplar_options.h"
 #include "html_report.h"
+#include "layers_option.h"
 #include "method_choice.h"
 #include "methods/method_command.h"
 #include "noise_name.h"
@@ -40,6 +41,7 @@ struct Arguments {
   int bits = 0; ///< per channel of the tables
   CommonOptions common;
   MethodOptions methods;
+  LayersOption layers;
   const CLI::App* verb = nullptr;
   PreviewShape preview{};
   std::string report;
@@ -49,6 +51,8 @@ struct Arguments {
 
 /// Checks that the user gave no options of another method than the chosen one.
 Result<void> checkMethodOptions(const Arguments& arguments) {
+  if (!arguments.layers.labels.empty() && arguments.layers.count)
+    return Error{ErrorKind::usage, "--layers: given with --labels; expected one of the two"};
   if (!arguments.wanted) {
     if (arguments.common.spectrum)
       return Error{ErrorKind::usage, "--spectrum: auto compares with the exemplar; expected a "
@@ -135,29 +139,45 @@ Result<Judged> readAndJudge(Arguments& arguments, Notes& notes) {
                 std::move(read).value().origins};
 }
 
-Result<MethodBake> bakeNoise(const Arguments& arguments, const Judged& exemplar, Notes& notes,
-                             ProgressLine& progress) {
-  Result<MethodBake> baked = arguments.chosen().bake(
-      {exemplar.name, exemplar.maps, exemplar.borders, arguments.bits, progress.asProgress()});
-  if (!baked)
-    return baked;
-  for (const std::string& line : baked.value().notes)
+/// The noise, noise 0 of the bundle, and what the method reports of it.
+Result<LayeredBake> bakeNoise(const Arguments& arguments, const Judged& exemplar, Notes& notes,
+                              ProgressLine& progress) {
+  const auto bake = [&](std::span<const MapExemplar> maps) {
+    return arguments.chosen().bake(
+        {exemplar.name, maps, exemplar.borders, arguments.bits, progress.asProgress()});
+  };
+  LayeredBake result;
+  if (arguments.layers.isGiven()) {
+    Result<LayeredBake> layered =
+        bakeLayers(arguments.layers, exemplar.name, exemplar.maps, bake);
+    if (!layered)
+      return layered;
+    result = std::move(layered).value();
+  } else {
+    Result<MethodBake> baked = bake(exemplar.maps);
+    if (!baked)
+      return baked.error();
+    result.about = std::move(baked).value();
+    result.bundle.noises.push_back(std::move(result.about.noise));
+    result.bundle.tables = std::move(result.about.tables);
+  }
+  for (const std::string& line : result.about.notes)
     notes.add(line);
-  if (baked.value().bordersWereBlended && arguments.exemplar.set.periodic == Periodic::detect)
+  if (result.about.bordersWereBlended && arguments.exemplar.set.periodic == Periodic::detect)
     notes.add("the exemplar's borders do not fit together; the bake blends them");
-  return baked;
+  return result;
 }
 
-Result<BundleFile> makeBundleFile(const Arguments& arguments, MethodBake& bake) {
+Result<BundleFile> makeBundleFile(const Arguments& arguments, LayeredBake& bake) {
   BundleFile file;
   file.shape = arguments.preview;
   file.generator = "lichen " LICHEN_VERSION;
-  bake.noise.tileSizeMetres = arguments.tileMetres;
-  MaterialNoise material = bake.material;
+  file.bundle = std::move(bake.bundle);
+  for (Noise& noise : file.bundle.noises)
+    noise.tileSizeMetres = arguments.tileMetres;
+  MaterialNoise material = bake.about.material;
   material.seed = arguments.seed;
-  file.bundle.tables = std::move(bake.tables);
-  file.bundle.materialNames = {bake.noise.name};
-  file.bundle.noises = {std::move(bake.noise)};
+  file.bundle.materialNames = {file.bundle.noises.front().name};
   file.bundle.materials = {material};
 
   Result<PreviewImages> previews = previewImages(file.bundle, material);
@@ -210,16 +230,16 @@ Result<int> run(Arguments& arguments) {
   times.end("Reading and judging the images");
 
   ProgressLine progress("bake", arguments.shared);
-  Result<MethodBake> baked = bakeNoise(arguments, exemplar.value(), notes, progress);
+  Result<LayeredBake> baked = bakeNoise(arguments, exemplar.value(), notes, progress);
   if (!baked)
     return baked.error();
   times.end("Baking the noise");
-  MethodBake& bake = baked.value();
-  const Result<BundleFile> file = makeBundleFile(arguments, bake);
+  MethodBake& bake = baked.value().about;
+  const Result<BundleFile> file = makeBundleFile(arguments, baked.value());
   if (!file)
     return file.error();
   const Bundle& bundle = file.value().bundle;
-  if (arguments.shared.json) {
+  if (arguments.shared.json && !arguments.layers.isGiven()) {
     const Result<nlohmann::ordered_json> measured = arguments.chosen().measure(bundle, maps, bake);
     if (!measured)
       return measured.error();
@@ -285,6 +305,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "frequency 0 in the middle and a cycle per tile a pixel; or rings FROM:TO and bands "
       "LEFT:RIGHT:TOP:BOTTOM in cycles per tile")
       .group("Local random phase and multiple kernels");
+  addLayersOption(verb, arguments->layers);
   arguments->verb = &verb;
   verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };

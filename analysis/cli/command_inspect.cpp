@@ -10,6 +10,7 @@
 #include <lichen/counted.h>
 #include <lichen/files.h>
 #include <lichen/gltf_container.h>
+#include <lichen/layered_noise.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -137,6 +138,13 @@ Json describe(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   return json;
 }
 
+std::vector<std::string> layerNames(const Bundle& bundle, std::size_t noise) {
+  std::vector<std::string> names;
+  for (const std::size_t layer : layersOf(bundle, noise))
+    names.push_back(bundle.noises[layer].name);
+  return names;
+}
+
 Json describe(const Bundle& bundle, std::size_t index) {
   const Noise& noise = bundle.noises[index];
   Json maps = Json::array();
@@ -154,6 +162,14 @@ Json describe(const Bundle& bundle, std::size_t index) {
             {"maps", maps},
             {"materials", materials}};
   commandOf(noise).describe(noise, json);
+  if (noise.layers) {
+    Json nodes = Json::array();
+    for (const LayerNode& node : noise.layers->nodes)
+      nodes.push_back({{"index", bundle.noises[node.index].name},
+                       {"proportion", node.proportion},
+                       {"softness", node.softness}});
+    json["layers"] = {{"noises", layerNames(bundle, index)}, {"nodes", nodes}};
+  }
   return json;
 }
 
@@ -256,6 +272,12 @@ void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t ind
                   commandOf(noise).fetchesVary() ? "about " : "", fetchesPerPixel(bundle, index)));
   for (const std::string& line : commandOf(noise).linesOf(noise, materialOf(bundle, index)))
     say(shared, "  " + line);
+  if (noise.layers) {
+    say(shared, fmt::format("  layers: {}", fmt::join(layerNames(bundle, index), ", ")));
+    for (const LayerNode& node : noise.layers->nodes)
+      say(shared, fmt::format("    {}: {:.3g} of the area above, softness {:g}",
+                              bundle.noises[node.index].name, node.proportion, node.softness));
+  }
   for (const NoiseMap& map : noise.maps)
     sayMap(shared, bundle, index, map);
   for (std::size_t m = 0; m < bundle.materials.size(); ++m)

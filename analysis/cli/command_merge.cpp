@@ -83,13 +83,13 @@ Result<int> run(const Arguments& arguments) {
   if (Result<void> checked = checkTexCoords(file.bundle, file.shape); !checked)
     return checked.error();
   ProgressLine progress("merge", arguments.shared);
-  const std::size_t noises = file.bundle.noises.size();
-  for (std::size_t n = 0; n < noises; ++n) {
-    Result<PreviewImages> images = previewImages(file.bundle, *file.bundle.materials[n]);
+  const std::size_t materials = file.bundle.materials.size();
+  for (std::size_t m = 0; m < materials; ++m) {
+    Result<PreviewImages> images = previewImages(file.bundle, *file.bundle.materials[m]);
     if (!images)
       return images.error();
     file.previews.push_back(std::move(images).value());
-    progress.show(double(n + 1) / double(noises));
+    progress.show(double(m + 1) / double(materials));
   }
   if (Result<void> written = writeBundle(arguments.output, file); !written)
     return written.error();

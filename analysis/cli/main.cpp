@@ -36,6 +36,7 @@ constexpr Verb kVerbs[] = {
     {"check", "Find faults in a bundle", addCheck},
     {"compare", "Measure a result against its exemplar", addCompare},
     {"merge", "Put several noises into one bundle", addMerge},
+    {"layer", "Combine noises into one in which they alternate", addLayer},
     {"cook", "Write a bundle as one flat file for the engine plugin", addCook},
     {"apply", "Put a noise on the materials of a scene", addApply},
 };

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace lichen::cli {
 namespace {
@@ -33,6 +34,15 @@ Result<std::size_t> indexOf(const std::string& wanted, const std::vector<std::st
     return wanted.empty() ? 0 : std::size_t(found - names.begin());
   return Error{ErrorKind::usage, fmt::format("{} {}: {} has no such {}; expected {}", option,
                                              wanted, owner, option.substr(2), alternatives(names))};
+}
+
+std::pair<std::string, std::string> splitNoise(const std::string& text) {
+  std::error_code ignored;
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos || std::filesystem::exists(text, ignored) ||
+      !std::filesystem::exists(text.substr(0, colon), ignored))
+    return {text, ""};
+  return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
 Error noNoiseIn(const std::string& file) {

@@ -5,6 +5,7 @@
 #include <lichen/bundle.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lichen::cli {
@@ -14,6 +15,9 @@ namespace lichen::cli {
 [[nodiscard]] Result<std::size_t> indexOf(const std::string& wanted,
                                           const std::vector<std::string>& names,
                                           const std::string& option, const std::string& owner);
+
+/// Splits BUNDLE:NAME at the last colon, if the part before it is a file and the whole text is not.
+[[nodiscard]] std::pair<std::string, std::string> splitNoise(const std::string& text);
 
 /// The badInput error for a file that has no noise of any revision.
 [[nodiscard]] Error noNoiseIn(const std::string& file);

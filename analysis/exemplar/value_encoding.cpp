@@ -18,6 +18,7 @@ float decoded(float value, ValueEncoding encoding) {
     return std::exp2(value) - 1.0f;
   case ValueEncoding::linear:
   case ValueEncoding::slope:
+  case ValueEncoding::index:
     return value;
   }
   return value;
@@ -33,6 +34,7 @@ float encoded(float value, ValueEncoding encoding) {
     return std::log2(value + 1.0f);
   case ValueEncoding::linear:
   case ValueEncoding::slope:
+  case ValueEncoding::index:
     return value;
   }
   return value;

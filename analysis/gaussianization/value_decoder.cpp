@@ -71,7 +71,8 @@ Value ValueDecoder::decode(const Value& gaussian, float contrast, bool nearestLe
   const float lost = gaussian[3];
   const float within = std::min(contrast, 1.0f);
   const float scaled = contrast * contrast * lost;
-  if (constants_.decoding == LICHEN_DECODING_GAUSSIAN)
+  if (constants_.decoding == LICHEN_DECODING_GAUSSIAN ||
+      constants_.encoding == LICHEN_ENCODING_INDEX)
     return decodedGaussian(constants_, {gaussian[0], gaussian[1], gaussian[2]},
                            {scaled, scaled, scaled});
   Value value = decodeTable(gaussian, within * within * lost, nearestLevel);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Bundle, material and point -> value, by the noise's method. The CPU twin of
 // shaders_glsl/mapping/uv.glsl and noise/tile_frame.glsl.
+#include "layered_evaluator.h"
 #include "method_analysis.h"
+
+#include <lichen/layered_noise.h>
 
 #include <cmath>
 
@@ -14,17 +17,16 @@ NoiseEvaluator::create(const Bundle& bundle, const MaterialNoise& material,
     return Error{ErrorKind::usage, "noise " + std::to_string(material.noise) + ": the bundle has " +
                                        std::to_string(bundle.noises.size())};
   const Noise& noise = bundle.noises[material.noise];
-  if (!mappingFits(noise.method(), material.mapping))
-    return Error{ErrorKind::usage,
-                 "noise '" + noise.name + "' of the method " + std::string(nameOf(noise.method())) +
-                     " does not fit the mapping " + std::string(nameOf(material.mapping))};
-  if (const std::string_view obstacle = mappingObstacle(noise, material.mapping); !obstacle.empty())
-    return Error{ErrorKind::usage, "noise '" + noise.name + "' does not fit the mapping " +
-                                       std::string(nameOf(material.mapping)) + ": " +
-                                       std::string(obstacle)};
+  if (const std::string obstacle = mappingObstacle(bundle, material.noise, material.mapping);
+      !obstacle.empty())
+    return Error{ErrorKind::usage, obstacle};
   return withinMemory(
       [&] { return "noise '" + noise.name + "': not enough memory for its tables"; },
-      [&] { return analysisOf(noise.method()).evaluator(bundle, material, placement, options); });
+      [&] {
+        return noise.layers
+                   ? layeredEvaluator(bundle, material, placement, options)
+                   : analysisOf(noise.method()).evaluator(bundle, material, placement, options);
+      });
 }
 
 NoiseEvaluator::NoiseEvaluator(const Noise& noise, const shader::LichenTriplanarMaterial& constants)

@@ -57,6 +57,7 @@ double spanOf(const MapExemplar& map) {
   case ValueEncoding::srgb:
   case ValueEncoding::root:
   case ValueEncoding::linear:
+  case ValueEncoding::index:
     break;
   case ValueEncoding::slope:
     return 2.0;

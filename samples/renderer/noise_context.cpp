@@ -35,7 +35,7 @@ void checkLichen(LichenResult result) {
 Result<void> fitsDescriptors(const VkPhysicalDeviceLimits& limits) {
   // Of a frame all but its block, of a material its textures, and of a noise two samplers.
   constexpr std::uint32_t kOwn = FRAME_BINDINGS - 1 + MATERIAL_TEXTURES;
-  constexpr std::uint32_t kSamplers = kOwn + 2, kImages = kOwn + LICHEN_SET_IMAGES;
+  constexpr std::uint32_t kSamplers = kOwn + 2, kImages = kOwn + LICHEN_LAYERED_SET_IMAGES;
   const auto tooFew = [](const char* what, std::uint32_t has, std::uint32_t needed) {
     return Error{ErrorKind::environment, "this device has " + std::to_string(has) + " " + what +
                                              " a shader stage; the renderer needs " +
@@ -55,7 +55,8 @@ NoiseContext::NoiseContext(VulkanDevice& device) {
   auto diagnostic = lichenStruct<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
   auto info = lichenStruct<LichenVulkanInfo>(LICHEN_STRUCTURE_VULKAN_INFO);
   info.headerVersion = LICHEN_HEADER_VERSION;
-  info.flags = LICHEN_VULKAN_DYNAMIC_UNIFORMS; // one set of a noise serves all materials
+  // One set of a noise serves all materials.
+  info.flags = LICHEN_VULKAN_DYNAMIC_UNIFORMS | LICHEN_VULKAN_LAYERS;
   info.physicalDevice = device.physicalDevice();
   info.device = device.device();
   info.getInstanceProcAddr = vkGetInstanceProcAddr;

@@ -5,6 +5,7 @@
 #include "printable.h"
 
 #include <lichen/bundle.h>
+#include <lichen/layered_noise.h>
 
 #include <algorithm>
 
@@ -115,13 +116,13 @@ void NoiseHost::readMaterials(const Scene& scene) {
 }
 
 void NoiseHost::createSets(VulkanDevice& device, ObjectOwner& objects) {
-  std::array<VkDescriptorType, LICHEN_SET_BINDINGS> types{}; // in any order
+  std::array<VkDescriptorType, LICHEN_LAYERED_SET_BINDINGS> types{}; // in any order
   types.fill(VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE);
   types[0] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   types[1] = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC;
   types[2] = types[3] = VK_DESCRIPTOR_TYPE_SAMPLER;
   const VkDescriptorPool pool = objects.pool(noises_.size(), types);
-  blocks_ = UniformBlocks(device, materials_.size(), LICHEN_TRIPLANAR_MATERIAL_BYTES);
+  blocks_ = UniformBlocks(device, materials_.size(), LICHEN_LAYERED_MATERIAL_BYTES);
   const VkDescriptorBufferInfo block = blocks_.descriptor().buffer;
   auto diagnostic = lichenStruct<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
   sets_.resize(noises_.size());
@@ -185,6 +186,17 @@ void NoiseHost::change(const NoiseChanges& changes) {
   }
 }
 
+/// Whether some map of a noise has no inverse table.
+void NoiseHost::noteTables(std::uint32_t noise) {
+  for (std::uint32_t m = 0; m < noises_[noise].mapCount; ++m) {
+    auto map = lichenStruct<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
+    checkLichen(lichenGetMapProperties(bundle_.get(), noise, m, &map));
+    features_.gaussianOnly =
+        features_.gaussianOnly ||
+        (noises_[noise].method != LICHEN_NOISE_TEXTON && map.tableKind == LICHEN_TABLE_NONE);
+  }
+}
+
 void NoiseHost::readUse(MaterialState& material) {
   NoiseUse& use = material.use;
   use = {};
@@ -193,11 +205,15 @@ void NoiseHost::readUse(MaterialState& material) {
       material.parameters.mapping != LICHEN_MAPPING_UV &&
       changes_.inObjectSpace.value_or(material.properties.space == LICHEN_SPACE_OBJECT);
   const LichenNoiseProperties& noise = noises_[material.parameters.noise];
+  for (std::uint32_t layer = 1; layer < noise.layerCount; ++layer)
+    noteTables(noise.layers[layer]);
+  noteTables(material.parameters.noise);
   for (std::uint32_t m = 0; m < noise.mapCount; ++m) {
     auto map = lichenStruct<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     checkLichen(lichenGetMapProperties(bundle_.get(), material.parameters.noise, m, &map));
-    features_.gaussianOnly = features_.gaussianOnly || (noise.method != LICHEN_NOISE_TEXTON &&
-                                                        map.tableKind == LICHEN_TABLE_NONE);
+    features_.roles |= 1u << map.target;
+    for (std::uint32_t layer = 0; layer < noise.layerCount && noise.layerCount > 1; ++layer)
+      features_.layerSlots |= 1u << layerSlot(layer, map.target);
     if (map.target == LICHEN_TARGET_BASE_COLOR)
       use.hasBaseColor = true;
     if (map.target == LICHEN_TARGET_HEIGHT && !material.displaces)
@@ -206,17 +222,27 @@ void NoiseHost::readUse(MaterialState& material) {
   }
 }
 
+/// What the method of a layer or of an index map uses of the shaders.
+void NoiseHost::noteMethod(const LichenNoiseProperties& noise) {
+  features_.structures = features_.structures || noise.hasStructure != 0;
+  features_.kernelKinds |= noise.kernelKinds;
+  features_.mixes = features_.mixes || noise.mixSteps > 1;
+}
+
 void NoiseHost::noteFeatures(const MaterialState& material) {
   const LichenMaterialParameters& parameters = material.parameters;
   const LichenNoiseProperties& noise = noises_[parameters.noise];
-  features_.methods |= 1u << noise.method;
+  for (std::uint32_t layer = 0; layer < noise.layerCount; ++layer) {
+    const LichenNoiseProperties& each = noises_[noise.layers[layer]];
+    (noise.layerCount > 1 ? features_.layerMethods : features_.methods) |= 1u << each.method;
+    noteMethod(each);
+    if (layer > 0)
+      noteMethod(noises_[noise.indices[layer - 1]]);
+  }
   (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? features_.triplanarNoises
                                                   : features_.otherMappings) = true;
   features_.surfaceNoises = features_.surfaceNoises || parameters.mapping == LICHEN_MAPPING_SURFACE;
   features_.solidNoises = features_.solidNoises || parameters.mapping == LICHEN_MAPPING_SOLID;
-  features_.structures = features_.structures || noise.hasStructure != 0;
-  features_.kernelKinds |= noise.kernelKinds;
-  features_.mixes = features_.mixes || noise.mixSteps > 1;
   features_.objectSpaces = features_.objectSpaces || material.use.inObjectSpace;
   features_.tileRotation = features_.tileRotation || parameters.tileRotation > 1;
 }

@@ -31,9 +31,12 @@ struct NoiseUse {
 
 /// What the noises that are rendered use of the shaders.
 struct NoiseFeatures {
-  bool gaussianOnly = false;  ///< some map of a noise but textons has no inverse table
-  std::uint32_t methods = 0;  ///< bit m: some noise has the method m
-  bool surfaceNoises = false; ///< some noise uses surface mapping
+  bool gaussianOnly = false;      ///< some map of a noise but textons has no inverse table
+  std::uint32_t methods = 0;      ///< bit m: some noise has the method m, but of layered ones
+  std::uint32_t layerMethods = 0; ///< the same of the layers of layered noises
+  std::uint32_t layerSlots = 0;   ///< bit s: some layer has an image in the slot s
+  std::uint32_t roles = 0;        ///< bit r: some noise has a map of the target r
+  bool surfaceNoises = false;     ///< some noise uses surface mapping
   bool triplanarNoises = false;
   bool solidNoises = false;
   bool otherMappings = false;    ///< some noise uses a mapping other than triplanar
@@ -71,6 +74,10 @@ public:
   [[nodiscard]] bool hasNoise(std::size_t material) const {
     return materials_[material].parameters.noise != LICHEN_NO_NOISE;
   }
+  /// Whether the noise of a material that has one is layered.
+  [[nodiscard]] bool isLayered(std::size_t material) const {
+    return noises_[materials_[material].parameters.noise].layerCount > 1;
+  }
   [[nodiscard]] const NoiseFeatures& features() const { return features_; }
   /// The set of the noise of a material that has one, and the dynamic offset of its block.
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const {
@@ -106,7 +113,9 @@ private:
   void createSets(VulkanDevice& device, ObjectOwner& objects);
   [[nodiscard]] LichenMaterialParameters changed(const LichenMaterialParameters& own) const;
   void readUse(MaterialState& material);
+  void noteTables(std::uint32_t noise);
   void noteFeatures(const MaterialState& material);
+  void noteMethod(const LichenNoiseProperties& noise);
   void place(std::size_t material);
 
   // In order of dependency: destroyed last to first.

@@ -29,6 +29,7 @@
 #include <scene.frag.cosines.h>
 #include <scene.frag.h>
 #include <scene.frag.kernels.h>
+#include <scene.frag.layers.h>
 #include <scene.frag.plane.h>
 #include <scene.frag.plane_kernels.h>
 #include <scene.frag.surface.h>
@@ -222,6 +223,9 @@ struct Constants {
   VkBool32 ringKernels = VK_FALSE;
   VkBool32 squareKernels = VK_FALSE;
   VkBool32 kernelPattern = VK_FALSE;
+  std::uint32_t layerMethods = 0;
+  std::uint32_t roles = 0;
+  std::uint32_t layerSlots = 0;
 };
 
 constexpr std::array kConstants{
@@ -238,7 +242,10 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{11, offsetof(Constants, structure), sizeof(VkBool32)},
     VkSpecializationMapEntry{12, offsetof(Constants, ringKernels), sizeof(VkBool32)},
     VkSpecializationMapEntry{13, offsetof(Constants, squareKernels), sizeof(VkBool32)},
-    VkSpecializationMapEntry{14, offsetof(Constants, kernelPattern), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{14, offsetof(Constants, kernelPattern), sizeof(VkBool32)},
+    VkSpecializationMapEntry{15, offsetof(Constants, layerMethods), sizeof(std::uint32_t)},
+    VkSpecializationMapEntry{16, offsetof(Constants, roles), sizeof(std::uint32_t)},
+    VkSpecializationMapEntry{17, offsetof(Constants, layerSlots), sizeof(std::uint32_t)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -289,7 +296,10 @@ Constants constantsOf(const SurfaceConstants& shared) {
           .structure = noises.structures,
           .ringKernels = (noises.kernelKinds & LICHEN_KERNELS_RINGS) != 0,
           .squareKernels = (noises.kernelKinds & LICHEN_KERNELS_SQUARE) != 0,
-          .kernelPattern = (noises.kernelKinds & LICHEN_KERNELS_PATTERN) != 0};
+          .kernelPattern = (noises.kernelKinds & LICHEN_KERNELS_PATTERN) != 0,
+          .layerMethods = noises.layerMethods,
+          .roles = noises.roles,
+          .layerSlots = noises.layerSlots};
 }
 
 /// Sets the stages before the fragment shader, with this vertex shader for surfaces that are not
@@ -328,11 +338,15 @@ VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t
   return found(surfaces_, constants, kind, [&] {
     Constants values = constantsOf(constants);
     values.hasNormalMap = (kind & 2) != 0;
+    const bool isLayered = (kind & 16) != 0;
+    if (isLayered) // index maps have kernels
+      values.methods = values.layerMethods | (1u << LICHEN_NOISE_MULTIPLE_KERNELS);
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d;
     d.layout = shared_.sceneLayout;
     setStages(objects_, (kind & 8) != 0, constants.tessellates, scene_vert, d);
-    d.fragment = objects_.shader(fragmentCodeFor(constants.noises, (kind & 4) != 0).surface);
+    d.fragment = objects_.shader(
+        isLayered ? scene_frag_layers : fragmentCodeFor(constants.noises, (kind & 4) != 0).surface);
     d.specialization = &specialization;
     d.blends = (kind & 1) != 0;
     d.writesDepth = !d.blends;

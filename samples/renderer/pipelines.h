@@ -33,9 +33,10 @@ struct SurfaceKind {
   bool hasNormalMap = false;
   bool blends = false;
   bool displaces = false;
+  bool isLayered = false; ///< the noise
 
   [[nodiscard]] std::size_t index() const {
-    return std::size_t(displaces) * 8 + std::size_t(hasNoise) * 4 + std::size_t(hasNormalMap) * 2 +
+    return std::size_t(isLayered) * 16 + std::size_t(displaces) * 8 + std::size_t(hasNoise) * 4 + std::size_t(hasNormalMap) * 2 +
            std::size_t(blends);
   }
 };
@@ -53,7 +54,7 @@ struct DepthKind {
 
 /// Which of the pipelines that vary by material a scene draws with.
 struct PipelinesUsed {
-  std::array<bool, 16> surfaces{}; ///< by SurfaceKind::index()
+  std::array<bool, 32> surfaces{}; ///< by SurfaceKind::index()
   std::array<bool, 8> depths{};    ///< by DepthKind::index()
 };
 
@@ -62,7 +63,7 @@ struct Pipelines {
   VkPipelineLayout accumulateLayout = VK_NULL_HANDLE;
   VkPipeline sky = VK_NULL_HANDLE;
   VkPipeline accumulate = VK_NULL_HANDLE;
-  std::array<VkPipeline, 16> surfaces{}; ///< by SurfaceKind::index(); null if unused
+  std::array<VkPipeline, 32> surfaces{}; ///< by SurfaceKind::index(); null if unused
   std::array<VkPipeline, 8> depths{};    ///< by DepthKind::index(); null if unused
 
   [[nodiscard]] VkPipeline surface(const SurfaceKind& kind) const { return surfaces[kind.index()]; }

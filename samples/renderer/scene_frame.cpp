@@ -108,7 +108,8 @@ bool SceneRenderer::displaces(std::size_t material) const {
 SurfaceKind SceneRenderer::kindOf(std::size_t material) const {
   const Material& properties = scene_.materials[material];
   return {noises_.hasNoise(material), properties.normalTexture.image.has_value(),
-          properties.alphaMode == AlphaMode::blend, displaces(material)};
+          properties.alphaMode == AlphaMode::blend, displaces(material),
+          noises_.hasNoise(material) && noises_.isLayered(material)};
 }
 
 DepthKind SceneRenderer::depthKindOf(std::size_t material) const {

@@ -11,6 +11,9 @@
 
 // Maps of one noise, one for each role.
 #define LICHEN_MAX_MAPS 6
+// Noises of one layered noise, and the index maps that choose between them.
+#define LICHEN_MAX_LAYERS 4
+#define LICHEN_MAX_LAYER_NODES 3
 #define LICHEN_MAX_MIPS 16
 
 // LichenMap::encoding, of the stored values.
@@ -18,6 +21,7 @@
 #define LICHEN_ENCODING_LINEAR 1
 #define LICHEN_ENCODING_SLOPE 2
 #define LICHEN_ENCODING_LOG2 3
+#define LICHEN_ENCODING_INDEX 4 // of index maps: Gaussian values, which are not decoded
 
 // LichenMap::decoding, from the Gaussian to the decoded value.
 #define LICHEN_DECODING_JOINT 0    // one table over all dimensions
@@ -66,6 +70,9 @@
 #define LICHEN_BINDING_IMAGE(role) (4 + (role))
 #define LICHEN_BINDING_TABLE(role) (10 + (role))
 #define LICHEN_BINDING_COUNT 16
+// Where shaders know layers (LICHEN_LAYERS above 1): the image of each node's index map.
+#define LICHEN_BINDING_INDEX(node) (16 + (node))
+#define LICHEN_LAYERED_BINDING_COUNT 19
 
 // C hosts have the numbers above, and the sizes of the blocks in lichen.h.
 #if defined(__cplusplus) || !(defined(__STDC__) || defined(_MSC_VER))
@@ -221,10 +228,36 @@ struct LichenMap {
   vec4 sumFactor;
 };
 
-/// The block of a noise. 1,024 bytes, fixed by the bundle.
+/// How a layered noise chooses between its layers: a binary tree of nodes, each with an index map.
+struct LichenLayers {
+  uint count; // of layers; 0 of a noise that is not layered
+  uint nodes; // count - 1
+  uint reserved0, reserved1; // 0
+  // Of the node x, y, z: where its upper side begins, and the deviation of the transition, both in
+  // deviations of the index map.
+  vec4 threshold, softness;
+  // Of the layer x, y, z, w: the side on which it lies of node n, bits 2n and 2n + 1: 1 below,
+  // 2 above, 0 neither.
+  uvec4 sides;
+};
+
+/// The block of a noise. 2,048 bytes, fixed by the bundle. The members after `maps` are 0 but for
+/// layered noises.
 struct LichenNoiseConstants {
   LichenNoise noise;
-  LichenMap maps[LICHEN_MAX_MAPS]; // by role
+  LichenMap maps[LICHEN_MAX_MAPS]; // by role; of layered noises by slot (noise/layers.glsl)
+  LichenLayers layers;
+  LichenNoise layerNoises[LICHEN_MAX_LAYERS - 1]; // `noise` is the first layer
+  LichenNoise indexNoises[LICHEN_MAX_LAYER_NODES];
+  LichenMap indexMaps[LICHEN_MAX_LAYER_NODES];
+  uvec4 reserved[6]; // 0: to a multiple of 256 bytes
+};
+
+/// A material of a layered noise. 1,344 bytes.
+struct LichenLayeredMaterial {
+  LichenTriplanarMaterial first; // of the first layer
+  LichenTriplanarMaterial layers[LICHEN_MAX_LAYERS - 1];
+  LichenTriplanarMaterial indices[LICHEN_MAX_LAYER_NODES];
 };
 
 #ifdef __cplusplus

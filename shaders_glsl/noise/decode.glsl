@@ -28,6 +28,11 @@
 #define LICHEN_NEAREST_TABLE_LEVEL 0
 #endif
 
+// The layers that a noise may have; 1 where no noise is layered. A literal.
+#ifndef LICHEN_LAYERS
+#define LICHEN_LAYERS 1
+#endif
+
 /// `map` with the encoding that its role implies, except whether values exceed 1. Compilers can
 /// then leave out the code of other encodings.
 LichenMap lichenMapOf(int role, LichenMap map) {
@@ -44,6 +49,14 @@ LichenMap lichenMapOf(int role, LichenMap map) {
     map.encoding = uint(isAboveOne ? LICHEN_ENCODING_LOG2 : LICHEN_ENCODING_LINEAR);
   return map;
 }
+
+#if LICHEN_LAYERS > 1
+/// `map` as an index map, likewise.
+LichenMap lichenIndexMapOf(LichenMap map) {
+  map.encoding = uint(LICHEN_ENCODING_INDEX);
+  return map;
+}
+#endif
 
 /// Occlusion, roughness and metallic, as glTF orders them, of a value of that role. Those that the
 /// map does not have are taken from `absent`.
@@ -79,6 +92,10 @@ vec4 lichenDecodeTable(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, LichenM
 /// Decodes without a table. Stored values are Gaussian; channel c has lost the share lost[c] of its
 /// variance.
 vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
+#if LICHEN_LAYERS > 1
+  if (map.encoding == uint(LICHEN_ENCODING_INDEX))
+    return vec4(gaussian, lost.x);
+#endif
   vec3 centred = gaussian - 0.5;
   vec3 stored = vec3(map.row0.w, map.row1.w, map.row2.w) +
                 vec3(map.row0.x * centred.x, dot(map.row1.xy, centred.xy),
@@ -108,6 +125,11 @@ vec4 lichenDecode(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, float contra
   bool hasTables = bool(LICHEN_TABLES);
   bool hasGaussian = bool(LICHEN_GAUSSIAN_ONLY);
   bool isGaussian = !hasTables || map.decoding == uint(LICHEN_DECODING_GAUSSIAN);
+#if LICHEN_LAYERS > 1
+  bool isIndex = map.encoding == uint(LICHEN_ENCODING_INDEX);
+  hasGaussian = hasGaussian || isIndex;
+  isGaussian = isGaussian || isIndex;
+#endif
   if (hasGaussian && isGaussian)
     return lichenDecodeGaussian(gaussian, vec3(contrast * contrast * lost), map);
   // A table averages over no more than all of it.

@@ -47,14 +47,15 @@ void checkSynthRefuses(const Arguments& more, int code, const std::vector<std::s
 } // namespace
 
 TEST_CASE("the error for a missing or unknown verb lists the verbs") {
-  checkRefusal({}, kUsage,
-               {"a verb is missing; expected bake, mix, synth, inspect, check, compare, merge, "
-                "cook or apply",
-                "'lichen --help'"});
   checkRefusal(
-      {"chek"}, kUsage,
-      {"lichen: chek: no such verb; expected bake, mix, synth, inspect, check, compare, merge, "
-       "cook or apply; see 'lichen --help'"});
+      {}, kUsage,
+      {"a verb is missing; expected bake, mix, synth, inspect, check, compare, merge, layer, "
+       "cook or apply",
+       "'lichen --help'"});
+  checkRefusal({"chek"}, kUsage,
+               {"lichen: chek: no such verb; expected bake, mix, synth, inspect, check, compare, "
+                "merge, layer, "
+                "cook or apply; see 'lichen --help'"});
   checkRefusal({"--frobnicate"}, kUsage, {"--frobnicate: no such option; see 'lichen --help'"});
 }
 

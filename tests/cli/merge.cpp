@@ -135,7 +135,7 @@ TEST_CASE("every preview shape shows merged noises, a plane only up to its limit
   const Arguments many(49, moss);
   CHECK(merge(workplace, many, {"--preview", "plane"}).code == int(ErrorKind::usage));
   CHECK_THAT(merge(workplace, many, {"--preview", "plane"}).errors,
-             Catch::Contains("49 noises; a preview plane shows at most 48"));
+             Catch::Contains("49 materials; a preview plane shows at most 48"));
   CHECK(merged(workplace, Arguments(48, moss), {"--preview", "plane"}).noises.size() == 48);
 }
 

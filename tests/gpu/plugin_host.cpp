@@ -12,7 +12,7 @@ namespace lichen::test {
 namespace {
 
 /// Bytes between material blocks: a multiple of every device's minUniformBufferOffsetAlignment.
-constexpr std::uint32_t kBlockStride = 256;
+constexpr std::uint32_t kBlockStride = 1536; // a multiple of any alignment
 
 void require(LichenResult result, const LichenDiagnostic& diagnostic) {
   if (result != LICHEN_SUCCESS)
@@ -79,7 +79,7 @@ VkDescriptorPool PluginContext::createPool(std::uint32_t sets) const {
   const VkDescriptorPoolSize sizes[] = {
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, isDynamic_ ? sets : 2 * sets},
       {VK_DESCRIPTOR_TYPE_SAMPLER, 2 * sets},
-      {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_SET_IMAGES * sets},
+      {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_LAYERED_SET_IMAGES * sets},
       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets}};
   VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
   info.maxSets = sets;
@@ -110,7 +110,7 @@ void PluginHost::setNoise(std::uint32_t noise) {
   role_ = std::uint32_t(map.target);
   vkResetDescriptorPool(context_.device().device(), pool_, 0);
   LichenDiagnostic diagnostic = emptyDiagnostic();
-  const VkDescriptorBufferInfo buffer{materialBuffer_.handle, 0, LICHEN_TRIPLANAR_MATERIAL_BYTES};
+  const VkDescriptorBufferInfo buffer{materialBuffer_.handle, 0, LICHEN_LAYERED_MATERIAL_BYTES};
   require(lichenVulkanAllocateSet(assets_, noise, pool_, &buffer, &set_, &diagnostic), diagnostic);
 }
 

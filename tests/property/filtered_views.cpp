@@ -4,6 +4,7 @@
 #include <lichen/lattice.h>
 #include <lichen/local_random_phase_evaluate.h>
 #include <lichen/multiple_kernels_evaluate.h>
+#include <lichen/noise_evaluator.h>
 #include <lichen/texton_evaluate.h>
 #include <lichen/tiling_evaluate.h>
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace lichen::test {
@@ -101,6 +103,11 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
   MaterialNoise material;
   material.contrast = contrast;
   material.mapping = mapping;
+  if (bundle.noises[0].layers) { // on texture coordinates
+    const std::shared_ptr<const NoiseEvaluator> noise =
+        NoiseEvaluator::create(bundle, material, placement).value();
+    return [noise](const TileFootprint& at) { return lightOf(noise->evaluate(0, at)); };
+  }
   const shader::LichenTriplanarMaterial planes = shaderMaterial(bundle, material, placement);
   const auto withEvaluator = [&](const auto& evaluate) -> Plane {
     if (mapping != Mapping::triplanar)

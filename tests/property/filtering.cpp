@@ -5,6 +5,7 @@
 #include "bundle_of.h"
 #include "example_exemplar.h"
 #include "filtered_views.h"
+#include "layered_example.h"
 
 #include <lichen/lattice.h>
 #include <lichen/local_random_phase.h>
@@ -44,6 +45,10 @@ const std::vector<NamedPlane>& planes() {
     half.structure = 0.5;
     half.guide = 1.0;
     const Bundle kernels = bundleOf(bakeMultipleKernels("example", {&map, 1}, {}));
+    const Bundle other =
+        bundleOf(bakeTiling("other", std::array{threeMaterials(kTexels, kTexels, 5)}, {}));
+    const Bundle layered =
+        layeredExample({tiling, other}, examplePatches(kTexels, kTexels), {0.4}, 0.1);
     const Bundle structured = bundleOf(bakeLocalRandomPhase("example", {&map, 1}, half));
     return std::vector<NamedPlane>{
         {"tiling, uv", noisePlane(tiling, Mapping::uv), 1200},
@@ -53,7 +58,8 @@ const std::vector<NamedPlane>& planes() {
         {"local random phase, uv", noisePlane(cosines, Mapping::uv), 400},
         {"local random phase, triplanar", noisePlane(cosines, Mapping::triplanar), 300},
         {"structure, uv", noisePlane(structured, Mapping::uv), 400},
-        {"kernels, uv", noisePlane(kernels, Mapping::uv), 300}};
+        {"kernels, uv", noisePlane(kernels, Mapping::uv), 300},
+        {"layered, uv", noisePlane(layered, Mapping::uv), 400}};
   }();
   return all;
 }

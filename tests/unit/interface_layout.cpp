@@ -14,6 +14,7 @@ TEST_CASE("the blocks of the C interface are the shader's") {
   CHECK(sizeof(lichen::shader::LichenNoiseConstants) == LICHEN_NOISE_BYTES);
   CHECK(sizeof(lichen::shader::LichenMaterial) == LICHEN_MATERIAL_BYTES);
   CHECK(sizeof(lichen::shader::LichenTriplanarMaterial) == LICHEN_TRIPLANAR_MATERIAL_BYTES);
+  CHECK(sizeof(lichen::shader::LichenLayeredMaterial) == LICHEN_LAYERED_MATERIAL_BYTES);
 }
 
 TEST_CASE("the methods' parts of a material fit its own words") {

@@ -9,6 +9,7 @@ layout(local_size_x = 1) in;
 struct Interface {
   LichenNoiseConstants constants;
   LichenTriplanarMaterial material;
+  LichenLayeredMaterial layered;
   LichenTilingMaterial tiling;
   LichenTextonMaterial texton;
   LichenCosinesMaterial cosines;

@@ -53,7 +53,7 @@ TEST_CASE("NULL arguments and indices out of range are errors and leave outputs 
       LichenBinding{}, LICHEN_STRUCTURE_BINDING,
       [&](auto* p) { return lichenGetBinding(nullptr, 0, 0, p); },
       [&](auto* p) { return lichenGetBinding(b, 1, 0, p); },
-      [&](auto* p) { return lichenGetBinding(b, 0, LICHEN_SET_BINDINGS, p); }));
+      [&](auto* p) { return lichenGetBinding(b, 0, LICHEN_LAYERED_SET_BINDINGS, p); }));
   CHECK(lichenGetBundleProperties(b, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenGetNoiseProperties(b, 0, nullptr) == LICHEN_ERROR_USAGE);
   CHECK(lichenGetMapProperties(b, 0, 0, nullptr) == LICHEN_ERROR_USAGE);

@@ -114,7 +114,8 @@ TEST_CASE("a set has two blocks, two samplers, and an image and a table for each
   }
   LichenBinding binding;
   LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
-  CHECK(lichenGetBinding(bundle.handle, 0, LICHEN_SET_BINDINGS, &binding) == LICHEN_ERROR_USAGE);
+  CHECK(lichenGetBinding(bundle.handle, 0, LICHEN_LAYERED_SET_BINDINGS, &binding) ==
+        LICHEN_ERROR_USAGE);
 }
 
 TEST_CASE("a noise's block holds the bundle's constants, each map at its role") {

@@ -43,8 +43,9 @@ enum class MapChannel {
 /// The encoding of stored values; the mean and covariance are in these units. root: the square root
 /// of light in [0, 1]; inverse tables hold it too. linear: the quantity itself, in [0, 1]. slope:
 /// slopes of normals. log2: log2(1 + quantity), of which inverse tables hold the quantity. srgb:
-/// sRGB codes, which only exemplars have; their noises store roots.
-enum class ValueEncoding { root, linear, slope, log2, srgb };
+/// sRGB codes, which only exemplars have; their noises store roots. index: Gaussian values
+/// themselves, which evaluators read of index maps; never in a file.
+enum class ValueEncoding { root, linear, slope, log2, srgb, index };
 enum class Mapping { uv, triplanar, surface, solid };
 /// The coordinate space of a mapping that evaluates the noise at 3-D positions: world space, or
 /// object space, where the noise moves, rotates and scales with the object.
@@ -83,6 +84,12 @@ enum class MixSource { constant, direction, texture, vertexColor };
 [[nodiscard]] std::optional<Method> methodFrom(std::string_view name);
 [[nodiscard]] std::optional<PointProcess> pointProcessFrom(std::string_view name);
 [[nodiscard]] std::optional<MixSource> mixSourceFrom(std::string_view name);
+
+/// Inclusive bounds of a number.
+struct NumberRange {
+  double least = std::numeric_limits<double>::lowest();
+  double most = std::numeric_limits<double>::max();
+};
 
 /// The data of one method: what all maps of a noise share, and what each map has. The alternatives
 /// of both variants follow the order of Method.
@@ -129,12 +136,47 @@ void visitTables(Map& map, const Visit& visit) {
   std::visit([&](auto& data) { data.visitTables(data, visit); }, map.data);
 }
 
+/// One side of a node of a layered noise: another node, or a layer.
+struct LayerSide {
+  bool isNode = false;
+  std::size_t index = 0; ///< in NoiseLayers::nodes, or of the layer
+
+  [[nodiscard]] bool operator==(const LayerSide&) const = default;
+};
+
+/// A node of the tree of a layered noise. The first channel of the first map of the noise `index`,
+/// as a Gaussian value, is its index map: where that exceeds a threshold lies the side `above`, and
+/// elsewhere the side `below`. [MKN12] section 5
+struct LayerNode {
+  std::size_t index = 0;   ///< in Bundle::noises: a multiple-kernels noise, not layered
+  double proportion = 0.5; ///< share of the node's area that is `above`; in kProportionRange
+  /// Deviation of the transition, in deviations of the index map; in kSoftnessRange.
+  double softness = 0.1;
+  LayerSide below, above;
+
+  [[nodiscard]] bool operator==(const LayerNode&) const = default;
+};
+inline constexpr NumberRange kProportionRange{0.01, 0.99};
+inline constexpr NumberRange kSoftnessRange{0.01, 4.0};
+
+/// What makes a noise layered: index maps that choose between the noise itself, its first layer,
+/// and up to three others, which have the same targets and channels.
+struct NoiseLayers {
+  /// Layers 1 and up, in Bundle::noises; none is layered, or a mix.
+  std::vector<std::size_t> others;
+  std::vector<LayerNode> nodes; ///< as many as `others`; nodes[0] is the root
+
+  [[nodiscard]] bool operator==(const NoiseLayers&) const = default;
+};
+
 /// One noise. Its maps share the lattice, hash, seed and weights, or the impacts.
 struct Noise {
   std::string name;
   double tileSizeMetres = 1.0; ///< width of one exemplar
   MethodNoise data;
   std::vector<NoiseMap> maps;
+  /// Of a layered noise. All above is then about its first layer.
+  std::optional<NoiseLayers> layers;
 
   [[nodiscard]] Method method() const { return Method(data.index()); }
   /// The noise's data. Precondition: Data belongs to the noise's method.
@@ -171,14 +213,22 @@ struct Bundle;
 /// Whether a noise is a mix, that is, varies with a mix weight.
 [[nodiscard]] bool isMix(const Noise& noise);
 
+/// The noises whose maps a noise shows: itself, and of a layered noise its other layers.
+[[nodiscard]] std::vector<std::size_t> layersOf(const Bundle& bundle, std::size_t noise);
+
+/// Calls visit(index) for each noise index in the layers of a noise, const or not.
+template <class AnyNoise, class Visit>
+void visitLayerNoises(AnyNoise& noise, const Visit& visit) {
+  if (!noise.layers)
+    return;
+  for (auto& layer : noise.layers->others)
+    visit(layer);
+  for (auto& node : noise.layers->nodes)
+    visit(node.index);
+}
+
 /// Whether a mapping evaluates the noise at 3-D positions rather than texture coordinates.
 [[nodiscard]] bool isInSpace(Mapping mapping);
-
-/// Inclusive bounds of a number.
-struct NumberRange {
-  double least = std::numeric_limits<double>::lowest();
-  double most = std::numeric_limits<double>::max();
-};
 
 /// Range of Noise::tileSizeMetres, as in the format's schema.
 inline constexpr NumberRange kTileSizeRange{1e-6, 1e6};

@@ -24,11 +24,11 @@ struct PreviewImages {
   int tilesPerImage = 1;
 };
 
-/// A bundle and its preview scene. The scene has one material per noise, in order, which uses
-/// bundle.materials[i] (filled by the caller) and previews[i].
+/// A bundle and its preview scene. Material i of the scene uses bundle.materials[i], which the
+/// caller fills, and previews[i].
 struct BundleFile {
   Bundle bundle;
-  std::vector<PreviewImages> previews; ///< one per noise
+  std::vector<PreviewImages> previews; ///< one per material
   PreviewShape shape = PreviewShape::sphere;
   std::string generator; ///< asset.generator, such as "lichen 0.1.0"
 };

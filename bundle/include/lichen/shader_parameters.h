@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <lichen_interface.h>
+#include <span>
 #include <string_view>
 
 namespace lichen {
@@ -21,7 +22,7 @@ namespace lichen {
 /// What all maps of a noise share. `noise` is a valid index.
 [[nodiscard]] shader::LichenNoise shaderNoise(const Bundle& bundle, std::size_t noise);
 
-/// The block of a noise: the above, each map at the place of its role.
+/// The block of a noise: the above, each map at the place of its role, and its layers.
 [[nodiscard]] shader::LichenNoiseConstants shaderConstants(const Bundle& bundle, std::size_t noise);
 
 /// The role of a map in the shader, LICHEN_BASE_COLOR and so on.
@@ -76,6 +77,18 @@ inline constexpr std::uint32_t kSurfacePlane = 3, kSolidPlane = 4;
 /// The same of a bundle's noise, `material.noise`, a valid index.
 [[nodiscard]] shader::LichenTriplanarMaterial
 shaderMaterial(const Bundle& bundle, const MaterialNoise& material, const Placement& placement);
+
+/// The material of one layer, or of one index map, of a layered noise: the seed is its own, and an
+/// index map has a contrast of 1.
+[[nodiscard]] MaterialNoise layerMaterial(const MaterialNoise& material, std::size_t layer);
+[[nodiscard]] MaterialNoise indexMaterial(const MaterialNoise& material, std::size_t node);
+
+/// The block of a material of a layered noise; the constants are those of its layers and of its
+/// index maps. Without index maps only `first` is set.
+[[nodiscard]] shader::LichenLayeredMaterial
+shaderLayeredMaterial(std::span<const shader::LichenNoise> layers,
+                      std::span<const shader::LichenNoise> indices, const MaterialNoise& material,
+                      const Placement& placement);
 
 /// What a material and a noise hold for their method, and back.
 [[nodiscard]] shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material);

@@ -157,6 +157,8 @@ typedef enum LichenNoiseMethod {
   LICHEN_NOISE_METHOD_MAX_ENUM = 0x7FFFFFFF
 } LichenNoiseMethod;
 
+#define LICHEN_NO_NOISE 0xFFFFFFFFu
+
 typedef struct LichenNoiseProperties {
   LichenStructureType type;
   uint32_t size;
@@ -174,7 +176,12 @@ typedef struct LichenNoiseProperties {
   uint32_t hasStructure;
   uint32_t mappings;    /* bit m: a material of the noise may have the LichenMapping m */
   uint32_t kernelKinds; /* LICHEN_KERNELS_... of a multiple-kernels noise, 0 of others */
-  uint32_t reserved;    /* 0 */
+  uint32_t layerCount;  /* [2, 4] of a layered noise, 1 of others */
+  /* The noises that are its layers, the first this one, and those of its layerCount - 1 index maps;
+   * then LICHEN_NO_NOISE. All else is about the first layer, but for `mappings`. */
+  uint32_t layers[4];
+  uint32_t indices[3];
+  uint32_t reserved; /* 0 */
 } LichenNoiseProperties;
 
 /* Bits of LichenNoiseProperties::kernelKinds. The switch of the shader library that each names may
@@ -238,8 +245,6 @@ typedef struct LichenMapProperties {
  * one. */
 LICHEN_API LichenResult lichenGetMapProperties(LichenBundle bundle, uint32_t noise, uint32_t map,
                                                LichenMapProperties* properties);
-
-#define LICHEN_NO_NOISE 0xFFFFFFFFu
 
 typedef enum LichenMapping {
   LICHEN_MAPPING_UV = 0,
@@ -375,6 +380,10 @@ typedef enum LichenBindingKind {
 #define LICHEN_SET_BINDINGS 16
 #define LICHEN_SET_IMAGES 12
 
+/* The same where shaders know layers (LICHEN_LAYERS above 1): the images of index maps come last. */
+#define LICHEN_LAYERED_SET_BINDINGS 19
+#define LICHEN_LAYERED_SET_IMAGES 15
+
 /* One binding of a noise's descriptor set. */
 typedef struct LichenBinding {
   LichenStructureType type;
@@ -390,7 +399,7 @@ typedef struct LichenBinding {
   uint32_t image;
 } LichenBinding;
 
-/* noise < noiseCount, index < LICHEN_SET_BINDINGS. */
+/* noise < noiseCount, index < LICHEN_LAYERED_SET_BINDINGS. */
 LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, uint32_t index,
                                          LichenBinding* binding);
 
@@ -399,11 +408,14 @@ LICHEN_API LichenResult lichenGetBinding(LichenBundle bundle, uint32_t noise, ui
 /* What the bundle fixes: LichenNoiseConstants in shaders_glsl/interface/lichen_interface.h, alike
  * in std140 and std430. Uploaded once. A multiple of 256, and so of any device's
  * minUniformBufferOffsetAlignment. */
-#define LICHEN_NOISE_BYTES 1024
+#define LICHEN_NOISE_BYTES 2048
 /* What a material says: LichenMaterial; may change each frame. */
 #define LICHEN_MATERIAL_BYTES 128
 /* The same of LICHEN_MAPPING_TRIPLANAR: LichenTriplanarMaterial. */
 #define LICHEN_TRIPLANAR_MATERIAL_BYTES 192
+
+/* The same of a layered noise, whatever the mapping: LichenLayeredMaterial. */
+#define LICHEN_LAYERED_MATERIAL_BYTES 1344
 
 /* Writes LICHEN_NOISE_BYTES to `destination`, of any alignment. noise < noiseCount. */
 LICHEN_API LichenResult lichenGetNoiseConstants(LichenBundle bundle, uint32_t noise,
@@ -443,7 +455,7 @@ typedef struct LichenMaterialParameters {
   double mixWeight;              /* [0, 1] */
   double mixStart[2], mixEnd[2]; /* [-1e6, 1e6], of LICHEN_MIX_DIRECTION 1e-6 apart */
   /* What lichenFillMaterial and lichenGetShaderSwitches need of the noise. Leave it unchanged. */
-  uint32_t noiseSummary[18];
+  uint32_t noiseSummary[116];
 } LichenMaterialParameters;
 
 /* Those of a material that has a noise; material < materialCount. */
@@ -477,8 +489,8 @@ typedef struct LichenPlacement {
   uint32_t reserved; /* 0 */
 } LichenPlacement;
 
-/* Writes LICHEN_MATERIAL_BYTES, of the mapping triplanar LICHEN_TRIPLANAR_MATERIAL_BYTES, to
- * `destination` (any alignment, may be mapped memory: it is written once, in order, and not read).
+/* Writes LICHEN_MATERIAL_BYTES, of the mapping triplanar LICHEN_TRIPLANAR_MATERIAL_BYTES, of a
+ * layered noise LICHEN_LAYERED_MATERIAL_BYTES, to `destination` (any alignment, may be mapped memory: it is written once, in order, and not read).
  * Cheap enough for every frame: no allocation. `placement` NULL: at the origin. */
 LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* parameters,
                                            const LichenPlacement* placement, void* destination,

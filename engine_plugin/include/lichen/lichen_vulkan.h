@@ -107,7 +107,10 @@ typedef struct LichenDeviceAllocator {
 typedef enum LichenVulkanFlags {
   /* The material's block is a VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC: one set serves all frames
    * in flight, each with its own offset. */
-  LICHEN_VULKAN_DYNAMIC_UNIFORMS = 1
+  LICHEN_VULKAN_DYNAMIC_UNIFORMS = 1,
+  /* Sets have LICHEN_LAYERED_SET_BINDINGS, for shaders with LICHEN_LAYERS above 1. Without it,
+   * layered noises have no sets. */
+  LICHEN_VULKAN_LAYERS = 2
 } LichenVulkanFlags;
 
 typedef struct LichenVulkanInfo {
@@ -192,9 +195,10 @@ LICHEN_API void lichenVulkanRetireAssets(LichenVulkanAssets assets, uint64_t las
 LICHEN_API void lichenVulkanFrameCompleted(LichenVulkanContext context, uint64_t frame);
 
 /* The layout of every noise's set, whatever its maps, owned by the context: LICHEN_SET_BINDINGS
- * from firstBinding on. LICHEN_ERROR_USAGE where the host has given no functions for sets. A set
- * takes from a pool 2 uniform buffers (with LICHEN_VULKAN_DYNAMIC_UNIFORMS one of them dynamic), 2
- * samplers and LICHEN_SET_IMAGES sampled images. */
+ * from firstBinding on, with LICHEN_VULKAN_LAYERS LICHEN_LAYERED_SET_BINDINGS. LICHEN_ERROR_USAGE
+ * where the host has given no functions for sets. A set takes from a pool 2 uniform buffers (with
+ * LICHEN_VULKAN_DYNAMIC_UNIFORMS one of them dynamic), 2 samplers and LICHEN_SET_IMAGES or
+ * LICHEN_LAYERED_SET_IMAGES sampled images. */
 LICHEN_API LichenResult lichenVulkanGetSetLayout(LichenVulkanContext context,
                                                  VkDescriptorSetLayout* layout);
 
@@ -205,7 +209,7 @@ LICHEN_API LichenResult lichenVulkanGetSamplers(LichenVulkanContext context, VkS
 
 /* A set from the host's pool, written with the noise's constants and images, and with `material`: a
  * uniform buffer's range of at least LICHEN_MATERIAL_BYTES, where shaders know triplanar noise
- * LICHEN_TRIPLANAR_MATERIAL_BYTES. Once for each material, not each frame. The pool needs no
+ * LICHEN_TRIPLANAR_MATERIAL_BYTES, and where they know layers LICHEN_LAYERED_MATERIAL_BYTES. Once for each material, not each frame. The pool needs no
  * FREE_DESCRIPTOR_SET; the set is the host's. noise < noiseCount.
  * LICHEN_ERROR_OUT_OF_POOL_MEMORY where the pool is too small; on Vulkan 1.0 without
  * VK_KHR_maintenance1 drivers need not notice. */
@@ -215,8 +219,8 @@ LICHEN_API LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, uint3
                                                 VkDescriptorSet* set, LichenDiagnostic* diagnostic);
 
 /* For hosts that write descriptors themselves: where the noise's constants are, and its
- * LICHEN_SET_IMAGES images, those of all roles and then their tables, without samplers. They live
- * as long as the assets. The buffer may also be read as a storage buffer, in which all noises of
+ * LICHEN_SET_IMAGES images, those of all roles and then their tables, without samplers; with
+ * LICHEN_VULKAN_LAYERS LICHEN_LAYERED_SET_IMAGES of them. They live as long as the assets. The buffer may also be read as a storage buffer, in which all noises of
  * the bundle follow each other. noise < noiseCount. */
 LICHEN_API LichenResult lichenVulkanGetDescriptors(LichenVulkanAssets assets, uint32_t noise,
                                                    VkDescriptorBufferInfo* constants,

@@ -18,6 +18,9 @@ const float kImpactsInSpace = 2.0; // times as many with surface and triplanar m
 
 #ifdef WITHOUT_NOISE
 vec3 noiseDebug(Footprint footprint) { return kNothingToShow; }
+#elif LICHEN_LAYERS > 1
+/// A second evaluation would double the code, which drivers inline.
+vec3 noiseDebug(Footprint footprint) { return kNothingToShow; }
 #else
 /// Blue, cyan, green, yellow, red for 0, 1/4, 1/2, 3/4, 1, linear between.
 vec3 ramp(float x) {

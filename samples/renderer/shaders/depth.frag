@@ -26,7 +26,7 @@ void main() {
   if (kObjectSpaces)
     footprint.object = Spot(objectPosition, dFdx(objectPosition), dFdy(objectPosition),
                             objectNormal, objectTangent);
-  LichenShadingPoint shading;
+  LICHEN_SHADING_POINT shading;
   if (NOISE_HAS(LICHEN_OPACITY)) // only opacity needs it here
     shading = noisePoint(footprint);
   float cutoff = material.flags.y == ALPHA_BLEND ? kBlendedCutoff : material.emissive.w;

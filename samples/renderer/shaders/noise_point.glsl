@@ -17,7 +17,12 @@ layout(constant_id = 11) const bool kStructure = true; // whether any has a stru
 layout(constant_id = 12) const bool kRingKernels = true; // whether any has rings
 layout(constant_id = 13) const bool kSquareKernels = true; // whether any has windows on a square
 layout(constant_id = 14) const bool kKernelPattern = true; // whether any perturbs a pattern
+layout(constant_id = 15) const int kLayerMethods = 7; // as kMethods, without index maps
+layout(constant_id = 17) const int kLayerSlots = 63; // bits of the slots with images
+layout(constant_id = 16) const int kRoles = 63; // bits of the roles that any has
 #define LICHEN_USED_METHODS kMethods
+#define LICHEN_LAYER_METHODS kLayerMethods
+#define LICHEN_LAYER_SLOTS kLayerSlots
 #ifndef LICHEN_OMIT_TRIPLANAR
 #define LICHEN_TRIPLANAR kTriplanar
 #define LICHEN_OTHER_MAPPINGS kOtherMappings
@@ -37,15 +42,22 @@ const bool kHasNoise = false;
 #define NOISE_HAS(role) false
 #define NOISE_VALUE(role, shading) vec4(0.0)
 #define NOISE_ORM(shading, absent) absent
+#define LICHEN_SHADING_POINT LichenShadingPoint
 #include "lichen.glsl"
 #else
 const bool kHasNoise = true;
-#define NOISE_HAS(role) LICHEN_HAS(role)
+#define NOISE_HAS(role) (((kRoles >> role) & 1) != 0 && LICHEN_HAS(role))
 #define NOISE_VALUE(role, shading) LICHEN_VALUE(role, shading)
 #define NOISE_ORM(shading, absent) LICHEN_ORM(shading, absent)
 #define LICHEN_SET SET_NOISE
 #define LICHEN_ROLES NOISE_ROLES
 #include "lichen.glsl"
+#endif
+// With the method that compilers can know.
+#if !defined(WITHOUT_NOISE) && LICHEN_LAYERS > 1
+#define NOISE_OF_MATERIAL lichenLayerOf(lichenNoise)
+#else
+#define NOISE_OF_MATERIAL lichenNoise
 #endif
 
 layout(std140, set = SET_MATERIAL, binding = BINDING_MATERIAL) uniform MaterialBlock {
@@ -88,7 +100,7 @@ TexturePoint texturePoint(int slot, int set, Footprint f) {
   return TexturePoint(linear * uv + vec2(row0.z, row1.z), linear * mat2(dx, dy));
 }
 
-#ifndef WITHOUT_NOISE
+#if !defined(WITHOUT_NOISE) && LICHEN_LAYERS == 1
 /// The weight in a mask, at an offset from a point.
 float mixMask(TexturePoint point, vec2 offset) {
   vec4 value =
@@ -127,13 +139,15 @@ void setMixInSpace(inout LichenPoint point, Footprint f, vec2 uv) {
 bool isInObject() { return kObjectSpaces && material.mixSource.w != 0; }
 
 /// Where to evaluate the noise; shared by all its maps.
-LichenShadingPoint noisePoint(Footprint f) {
+LICHEN_SHADING_POINT noisePoint(Footprint f) {
 #ifdef WITHOUT_NOISE
   LichenShadingPoint nowhere;
   return nowhere;
 #else
   bool second = material.flags.w != 0;
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
+  vec2 dx = second ? f.dx.zw : f.dx.xy;
+  vec2 dy = second ? f.dy.zw : f.dy.xy;
 #if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE_TEXTONS) ||                    \
     !defined(LICHEN_OMIT_SOLID)
   Spot spot = f.world;
@@ -141,6 +155,9 @@ LichenShadingPoint noisePoint(Footprint f) {
     spot = f.object;
   spot.position += material.fromTileOrigin.xyz; // 0 in object space
 #endif
+#if LICHEN_LAYERS > 1
+  return LICHEN_POINT_ANYWHERE(uv, dx, dy, spot.position, spot.dx, spot.dy, spot.normal);
+#else
 #ifndef LICHEN_OMIT_TRIPLANAR
   if (lichenIsTriplanar(lichenMaterial)) {
     LichenShadingPoint shading =
@@ -161,8 +178,6 @@ LichenShadingPoint noisePoint(Footprint f) {
   if (lichenIsSolid(lichenMaterial, lichenNoise))
     return LICHEN_POINT_SOLID(spot.position, spot.dx, spot.dy);
 #endif
-  vec2 dx = second ? f.dx.zw : f.dx.xy;
-  vec2 dy = second ? f.dy.zw : f.dy.xy;
   LichenShadingPoint shading = LICHEN_POINT(uv, dx, dy);
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsMix(lichenNoise))
@@ -170,6 +185,7 @@ LichenShadingPoint noisePoint(Footprint f) {
            mat2(lichenUvToTile(dx, lichenMaterial), lichenUvToTile(dy, lichenMaterial)));
 #endif
   return shading;
+#endif
 #endif
 }
 

@@ -39,14 +39,14 @@ vec4 materialTexture(sampler2D image, int slot, int set, Footprint f) {
 }
 
 /// The noise's opacity or the texture's alpha, without the factor.
-float alphaAt(Footprint f, LichenShadingPoint shading) {
+float alphaAt(Footprint f, LICHEN_SHADING_POINT shading) {
   if (NOISE_HAS(LICHEN_OPACITY))
     return NOISE_VALUE(LICHEN_OPACITY, shading).r;
   return materialTexture(baseColorTexture, TEXTURE_BASE_COLOR, material.texCoords.x, f).a;
 }
 
 /// Base colour and alpha without the factor.
-vec4 baseColorAt(Footprint f, LichenShadingPoint shading) {
+vec4 baseColorAt(Footprint f, LICHEN_SHADING_POINT shading) {
   bool fromNoise = NOISE_HAS(LICHEN_BASE_COLOR);
   bool alphaIsUsed = material.flags.y != ALPHA_OPAQUE;
   bool opacityFromNoise = alphaIsUsed && NOISE_HAS(LICHEN_OPACITY);
@@ -60,14 +60,14 @@ vec4 baseColorAt(Footprint f, LichenShadingPoint shading) {
   return color;
 }
 
-vec3 emissiveAt(Footprint f, LichenShadingPoint shading) {
+vec3 emissiveAt(Footprint f, LICHEN_SHADING_POINT shading) {
   if (NOISE_HAS(LICHEN_EMISSIVE))
     return NOISE_VALUE(LICHEN_EMISSIVE, shading).rgb;
   return materialTexture(emissiveTexture, TEXTURE_EMISSIVE, material.flags.x, f).rgb;
 }
 
 /// Occlusion, roughness and metallic, without their factors.
-vec3 ormAt(Footprint f, LichenShadingPoint shading) {
+vec3 ormAt(Footprint f, LICHEN_SHADING_POINT shading) {
   vec3 orm;
   orm.x = materialTexture(occlusionTexture, TEXTURE_OCCLUSION, material.texCoords.w, f).r;
   orm.yz = materialTexture(metallicRoughnessTexture, TEXTURE_METALLIC_ROUGHNESS,
@@ -105,12 +105,12 @@ bool hasSlopesInSpace() {
 #ifdef WITHOUT_NOISE
   return false;
 #else
-  return lichenHasSlopesInSpace(lichenMaterial, lichenNoise) && LICHEN_HAS(LICHEN_NORMAL);
+  return lichenHasSlopesInSpace(lichenMaterial, NOISE_OF_MATERIAL) && NOISE_HAS(LICHEN_NORMAL);
 #endif
 }
 
 /// xyz: gradient of triplanar and solid slopes; w: slope variance lost to filtering.
-vec4 gradientAt(Footprint f, LichenShadingPoint shading) {
+vec4 gradientAt(Footprint f, LICHEN_SHADING_POINT shading) {
   if (!hasSlopesInSpace())
     return vec4(0.0);
   float scale = material.factors.z;
@@ -121,11 +121,11 @@ vec4 gradientAt(Footprint f, LichenShadingPoint shading) {
 }
 
 /// xyz: normal in tangent space; w: slope variance lost to filtering. Not for slopes in space.
-vec4 tangentNormalAt(Footprint f, LichenShadingPoint shading) {
+vec4 tangentNormalAt(Footprint f, LICHEN_SHADING_POINT shading) {
   if (hasSlopesInSpace())
     return vec4(0.0, 0.0, 1.0, 0.0);
 #ifndef WITHOUT_NOISE
-  if (LICHEN_HAS(LICHEN_NORMAL)) {
+  if (NOISE_HAS(LICHEN_NORMAL)) {
     float scale = material.factors.z;
     vec3 value = LICHEN_VALUE(LICHEN_NORMAL, shading).xyz;
     vec2 slopes = lichenSlopesToUv(scale * value.xy, lichenMaterial);
@@ -139,7 +139,7 @@ vec4 tangentNormalAt(Footprint f, LichenShadingPoint shading) {
 }
 
 Surface surfaceAt(Footprint f, vec4 vertexColor) {
-  LichenShadingPoint shading;
+  LICHEN_SHADING_POINT shading;
   if (kHasNoise)
     shading = noisePoint(f);
   vec3 orm = ormAt(f, shading);

@@ -104,16 +104,19 @@ function schemasAccept(json) {
   return (root === undefined || schemaOf('glTF')(root)) && uses.every((use) => schemaOf('material')(use));
 }
 
-/** add, replace and remove of RFC 6902. */
+/** add, replace, remove and copy of RFC 6902. */
 function applyPatch(document, patch) {
   const copy = structuredClone(document);
-  for (const { op, path: pointer, value } of patch) {
+  for (const { op, path: pointer, from, value: given } of patch) {
+    const value = op === 'copy'
+      ? structuredClone(from.split('/').slice(1).reduce((object, key) => object[key], copy))
+      : given;
     const keys = pointer.split('/').slice(1);
     const last = keys.pop();
     const parent = keys.reduce((object, key) => object[key], copy);
     if (op === 'remove' && Array.isArray(parent)) parent.splice(Number(last), 1);
     else if (op === 'remove') delete parent[last];
-    else if (op === 'add' && Array.isArray(parent))
+    else if ((op === 'add' || op === 'copy') && Array.isArray(parent))
       parent.splice(last === '-' ? parent.length : Number(last), 0, value);
     else parent[last] = value;
   }

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// lichen layer: noises of several bundles -> one noise in which index maps choose between them.
+#include "command.h"
+#include "methods/spectrum_option.h"
+#include "noise_choice.h"
+#include "noise_name.h"
+#include "options.h"
+#include "preview_images.h"
+
+#include <lichen/bundle_merge.h>
+#include <lichen/bundle_writer.h>
+#include <lichen/index_map.h>
+#include <lichen/layered_noise.h>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <numeric>
+
+namespace lichen::cli {
+namespace {
+
+constexpr int kMostPatchCycles = 64; // per tile, of rings and the like in --index
+
+struct Arguments {
+  explicit Arguments(const SharedOptions& options) : shared(options) {}
+
+  const SharedOptions& shared;
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string name;
+  std::vector<double> shares;
+  std::string index;
+  double softness = 0.0;
+  PreviewShape preview{};
+};
+
+/// A bundle, and which of its noises is meant.
+struct Input {
+  std::string file;
+  Bundle bundle;
+  std::size_t noise = 0;
+};
+
+Result<Input> readInput(const std::string& text) {
+  const auto [file, name] = splitNoise(text);
+  Result<Bundle> bundle = readBundle(file);
+  if (!bundle)
+    return bundle.error();
+  const Result<std::size_t> noise = findNoise(bundle.value(), file, name);
+  if (!noise)
+    return noise.error();
+  return Input{file, std::move(bundle).value(), noise.value()};
+}
+
+Result<void> check(const Arguments& arguments) {
+  if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
+    return checked;
+  const std::size_t count = arguments.inputs.size();
+  if (count < 2 || count > LICHEN_MAX_LAYERS)
+    return Error{ErrorKind::usage,
+                 fmt::format("BUNDLE: {} given; expected 2 to {}", count, LICHEN_MAX_LAYERS)};
+  if (!arguments.shares.empty() && arguments.shares.size() != count)
+    return Error{ErrorKind::usage, fmt::format("--shares: {} for {} bundles; expected one each",
+                                               arguments.shares.size(), count)};
+  return {};
+}
+
+/// The index map: a noise of a bundle, or one that has a spectrum.
+Result<Input> readIndex(const Arguments& arguments, const Input& first) {
+  const std::string extension =
+      std::filesystem::path(splitNoise(arguments.index).first).extension().string();
+  if (extension == ".glb" || extension == ".gltf" || extension == ".lichen")
+    return readInput(arguments.index);
+  const auto choice = spectrumChoice().read(arguments.index);
+  if (!choice || !*choice)
+    return Error{ErrorKind::usage, fmt::format("--index {}: expected {}, or a bundle",
+                                               arguments.index, spectrumChoice().sentence)};
+  Result<SpectrumPicture> spectrum = spectrumPicture(**choice, kMostPatchCycles);
+  if (!spectrum)
+    return spectrum.error();
+  const Noise& noise = first.bundle.noises[first.noise];
+  const auto [width, height] = exemplarSize(first.bundle, noise, noise.maps.front());
+  Result<IndexMapBake> baked = bakeIndexMap(spectrum.value(), int(width), int(height));
+  if (!baked)
+    return baked.error();
+  baked.value().bundle.noises[0].tileSizeMetres = noise.tileSizeMetres;
+  return Input{"--index", std::move(baked.value().bundle), 0};
+}
+
+/// A chain: each node divides one layer from those after it.
+std::vector<LayerNode> chainOf(std::vector<double> shares, std::size_t layers, double softness) {
+  shares.resize(layers, 1.0 / double(layers));
+  std::vector<LayerNode> nodes(layers - 1);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    const double rest = std::accumulate(shares.begin() + std::ptrdiff_t(n), shares.end(), 0.0);
+    nodes[n].proportion =
+        std::clamp((rest - shares[n]) / rest, kProportionRange.least, kProportionRange.most);
+    nodes[n].softness = softness;
+    nodes[n].below = {false, n};
+    nodes[n].above = n + 1 < nodes.size() ? LayerSide{true, n + 1} : LayerSide{false, n + 1};
+  }
+  return nodes;
+}
+
+Result<Bundle> layered(const Arguments& arguments) {
+  std::vector<Input> inputs;
+  std::vector<std::string> names;
+  for (const std::string& text : arguments.inputs) {
+    Result<Input> input = readInput(text);
+    if (!input)
+      return input.error();
+    names.push_back(input.value().bundle.noises[input.value().noise].name);
+    inputs.push_back(std::move(input).value());
+  }
+  const Result<Input> index = readIndex(arguments, inputs.front());
+  if (!index)
+    return index.error();
+  std::vector<BundledNoise> layers;
+  for (const Input& input : inputs)
+    layers.push_back({&input.bundle, input.noise});
+  const std::vector<BundledNoise> indices(layers.size() - 1,
+                                          {&index.value().bundle, index.value().noise});
+  const std::string name =
+      arguments.name.empty() ? fmt::format("{}", fmt::join(names, "-")) : arguments.name;
+  return layerNoises(name, layers, indices,
+                     chainOf(arguments.shares, layers.size(), arguments.softness));
+}
+
+Result<int> run(const Arguments& arguments) {
+  const auto start = std::chrono::steady_clock::now();
+  if (Result<void> checked = check(arguments); !checked)
+    return checked.error();
+  Result<Bundle> bundle = layered(arguments);
+  if (!bundle)
+    return bundle.error();
+  BundleFile file;
+  file.bundle = std::move(bundle).value();
+  file.shape = arguments.preview;
+  file.generator = "lichen " LICHEN_VERSION;
+  Result<PreviewImages> images = previewImages(file.bundle, *file.bundle.materials.front());
+  if (!images)
+    return images.error();
+  file.previews.push_back(std::move(images).value());
+  if (Result<void> written = writeBundle(arguments.output, file); !written)
+    return written.error();
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const std::string& name = file.bundle.noises.front().name;
+  if (arguments.shared.json) {
+    printLine(toText(nlohmann::ordered_json{{"output", arguments.output},
+                                            {"name", name},
+                                            {"layers", arguments.inputs.size()},
+                                            {"tableBytes", texelBytes(file.bundle)},
+                                            {"seconds", seconds.count()}}));
+    return kDone;
+  }
+  say(arguments.shared, fmt::format("{}: {}, {} layers, {:.2f} s", arguments.output, name,
+                                    arguments.inputs.size(), seconds.count()));
+  return kDone;
+}
+
+} // namespace
+
+Runner addLayer(CLI::App& verb, const SharedOptions& shared) {
+  auto arguments = std::make_shared<Arguments>(shared);
+  addTexts(verb, "BUNDLE", arguments->inputs, "...",
+           "2 to 4 bundles, each with :NAME for a noise but the first; all with the same maps and "
+           "tiles of one size and shape")
+      .required();
+  addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
+  addValue(verb, "--name", arguments->name, nameText(), "",
+           "Name of the noise and its material [default: those of the layers]");
+  addValue(verb, "--shares", arguments->shares, numbers({0.01, 1e6}, LICHEN_MAX_LAYERS), "",
+           "Areas of the layers, relative to each other [default: all the same]");
+  addText(
+      verb, "--index", arguments->index, "SPECTRUM|BUNDLE",
+      "Where the layers lie: a spectrum, as 'lichen bake' takes, whose frequencies are those of "
+      "the patches, or a noise [default: lobe:0:0:3]");
+  addValue(verb, "--softness", arguments->softness, number(kSoftnessRange), "0.1",
+           "Width of the transitions, in deviations of the index map");
+  addPreviewShape(verb, arguments->preview);
+  verb.footer(kDroppedByOthers);
+  arguments->index = "lobe:0:0:3";
+  return [arguments] { return run(*arguments); };
+}
+
+} // namespace lichen::cli

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// Labels -> exemplars of each label -> noises -> one layered noise.
+#include "layers_option.h"
+
+#include "srgb_picture.h"
+
+#include <lichen/bundle_merge.h>
+#include <lichen/index_map.h>
+#include <lichen/layers.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace lichen::cli {
+namespace {
+
+constexpr std::uint32_t kFillSeed = 1;
+
+/// The map that shows where the materials lie: the base colour, or the first one.
+const MapExemplar& guideOf(std::span<const MapExemplar> maps) {
+  const auto color = std::ranges::find(maps, MapTarget::baseColor, &MapExemplar::target);
+  return color == maps.end() ? maps.front() : *color;
+}
+
+Result<LabelImage> labelsOf(const LayersOption& option, const MapExemplar& guide,
+                            std::vector<std::string>& notes) {
+  if (!option.labels.empty()) {
+    Result<SrgbImage> picture = readSrgb(option.labels);
+    if (!picture)
+      return picture.error();
+    return labelsFromPicture(picture.value(), option.labels);
+  }
+  Result<LabelImage> labels = clusterLabels(guide, *option.count);
+  if (!labels)
+    return Error{labels.error().kind,
+                 fmt::format("--layers {}: {}", *option.count, labels.error().message)};
+  constexpr double kSeparate = 0.3;
+  if (const double separation = labelSeparation(guide, labels.value()); separation < kSeparate)
+    notes.push_back(fmt::format("the colours form no {} clear clusters (separation {:.2f} of 1); "
+                                "--labels says where the layers lie",
+                                *option.count, separation));
+  return labels;
+}
+
+LayerSide sideOf(const LayerPart& part) { return {part.isSplit, std::size_t(part.index)}; }
+
+/// The layer with each label: the first is the first label's.
+std::vector<LayerNode> nodesOf(std::span<const LayerSplit> splits, double softness) {
+  std::vector<LayerNode> nodes;
+  for (const LayerSplit& split : splits) {
+    LayerNode node;
+    node.proportion = std::clamp(split.proportion, kProportionRange.least, kProportionRange.most);
+    node.softness = softness;
+    node.below = sideOf(split.below);
+    node.above = sideOf(split.above);
+    nodes.push_back(node);
+  }
+  return nodes;
+}
+
+} // namespace
+
+void addLayersOption(CLI::App& verb, LayersOption& option) {
+  constexpr const char* kHeading = "Layers";
+  addText(verb, "--labels", option.labels, "IMAGE",
+          "A picture of 2 to 4 colours that says which pixels are which material: each becomes a "
+          "layer, and the layers alternate as in the picture")
+      .group(kHeading);
+  addValue(verb, "--layers", option.count, optional(wholeNumber(kFewestLabels, kMostLabels)), "",
+           "The same with this many clusters of the exemplar's colours")
+      .group(kHeading);
+  addValue(verb, "--softness", option.softness, number(kSoftnessRange), "0.1",
+           "Width of the transitions between layers, in deviations of the index map")
+      .group(kHeading);
+}
+
+Result<LayeredBake>
+bakeLayers(const LayersOption& option, const std::string& name, std::span<const MapExemplar> maps,
+           const std::function<Result<MethodBake>(std::span<const MapExemplar> maps)>& bake) {
+  LayeredBake result;
+  const MapExemplar& guide = guideOf(maps);
+  Result<LabelImage> labels = labelsOf(option, guide, result.about.notes);
+  if (!labels)
+    return labels.error();
+  std::vector<Bundle> layers(std::size_t(labels.value().count));
+  for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    Result<MethodBake> baked = bake(exemplarsOfLabel(maps, labels.value(), int(layer), kFillSeed));
+    if (!baked)
+      return baked.error();
+    MethodBake& made = baked.value();
+    layers[layer].noises.push_back(std::move(made.noise));
+    layers[layer].tables = std::move(made.tables);
+    layers[layer].materials.emplace_back(made.material);
+    for (const std::string& line : made.notes)
+      result.about.notes.push_back(fmt::format("layer {}: {}", layer + 1, line));
+    if (layer == 0) {
+      result.about.json = std::move(made.json);
+      result.about.facts = std::move(made.facts);
+    }
+  }
+  const std::vector<LayerSplit> splits = splitLayers(guide, labels.value());
+  std::vector<Bundle> indices;
+  for (const LayerSplit& split : splits) {
+    Result<IndexMapBake> baked = bakeIndexMap(split.spectrum, guide.width, guide.height);
+    if (!baked)
+      return baked.error();
+    indices.push_back(std::move(baked.value().bundle));
+    result.about.json["indexSpectrumErrors"].push_back(baked.value().decibels);
+    result.about.json["proportions"].push_back(split.proportion);
+  }
+  std::vector<BundledNoise> layerNoise, indexNoise;
+  for (const Bundle& layer : layers)
+    layerNoise.push_back({&layer, 0});
+  for (const Bundle& index : indices)
+    indexNoise.push_back({&index, 0});
+  Result<Bundle> bundle =
+      layerNoises(name, layerNoise, indexNoise, nodesOf(splits, option.softness));
+  if (!bundle)
+    return bundle.error();
+  result.bundle = std::move(bundle).value();
+  result.about.material = *result.bundle.materials.front();
+  return result;
+}
+
+} // namespace lichen::cli

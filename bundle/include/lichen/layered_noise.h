@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Layered noises: index maps that choose between several noises [MKN12] section 5.
+#pragma once
+
+#include <lichen/bundle.h>
+
+#include <cstdint>
+#include <lichen_interface.h>
+#include <string>
+
+namespace lichen {
+
+/// Why the layers of a noise, which has some, do not fit together: in one sentence, or empty.
+[[nodiscard]] std::string layersFault(const Bundle& bundle, std::size_t noise);
+
+/// Why a noise, or one among its layers and index maps, does not support a mapping: a sentence that
+/// names it, or empty.
+[[nodiscard]] std::string mappingObstacle(const Bundle& bundle, std::size_t noise, Mapping mapping);
+
+/// A noise as an index map: with its first map alone, whose values are the Gaussian ones.
+[[nodiscard]] Noise asIndex(Noise noise);
+
+/// Where the shader finds the map of a role of a layer: the binding and the place in
+/// LichenNoiseConstants::maps of this role. Layer 0 has those of its roles. Others: `role` is one
+/// that so many layers may have (layersFault()).
+[[nodiscard]] std::uint32_t layerSlot(std::size_t layer, std::uint32_t role);
+
+/// The members of the block of a noise that say how its layers are chosen; 0 if it has none.
+[[nodiscard]] shader::LichenLayers shaderLayers(const Noise& noise);
+
+} // namespace lichen

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Layered noises: which noises fit together, and which mappings they have.
+#include "findings.h"
+#include "methods/method_format.h"
+
+#include <lichen/layered_noise.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lichen {
+namespace {
+
+/// The quantile of the standard Gaussian distribution at `share`, by bisection.
+double gaussianQuantile(double share) {
+  constexpr int kSteps = 60;
+  double low = -8.0, high = 8.0;
+  for (int step = 0; step < kSteps; ++step) {
+    const double middle = 0.5 * (low + high);
+    const double below = 0.5 * std::erfc(-middle / std::numbers::sqrt2);
+    (below < share ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Sets the side of a node on which each layer below it lies, and those of its own nodes.
+void setSides(const NoiseLayers& layers, std::size_t node, std::uint32_t path,
+              std::array<std::uint32_t, LICHEN_MAX_LAYERS>& sides) {
+  const auto follow = [&](const LayerSide& side, std::uint32_t bits) {
+    const std::uint32_t extended = path | (bits << (2 * node));
+    if (side.isNode)
+      setSides(layers, side.index, extended, sides);
+    else
+      sides[side.index] = extended;
+  };
+  follow(layers.nodes[node].below, 1);
+  follow(layers.nodes[node].above, 2);
+}
+
+/// The targets that so many layers may have, so that their images fit into the slots.
+std::vector<MapTarget> targetsOf(std::size_t layers) {
+  std::vector<MapTarget> targets{MapTarget::baseColor, MapTarget::normal,
+                                 MapTarget::occlusionRoughnessMetallic};
+  targets.resize(layers == 2 ? 3 : layers == 3 ? 2 : 1);
+  return targets;
+}
+
+bool hasSameMaps(const Noise& a, const Noise& b) {
+  return a.maps.size() == b.maps.size() && std::ranges::all_of(a.maps, [&](const NoiseMap& map) {
+           const std::optional<std::size_t> other = findMap(b, map.target);
+           return other && b.maps[*other].channels == map.channels;
+         });
+}
+
+double aspectOf(const Bundle& bundle, const Noise& noise) {
+  const auto [width, height] = formatOf(noise).tileSize(bundle, noise);
+  return double(width) / double(height);
+}
+
+bool areAlike(double a, double b) {
+  constexpr double kTolerance = 0.01; // a stretch that nobody sees
+  return std::abs(a - b) <= kTolerance * std::max(a, b);
+}
+
+/// What is wrong with a layer or index noise beside the first layer, or nothing.
+std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise) {
+  const std::string name = "the noise " + quoted(noise.name);
+  if (&noise != &first && noise.layers)
+    return name + " is layered itself; expected one that is not";
+  if (isMix(noise))
+    return name + " is a mix; expected one that is not";
+  if (!areAlike(noise.tileSizeMetres, first.tileSizeMetres))
+    return name + " has tiles of " + std::to_string(noise.tileSizeMetres) + " m; expected " +
+           std::to_string(first.tileSizeMetres) + " m, as those of " + quoted(first.name);
+  if (!areAlike(aspectOf(bundle, noise), aspectOf(bundle, first)))
+    return name + " has tiles of another shape than " + quoted(first.name) +
+           "; expected the same width over height";
+  return {};
+}
+
+} // namespace
+
+std::string layersFault(const Bundle& bundle, std::size_t noise) {
+  const Noise& first = bundle.noises[noise];
+  const NoiseLayers& layers = *first.layers;
+  const std::vector<MapTarget> targets = targetsOf(layers.others.size() + 1);
+  for (const NoiseMap& map : first.maps)
+    if (std::ranges::count(targets, map.target) == 0) {
+      std::string expected;
+      for (const MapTarget target : targets)
+        expected += (expected.empty() ? "" : ", ") + std::string(nameOf(target));
+      return std::to_string(layers.others.size() + 1) + " layers with the map " +
+             std::string(nameOf(map.target)) +
+             " need more than the 16 images of a shader stage; expected only " + expected;
+    }
+  for (const std::size_t layer : layersOf(bundle, noise)) {
+    if (std::string fault = faultOf(bundle, first, bundle.noises[layer]); !fault.empty())
+      return fault;
+    if (!hasSameMaps(first, bundle.noises[layer]))
+      return "the noises " + quoted(first.name) + " and " + quoted(bundle.noises[layer].name) +
+             " have different maps or channels; expected the same";
+  }
+  for (const LayerNode& node : layers.nodes)
+    if (bundle.noises[node.index].method() != Method::multipleKernels)
+      return "the noise " + quoted(bundle.noises[node.index].name) + " has the method " +
+             std::string(nameOf(bundle.noises[node.index].method())) +
+             "; expected multiple-kernels for an index map";
+    else if (std::string fault = faultOf(bundle, first, bundle.noises[node.index]); !fault.empty())
+      return fault;
+  return {};
+}
+
+std::vector<std::size_t> layersOf(const Bundle& bundle, std::size_t noise) {
+  std::vector<std::size_t> layers{noise};
+  if (const auto& own = bundle.noises[noise].layers)
+    layers.insert(layers.end(), own->others.begin(), own->others.end());
+  return layers;
+}
+
+std::string mappingObstacle(const Bundle& bundle, std::size_t noise, Mapping mapping) {
+  std::vector<std::size_t> evaluated{noise};
+  visitLayerNoises(bundle.noises[noise], [&](std::size_t other) { evaluated.push_back(other); });
+  for (const std::size_t index : evaluated) {
+    const Noise& each = bundle.noises[index];
+    const std::string misfit = " does not fit the mapping " + std::string(nameOf(mapping));
+    if (!mappingFits(each.method(), mapping))
+      return "noise " + quoted(each.name) + " of the method " + std::string(nameOf(each.method())) +
+             misfit;
+    if (const std::string_view obstacle = mappingObstacle(each, mapping); !obstacle.empty())
+      return "noise " + quoted(each.name) + misfit + ": " + std::string(obstacle);
+  }
+  return {};
+}
+
+Noise asIndex(Noise noise) {
+  noise.maps.resize(1);
+  noise.maps[0].encoding = ValueEncoding::index;
+  return noise;
+}
+
+shader::LichenLayers shaderLayers(const Noise& noise) {
+  shader::LichenLayers result{};
+  if (!noise.layers)
+    return result;
+  const NoiseLayers& layers = *noise.layers;
+  result.count = shader::uint(layers.others.size() + 1);
+  result.nodes = shader::uint(layers.nodes.size());
+  std::array<float, LICHEN_MAX_LAYERS> thresholds{}, softnesses{};
+  for (std::size_t n = 0; n < layers.nodes.size(); ++n) {
+    // A Gaussian value and the transition add up to a deviation of sqrt(1 + softness^2).
+    const LayerNode& node = layers.nodes[n];
+    thresholds[n] = float(-std::hypot(1.0, node.softness) * gaussianQuantile(node.proportion));
+    softnesses[n] = float(node.softness);
+  }
+  std::array<std::uint32_t, LICHEN_MAX_LAYERS> sides{};
+  setSides(layers, 0, 0, sides);
+  result.threshold = {thresholds[0], thresholds[1], thresholds[2], 0.0f};
+  result.softness = {softnesses[0], softnesses[1], softnesses[2], 0.0f};
+  result.sides = {sides[0], sides[1], sides[2], sides[3]};
+  return result;
+}
+
+std::uint32_t layerSlot(std::size_t layer, std::uint32_t role) {
+  constexpr std::uint32_t kSlots[LICHEN_MAX_LAYERS][3] = {{0, 1, 2}, {3, 4, 5}, {2, 5}, {1}};
+  return layer == 0 ? role : kSlots[layer][role];
+}
+
+} // namespace lichen

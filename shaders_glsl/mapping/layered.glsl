@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// Layered noises at a point: what lichen.glsl evaluates where it declares the descriptors and
+// LICHEN_LAYERS is above 1. All layers and roles take one loop, so that the code of a noise is there
+// once, and not once for each: drivers that inline all calls need minutes and gigabytes to compile
+// that. Images are numbers, and each fetch chooses one. Other noises are drawn by other shaders.
+#ifndef LICHEN_LAYERED_GLSL
+#define LICHEN_LAYERED_GLSL
+
+#include "../noise/layers.glsl"
+#include "solid.glsl"
+#include "triplanar.glsl"
+#include "uv.glsl"
+
+// Bit m: some layer has the method m, of LICHEN_USED_METHODS; index maps have multiple kernels.
+// Likewise.
+#ifndef LICHEN_LAYER_METHODS
+#define LICHEN_LAYER_METHODS LICHEN_USED_METHODS
+#endif
+
+/// A layered noise at a point: the weights of its layers, and the values of the roles that it may
+/// have.
+struct LichenLayeredPoint {
+  vec4 weights;
+  vec4 values[3];
+};
+
+/// Where a layered noise is evaluated.
+struct LichenLayeredPlace {
+  vec2 uv, uvGradientX, uvGradientY;           // of texture coordinates
+  vec3 position, gradientX, gradientY, normal; // of other mappings
+};
+
+/// The noise of a layer and of an index map, with the method that compilers can know.
+LichenNoise lichenLayerOf(LichenNoise noise) {
+  int methods = int(LICHEN_LAYER_METHODS);
+  noise.method = methods == 1 ? 0u : methods == 2 ? 1u : methods == 4 ? 2u : methods == 8 ? 3u :
+                 noise.method;
+  return noise;
+}
+LichenNoise lichenIndexOf(LichenNoise noise) {
+  noise.method = uint(LICHEN_METHOD_MULTIPLE_KERNELS);
+  return noise;
+}
+
+/// The shading point of one layer, or of an index map.
+LichenShadingPoint lichenLayerPoint(LichenLayeredPlace at, LichenTriplanarMaterial planes,
+                                    LichenNoise noise) {
+#ifndef LICHEN_OMIT_TRIPLANAR
+  if (lichenIsTriplanar(planes.material))
+    return lichenPointTriplanarGrad(at.position, at.gradientX, at.gradientY, at.normal, planes,
+                                    noise);
+#endif
+#ifndef LICHEN_OMIT_SOLID
+  if (lichenIsSolid(planes.material, noise))
+    return lichenPointSolidGrad(at.position, at.gradientX, at.gradientY, planes.material, noise);
+#endif
+  return lichenPointUvGrad(at.uv, at.uvGradientX, at.uvGradientY, planes.material, noise);
+}
+
+/// The weights of all layers.
+vec4 lichenLayerWeightsAt(LichenLayeredPlace at) {
+  vec3 above = vec3(0.0);
+  for (int node = 0; node < LICHEN_LAYERS - 1; ++node) {
+    if (uint(node) >= lichenLayers.nodes)
+      break;
+    LichenShadingPoint shading = lichenLayerPoint(at, lichenIndexMaterials[node],
+                                                  lichenIndexOf(lichenIndexNoises[node]));
+    int image = LICHEN_FIRST_INDEX + node;
+    vec4 index = lichenValue(image, image, shading, lichenIndexMapOf(lichenIndexMaps[node]));
+    float share = lichenIndexWeight(index, lichenLayers.threshold[node],
+                                    lichenLayers.softness[node]);
+    above = mix(above, vec3(share), equal(ivec3(node), ivec3(0, 1, 2)));
+  }
+  return lichenLayerWeights(above, lichenLayers);
+}
+
+/// Where a layer has the image of a role: layerSlot() in bundle/.
+int lichenLayerSlot(int layer, int role) {
+  return layer == 0 ? role : (layer == 1 ? role + 3 : (layer == 2 ? (role == 0 ? 2 : 5) : 1));
+}
+
+/// The value of the map of a role, as lichenValue.
+vec4 lichenLayeredValue(int role, LichenLayeredPlace at, vec4 weights) {
+  LichenLayerSum sum = lichenNoLayers();
+  for (int layer = 0; layer < LICHEN_LAYERS; ++layer) {
+    if (uint(layer) >= lichenLayers.count)
+      break;
+    float weight = weights[layer];
+    LichenNoise noise = lichenNoise;
+    LichenTriplanarMaterial planes =
+        LichenTriplanarMaterial(lichenMaterial, lichenPlaneY, lichenPlaneZ);
+    if (layer > 0) {
+      noise = lichenLayerNoises[layer - 1];
+      planes = lichenLayerMaterials[layer - 1];
+    }
+    int slot = lichenLayerSlot(layer, role);
+    LichenShadingPoint shading = lichenLayerPoint(at, planes, lichenLayerOf(noise));
+    LichenMap map = lichenMaps[slot];
+    if (weight > 0.0)
+      lichenAddLayer(sum, weight, lichenValue(slot, slot, shading, map),
+                     role == LICHEN_NORMAL ? vec4(0.0) : map.mean);
+  }
+  if (role != LICHEN_NORMAL)
+    return max(lichenLayered(sum, vec4(0.0)), 0.0);
+  bool inSpace = lichenHasSlopesInSpace(lichenMaterial, lichenLayerOf(lichenNoise));
+  return lichenLayered(sum, inSpace ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(0.0, 0.0, 1.0, 1.0));
+}
+
+/// The weights and all values.
+LichenLayeredPoint lichenLayeredAt(LichenLayeredPlace at) {
+  LichenLayeredPoint point;
+  point.weights = lichenLayerWeightsAt(at);
+  vec4 color = vec4(0.0), slopes = vec4(0.0), orm = vec4(0.0);
+  for (int role = 0; role < 3; ++role) {
+    if ((((lichenNoise.roles & uint(LICHEN_ROLES)) >> uint(role)) & 1u) == 0u)
+      continue;
+    vec4 value = lichenLayeredValue(role, at, point.weights);
+    if (role == LICHEN_BASE_COLOR)
+      color = value;
+    else if (role == LICHEN_NORMAL)
+      slopes = value;
+    else
+      orm = value;
+  }
+  point.values = vec4[3](color, slopes, orm);
+  return point;
+}
+
+/// The point at texture coordinates, as lichenPointUvGrad.
+LichenLayeredPoint lichenLayeredUv(vec2 uv, vec2 gradientX, vec2 gradientY) {
+  LichenLayeredPlace at;
+  at.uv = uv;
+  at.uvGradientX = gradientX;
+  at.uvGradientY = gradientY;
+  return lichenLayeredAt(at);
+}
+
+/// The point in space, as lichenPointTriplanarGrad or, with any normal, lichenPointSolidGrad.
+LichenLayeredPoint lichenLayeredInSpace(vec3 position, vec3 gradientX, vec3 gradientY,
+                                        vec3 normal) {
+  LichenLayeredPlace at;
+  at.position = position;
+  at.gradientX = gradientX;
+  at.gradientY = gradientY;
+  at.normal = normal;
+  return lichenLayeredAt(at);
+}
+
+/// The point of a material with any mapping.
+LichenLayeredPoint lichenLayeredAnywhere(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, vec3 position,
+                                         vec3 gradientX, vec3 gradientY, vec3 normal) {
+  return lichenLayeredAt(LichenLayeredPlace(uv, uvGradientX, uvGradientY, position, gradientX,
+                                            gradientY, normal));
+}
+
+#endif

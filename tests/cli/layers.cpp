@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// `lichen bake --labels` and `--layers`, and `lichen layer`.
+#include "command_run.h"
+
+#include <lichen/bundle.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+constexpr int kUsage = 2, kBadInput = 3, kSide = 128;
+
+/// Whether a pixel is of the second material: discs on a grid, a third of the area.
+bool isDisc(int x, int y) {
+  const int dx = x % 32 - 16, dy = y % 32 - 16;
+  return dx * dx + dy * dy < 108;
+}
+
+/// Dark and bright speckles, the bright ones in discs.
+SrgbImage discs() {
+  SrgbImage image = speckled(kSide, kSide, 3);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (int c = 0; c < 3; ++c) {
+        float& value = image.values[std::size_t((y * kSide + x) * 3 + c)];
+        value = (isDisc(x, y) ? 0.6f : 0.1f) + 0.3f * value;
+      }
+  return image;
+}
+
+SrgbImage painted() {
+  SrgbImage image(kSide, kSide, 3);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x)
+      for (int c = 0; c < 3; ++c)
+        image.values[std::size_t((y * kSide + x) * 3 + c)] = isDisc(x, y) ? 1.0f : 0.0f;
+  return image;
+}
+
+} // namespace
+
+TEST_CASE("a bake with labels makes a noise for each, with their colours and areas") {
+  const Workplace workplace;
+  const std::string photograph = workplace.write("coast.png", discs());
+  const std::string labels = workplace.write("labels.png", painted());
+  for (const Arguments& which : {Arguments{"--labels", labels}, Arguments{"--layers", "2"}}) {
+    Arguments all{"bake", photograph, "-o", workplace.path("coast.glb"), "--softness", "0.05"};
+    all.insert(all.end(), which.begin(), which.end());
+    const Ended ended = runLichen(all);
+    INFO(which[0] << ": " << ended.errors);
+    REQUIRE(ended.code == 0);
+    const Bundle bundle = readBundle(workplace.path("coast.glb")).value();
+    REQUIRE(bundle.noises.size() == 3);
+    const NoiseLayers& layers = *bundle.noises[0].layers;
+    CHECK(layers.nodes[0].softness == 0.05);
+    CHECK(layers.nodes[0].proportion == Approx(0.33).margin(0.03));
+    CHECK(bundle.noises[2].method() == Method::multipleKernels);
+    // Speckles have a mean of some half of their range. Stored values are roots of light.
+    const auto mean = [&](std::size_t noise) { return bundle.noises[noise].maps[0].mean[0]; };
+    CHECK(mean(1) - mean(0) > 0.3);
+    CHECK(bundle.materials.size() == 1);
+    CHECK(runLichen({"check", workplace.path("coast.glb")}).code == 0);
+  }
+  const Ended shown = runLichen({"inspect", workplace.path("coast.glb")});
+  CHECK_THAT(shown.output, Catch::Contains("layers: coast, coast.layer2") &&
+                               Catch::Contains("of the area above, softness 0.05"));
+}
+
+TEST_CASE("layers are made of noises of several bundles, with the areas asked for") {
+  const Workplace workplace;
+  const std::string image = workplace.write("a.png", speckled(64, 64, 3));
+  std::vector<std::string> bundles;
+  for (const char* method : {"tiling", "texton", "multiple-kernels", "local-random-phase"}) {
+    bundles.push_back(workplace.path(std::string(method) + ".glb"));
+    REQUIRE(runLichen({"bake", image, "-o", bundles.back(), "--method", method, "--name", method,
+                       "--preview", "none"})
+                .code == 0);
+  }
+  const std::string output = workplace.path("all.glb");
+  const Ended ended = runLichen({"layer", bundles[0], bundles[1], bundles[2], bundles[3], "-o",
+                                 output, "--shares", "4,3,2,1"});
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  const Bundle bundle = readBundle(output).value();
+  REQUIRE(bundle.noises.size() == 7); // with three index maps
+  const std::vector<LayerNode>& nodes = bundle.noises[0].layers->nodes;
+  CHECK(nodes[0].proportion == Approx(0.6));
+  CHECK(nodes[1].proportion == Approx(0.5));
+  CHECK(nodes[2].proportion == Approx(1.0 / 3.0));
+  CHECK(runLichen({"synth", output, "-o", workplace.path("all.png"), "--size", "64"}).code == 0);
+
+  // An index map may be a noise of kernels, and no other.
+  CHECK(runLichen({"layer", bundles[0], bundles[1], "-o", output, "--index", bundles[2]}).code ==
+        0);
+  checkRefusal({"layer", bundles[0], bundles[1], "-o", output, "--index", bundles[1]}, kUsage,
+               {"texton", "expected multiple-kernels for an index map"});
+  checkRefusal({"layer", bundles[0], "-o", output}, kUsage, {"1 given; expected 2 to 4"});
+  checkRefusal({"layer", bundles[0], bundles[1], "-o", output, "--shares", "1"}, kUsage,
+               {"--shares: 1 for 2 bundles; expected one each"});
+  checkRefusal({"layer", bundles[0], bundles[1], "-o", output, "--index", "rings"}, kBadInput,
+               {"rings"});
+}
+
+TEST_CASE("layers that do not fit together are refused by name") {
+  const Workplace workplace;
+  const std::string image = workplace.write("a.png", speckled(256, 256, 3));
+  const auto bake = [&](const std::string& name, const Arguments& more) {
+    Arguments all{"bake", image, "-o", workplace.path(name), "--preview", "none"};
+    all.insert(all.end(), more.begin(), more.end());
+    REQUIRE(runLichen(all).code == 0);
+    return workplace.path(name);
+  };
+  const std::string one = bake("one.glb", {}), large = bake("large.glb", {"--tile", "2"}),
+                    wide = bake("wide.glb", {"--crop", "0,0,256,128"});
+  const std::string output = workplace.path("out.glb");
+  checkRefusal({"layer", one, large, "-o", output}, kUsage, {"has tiles of 2", "expected 1"});
+  checkRefusal({"layer", one, wide, "-o", output}, kUsage, {"has tiles of another shape"});
+  checkRefusal({"bake", image, "-o", output, "--labels", image, "--layers", "2"}, kUsage,
+               {"--layers: given with --labels"});
+  checkRefusal({"bake", image, "-o", output, "--layers", "5"}, kUsage, {"--layers 5", "2 to 4"});
+  checkRefusal({"bake", image, "-o", output, "--labels", workplace.path("none.png")}, kBadInput,
+               {"none.png"});
+}
