@@ -81,19 +81,23 @@ std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise
 
 } // namespace
 
+std::string layerTargetFault(std::size_t layers, MapTarget target) {
+  const std::vector<MapTarget> targets = targetsOf(layers);
+  if (std::ranges::count(targets, target) > 0)
+    return {};
+  std::string expected;
+  for (const MapTarget each : targets)
+    expected += (expected.empty() ? "" : ", ") + std::string(nameOf(each));
+  return std::to_string(layers) + " layers with the map " + std::string(nameOf(target)) +
+         " need more than the 16 images of a shader stage; expected only " + expected;
+}
+
 std::string layersFault(const Bundle& bundle, std::size_t noise) {
   const Noise& first = bundle.noises[noise];
   const NoiseLayers& layers = *first.layers;
-  const std::vector<MapTarget> targets = targetsOf(layers.others.size() + 1);
   for (const NoiseMap& map : first.maps)
-    if (std::ranges::count(targets, map.target) == 0) {
-      std::string expected;
-      for (const MapTarget target : targets)
-        expected += (expected.empty() ? "" : ", ") + std::string(nameOf(target));
-      return std::to_string(layers.others.size() + 1) + " layers with the map " +
-             std::string(nameOf(map.target)) +
-             " need more than the 16 images of a shader stage; expected only " + expected;
-    }
+    if (std::string fault = layerTargetFault(layers.others.size() + 1, map.target); !fault.empty())
+      return fault;
   for (const std::size_t layer : layersOf(bundle, noise)) {
     if (std::string fault = faultOf(bundle, first, bundle.noises[layer]); !fault.empty())
       return fault;

@@ -6,6 +6,7 @@
 
 #include <lichen/bundle_merge.h>
 #include <lichen/index_map.h>
+#include <lichen/layered_noise.h>
 #include <lichen/layers.h>
 
 #include <fmt/format.h>
@@ -85,6 +86,9 @@ bakeLayers(const LayersOption& option, const std::string& name, std::span<const 
   if (!labels)
     return labels.error();
   std::vector<Bundle> layers(std::size_t(labels.value().count));
+  for (const MapExemplar& map : maps)
+    if (const std::string fault = layerTargetFault(layers.size(), map.target); !fault.empty())
+      return Error{ErrorKind::usage, fault + "; leave its file out"};
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     Result<MethodBake> baked = bake(exemplarsOfLabel(maps, labels.value(), int(layer), kFillSeed));
     if (!baked)

@@ -122,6 +122,13 @@ TEST_CASE("layers that do not fit together are refused by name") {
   checkRefusal({"bake", image, "-o", output, "--labels", image, "--layers", "2"}, kUsage,
                {"--layers: given with --labels"});
   checkRefusal({"bake", image, "-o", output, "--layers", "5"}, kUsage, {"--layers 5", "2 to 4"});
+  const Ended ended = runLichen({"bake", workplace.write("a_diff.png", speckled(256, 256, 3)),
+                                 workplace.write("a_height.png", speckled(256, 256, 3)), "-o",
+                                 output, "--layers", "2"});
+  CHECK(ended.code == kUsage);
+  CHECK_THAT(ended.errors, Catch::Contains("2 layers with the map height") &&
+                               Catch::Contains("16 images") &&
+                               Catch::Contains("leave its file out"));
   checkRefusal({"bake", image, "-o", output, "--labels", workplace.path("none.png")}, kBadInput,
                {"none.png"});
 }

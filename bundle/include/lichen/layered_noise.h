@@ -10,6 +10,9 @@
 
 namespace lichen {
 
+/// Why maps with this target do not fit into so many layers, in [2, 4]: in one sentence, or empty.
+[[nodiscard]] std::string layerTargetFault(std::size_t layers, MapTarget target);
+
 /// Why the layers of a noise, which has some, do not fit together: in one sentence, or empty.
 [[nodiscard]] std::string layersFault(const Bundle& bundle, std::size_t noise);
 
