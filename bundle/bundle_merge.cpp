@@ -50,7 +50,7 @@ void placeTables(Bundle& into, const Bundle& from, Noise& noise, const std::stri
 }
 
 /// Whether only layered noises use a noise, and no material.
-bool isMereLayer(const Bundle& bundle, std::size_t index) {
+bool isOnlyLayer(const Bundle& bundle, std::size_t index) {
   if (std::ranges::any_of(bundle.materials, [&](const std::optional<MaterialNoise>& material) {
         return material && material->noise == index;
       }))
@@ -87,7 +87,7 @@ void Merger::addNoise(const NamedBundle& input, std::size_t index) {
 
   noise.name = name;
   const std::string original = input.bundle.noises[index].name;
-  if (isMereLayer(input.bundle, index)) {
+  if (isOnlyLayer(input.bundle, index)) {
     bundle.noises.push_back(std::move(noise));
     return;
   }
@@ -160,8 +160,42 @@ std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
   return into.noises.size() - 1;
 }
 
+namespace {
+
+/// A tree numbered as a file has it.
+struct OrderedLayers {
+  std::vector<LayerNode> nodes;
+  std::vector<std::size_t> oldNodes;  ///< the number that each node had
+  std::vector<std::size_t> layers{0}; ///< the number that each layer had
+};
+
+/// Adds a node and those below it, and returns its new number: nodes come before those below them,
+/// and the side below before that above; layers but the first likewise.
+std::size_t orderNode(const std::vector<LayerNode>& nodes, std::size_t node,
+                      OrderedLayers& ordered) {
+  const std::size_t place = ordered.nodes.size();
+  ordered.nodes.push_back(nodes[node]);
+  ordered.oldNodes.push_back(node);
+  const auto numbered = [&](const LayerSide& side) -> LayerSide {
+    if (side.isNode)
+      return {true, orderNode(nodes, side.index, ordered)};
+    if (side.index == 0)
+      return side;
+    ordered.layers.push_back(side.index);
+    return {false, ordered.layers.size() - 1};
+  };
+  const LayerSide below = numbered(nodes[node].below);
+  const LayerSide above = numbered(nodes[node].above);
+  ordered.nodes[place].below = below;
+  ordered.nodes[place].above = above;
+  return place;
+}
+
+} // namespace
+
 Result<Bundle> layerNoises(const std::string& name, std::span<const BundledNoise> layers,
-                           std::span<const BundledNoise> indices, std::vector<LayerNode> nodes) {
+                           std::span<const BundledNoise> indices,
+                           const std::vector<LayerNode>& nodes) {
   const auto build = [&]() -> Result<Bundle> {
     Bundle bundle;
     const auto add = [&](const BundledNoise& input, std::string named) {
@@ -172,16 +206,20 @@ Result<Bundle> layerNoises(const std::string& name, std::span<const BundledNoise
       bundle.noises.push_back(std::move(noise));
       return bundle.noises.size() - 1;
     };
+    OrderedLayers ordered;
+    orderNode(nodes, 0, ordered);
     NoiseLayers result;
-    for (std::size_t layer = 0; layer < layers.size(); ++layer) {
+    for (std::size_t layer = 0; layer < ordered.layers.size(); ++layer) {
       const std::size_t place =
-          add(layers[layer], layer == 0 ? name : name + ".layer" + std::to_string(layer + 1));
+          add(layers[ordered.layers[layer]],
+              layer == 0 ? name : name + ".layer" + std::to_string(layer + 1));
       if (layer > 0)
         result.others.push_back(place);
     }
-    for (std::size_t node = 0; node < nodes.size(); ++node)
-      nodes[node].index = add(indices[node], name + ".index" + std::to_string(node + 1));
-    result.nodes = std::move(nodes);
+    for (std::size_t node = 0; node < ordered.nodes.size(); ++node)
+      ordered.nodes[node].index =
+          add(indices[ordered.oldNodes[node]], name + ".index" + std::to_string(node + 1));
+    result.nodes = std::move(ordered.nodes);
     bundle.noises[0].layers = std::move(result);
     if (const std::string fault = layersFault(bundle, 0); !fault.empty())
       return Error{ErrorKind::usage, fault};

@@ -110,6 +110,9 @@ std::string layersFault(const Bundle& bundle, std::size_t noise) {
       return "the noise " + quoted(bundle.noises[node.index].name) + " has the method " +
              std::string(nameOf(bundle.noises[node.index].method())) +
              "; expected multiple-kernels for an index map";
+    else if (bundle.noises[node.index].layers)
+      return "the index map " + quoted(bundle.noises[node.index].name) +
+             " is layered itself; expected one that is not";
     else if (std::string fault = faultOf(bundle, first, bundle.noises[node.index]); !fault.empty())
       return fault;
   return {};
@@ -129,10 +132,10 @@ std::string mappingObstacle(const Bundle& bundle, std::size_t noise, Mapping map
     const Noise& each = bundle.noises[index];
     const std::string misfit = " does not fit the mapping " + std::string(nameOf(mapping));
     if (!mappingFits(each.method(), mapping))
-      return "noise " + quoted(each.name) + " of the method " + std::string(nameOf(each.method())) +
+      return "noise '" + each.name + "' of the method " + std::string(nameOf(each.method())) +
              misfit;
     if (const std::string_view obstacle = mappingObstacle(each, mapping); !obstacle.empty())
-      return "noise " + quoted(each.name) + misfit + ": " + std::string(obstacle);
+      return "noise '" + each.name + "'" + misfit + ": " + std::string(obstacle);
   }
   return {};
 }

@@ -14,8 +14,8 @@ constexpr std::array<std::string_view, 6> kTargetNames = {
 constexpr std::array<std::string_view, 10> kChannelNames = {
     "red",       "green",     "blue",     "slopeX", "slopeY",
     "occlusion", "roughness", "metallic", "height", "opacity"};
-constexpr std::array<std::string_view, 6> kEncodingNames = {"root", "linear", "slope", "log2",
-                                                            "srgb", "index"};
+constexpr std::array<std::string_view, 6> kEncodingNames = {"root", "linear", "slope",
+                                                            "log2", "srgb",   "index"};
 constexpr std::array<std::string_view, 4> kMappingNames = {"uv", "triplanar", "surface", "solid"};
 constexpr std::array<std::string_view, 2> kSpaceNames = {"world", "object"};
 constexpr std::array<std::string_view, 2> kPointProcessNames = {"stratified", "poisson"};

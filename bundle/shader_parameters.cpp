@@ -233,7 +233,6 @@ MaterialNoise layerMaterial(const MaterialNoise& material, std::size_t layer) {
 MaterialNoise indexMaterial(const MaterialNoise& material, std::size_t node) {
   MaterialNoise result = layerMaterial(material, LICHEN_MAX_LAYERS + node);
   result.contrast = 1.0;
-  result.tileRotation = 0;
   return result;
 }
 

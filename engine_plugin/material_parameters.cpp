@@ -46,12 +46,13 @@ LichenResult readPointProcess(LichenPointProcess value, PointProcess& process,
 /// Whether all layers and index maps of the noise have a mapping. If not, says why not.
 LichenResult checkMapping(LichenMapping value, const NoiseSummary& summary, Mapping mapping,
                           LichenDiagnostic* diagnostic) {
-  std::vector<const shader::LichenNoise*> noises{&summary.constants};
+  std::array<const shader::LichenNoise*, 1 + 2 * LICHEN_MAX_LAYER_NODES> noises{&summary.constants};
+  std::size_t count = 1;
   for (std::uint32_t layer = 1; layer < summary.layerCount; ++layer) {
-    noises.push_back(&summary.layers[layer - 1]);
-    noises.push_back(&summary.indices[layer - 1]);
+    noises[count++] = &summary.layers[layer - 1];
+    noises[count++] = &summary.indices[layer - 1];
   }
-  for (const shader::LichenNoise* noise : noises) {
+  for (const shader::LichenNoise* noise : std::span(noises).first(count)) {
     if (!mappingFits(Method(noise->method), mapping)) {
       writeDiagnostic(
           diagnostic,
@@ -281,8 +282,9 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
   summary.constants = constants.noise;
   std::copy(std::begin(constants.layerNoises), std::end(constants.layerNoises), summary.layers);
   std::copy(std::begin(constants.indexNoises), std::end(constants.indexNoises), summary.indices);
-  for (const std::size_t layer : layersOf(plan.bundle, source.noise)) {
-    ++summary.layerCount;
+  const LichenBundle_T::NoisePlan& layered = plan.noises[source.noise];
+  summary.layerCount = layered.layerCount;
+  for (const std::uint32_t layer : std::span(layered.layers).first(layered.layerCount)) {
     for (const NoiseMap& map : plan.bundle.noises[layer].maps) {
       const bool hasTable = inverseTableOf(map).has_value();
       if (plan.bundle.noises[layer].method() != Method::texton)

@@ -102,23 +102,34 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
   return result;
 }
 
-/// Places the images of a layered noise's other layers in its slots, and those of its index maps.
+/// Plans what a noise shows of others: places the images of its other layers in its slots, and
+/// those of its index maps.
 void planLayers(LichenBundle_T& plan, std::size_t index) {
   const Noise& noise = plan.bundle.noises[index];
+  LichenBundle_T::NoisePlan& result = plan.noises[index];
+  for (const Mapping mapping : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
+    if (mappingObstacle(plan.bundle, index, mapping).empty())
+      result.mappings |= 1u << mappingNumber(mapping);
+  result.layers.fill(LICHEN_NO_NOISE);
+  result.indexNoises.fill(LICHEN_NO_NOISE);
+  result.layers[0] = std::uint32_t(index);
+  result.layerCount = 1;
   if (!noise.layers)
     return;
-  LichenBundle_T::NoisePlan& result = plan.noises[index];
-  for (std::size_t layer = 1; layer <= noise.layers->others.size(); ++layer) {
-    const std::size_t other = noise.layers->others[layer - 1];
+  for (const std::size_t other : noise.layers->others) {
+    const std::size_t layer = result.layerCount++;
+    result.layers[layer] = std::uint32_t(other);
     for (const NoiseMap& map : plan.bundle.noises[other].maps) {
       const std::uint32_t role = roleOf(map.target);
       result.images[layerSlot(layer, role)] = plan.noises[other].images[role];
       result.tables[layerSlot(layer, role)] = plan.noises[other].tables[role];
     }
   }
-  for (std::size_t node = 0; node < noise.layers->nodes.size(); ++node)
-    result.indices[node] =
-        std::uint32_t(imageOf(plan.bundle.noises[noise.layers->nodes[node].index].maps.front()));
+  for (std::size_t node = 0; node < noise.layers->nodes.size(); ++node) {
+    const std::size_t map = noise.layers->nodes[node].index;
+    result.indexNoises[node] = std::uint32_t(map);
+    result.indices[node] = std::uint32_t(imageOf(plan.bundle.noises[map].maps.front()));
+  }
 }
 
 void planBundle(LichenBundle_T& plan) {
@@ -278,20 +289,15 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.textonOrder = shape != nullptr ? std::uint32_t(shape->order) : 0;
   const auto* cosines = std::get_if<LocalRandomPhaseNoise>(&source.data);
   values.hasStructure = cosines != nullptr && cosines->structure.columns > 0 ? 1 : 0;
-  for (const Mapping mapping : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
-    if (mappingObstacle(bundle->bundle, noise, mapping).empty())
-      values.mappings |= 1u << mappingNumber(mapping);
   if (const auto* kernels = std::get_if<MultipleKernelsNoise>(&source.data))
     values.kernelKinds = (kernels->rings > 0 ? LICHEN_KERNELS_RINGS : 0u) |
                          (kernels->window != KernelWindow::gabor ? LICHEN_KERNELS_SQUARE : 0u) |
                          (kernels->cosines > 0 ? LICHEN_KERNELS_PATTERN : 0u);
-  std::fill(std::begin(values.layers), std::end(values.layers), LICHEN_NO_NOISE);
-  std::fill(std::begin(values.indices), std::end(values.indices), LICHEN_NO_NOISE);
-  for (const std::size_t layer : layersOf(bundle->bundle, noise))
-    values.layers[values.layerCount++] = std::uint32_t(layer);
-  if (source.layers)
-    for (std::size_t node = 0; node < source.layers->nodes.size(); ++node)
-      values.indices[node] = std::uint32_t(source.layers->nodes[node].index);
+  const LichenBundle_T::NoisePlan& plan = bundle->noises[noise];
+  values.mappings = plan.mappings;
+  values.layerCount = plan.layerCount;
+  std::copy(plan.layers.begin(), plan.layers.end(), values.layers);
+  std::copy(plan.indexNoises.begin(), plan.indexNoises.end(), values.indices);
   return writeStruct(values, LICHEN_STRUCTURE_NOISE_PROPERTIES, properties);
 }
 

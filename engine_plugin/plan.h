@@ -29,6 +29,11 @@ struct LichenBundle_T {
     lichen::shader::LichenNoiseConstants constants{};
     std::array<std::uint32_t, LICHEN_MAX_MAPS> images{}, tables{};
     std::array<std::uint32_t, LICHEN_MAX_LAYER_NODES> indices{};
+    /// LichenNoiseProperties::mappings, and the noises that are its layers and index maps.
+    std::uint32_t mappings = 0;
+    std::uint32_t layerCount = 0;
+    std::array<std::uint32_t, LICHEN_MAX_LAYERS> layers{};
+    std::array<std::uint32_t, LICHEN_MAX_LAYER_NODES> indexNoises{};
   };
   std::vector<NoisePlan> noises;
   /// Per material: the revision of its noise, at least 1, if its method or revision is unknown,

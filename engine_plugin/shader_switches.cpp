@@ -113,7 +113,7 @@ std::string switchesOf(const Needs& needs) {
   }
   if ((needs.methods & ~(1u << LICHEN_METHOD_TEXTON)) != 0) {
     unless(needs.tables, "TABLES=0");
-    unless(needs.gaussianOnly || !needs.tables, "GAUSSIAN_ONLY=0"); // not both: index maps
+    unless(needs.gaussianOnly || !needs.tables, "GAUSSIAN_ONLY=0"); // not both are 0
   }
   if (has(LICHEN_METHOD_TILING)) {
     unless(needs.rotation, "TILE_ROTATION=0");

@@ -485,12 +485,6 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
           "functions of LichenVulkanFunctions");
       return LICHEN_ERROR_USAGE;
     }
-    if (material->buffer == VK_NULL_HANDLE || material->range < LICHEN_MATERIAL_BYTES) {
-      writeDiagnostic(diagnostic,
-                      "material needs a buffer and a range of at least %d bytes; its range is %llu",
-                      LICHEN_MATERIAL_BYTES, static_cast<unsigned long long>(material->range));
-      return LICHEN_ERROR_USAGE;
-    }
     const LichenVulkanContext_T& context = *assets->context;
     const LichenVulkanAssets_T::Noise& source = assets->noises[noise];
     if (source.isLayered && !context.hasLayers) {
@@ -498,6 +492,13 @@ LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, std::uint32_t no
                       "noise %u is layered; create the context with the flag "
                       "LICHEN_VULKAN_LAYERS",
                       noise);
+      return LICHEN_ERROR_USAGE;
+    }
+    const int least = source.isLayered ? LICHEN_LAYERED_MATERIAL_BYTES : LICHEN_MATERIAL_BYTES;
+    if (material->buffer == VK_NULL_HANDLE || material->range < VkDeviceSize(least)) {
+      writeDiagnostic(diagnostic,
+                      "material needs a buffer and a range of at least %d bytes; its range is %llu",
+                      least, static_cast<unsigned long long>(material->range));
       return LICHEN_ERROR_USAGE;
     }
     VkDescriptorSetAllocateInfo info{};

@@ -19,9 +19,9 @@
 // LICHEN_GRADIENT(role, uv, gradientX, gradientY), a value and its derivatives for bumps (without
 // layers), LICHEN_SHADING_POINT, the type of a point, and
 // LICHEN_IMAGE(role) and LICHEN_TABLE(role), which other functions take (likewise).
-// Shaders with LICHEN_LAYERS above 1 draw layered noises alone, which are not mapped onto surfaces;
-// LICHEN_POINT_ANYWHERE(uv, gradientX, gradientY, position, gradientX, gradientY, normal) is a point
-// of a material with any mapping.
+// With LICHEN_LAYERS above 1 there are base colour, normals, and occlusion, roughness and metallic,
+// and no surfaces; LICHEN_POINT_ANYWHERE(uv, uvGradientX, uvGradientY, position, gradientX,
+// gradientY, normal) is a point of a material with any mapping.
 //
 // A host that knows more at compile time leaves out what it does not need: less code to run. The
 // switches are in README.md.
@@ -192,7 +192,8 @@ LICHEN_DECLARE_ROLE(5);
 #define LICHEN_VALUE_5(shading) vec4(0.0)
 #endif
 
-#define LICHEN_HAS(role) ((((lichenNoise.roles & uint(LICHEN_VALUE_ROLES)) >> uint(role)) & 1u) != 0u)
+#define LICHEN_HAS(role)                                                                           \
+  ((((lichenNoise.roles & uint(LICHEN_VALUE_ROLES)) >> uint(role)) & 1u) != 0u)
 
 // Twice, so that a role's name becomes its number before it is pasted.
 #define LICHEN_IMAGE(role) LICHEN_IMAGE_OF(role)

@@ -53,6 +53,8 @@ struct Arguments {
 Result<void> checkMethodOptions(const Arguments& arguments) {
   if (!arguments.layers.labels.empty() && arguments.layers.count)
     return Error{ErrorKind::usage, "--layers: given with --labels; expected one of the two"};
+  if (arguments.layers.softness && !arguments.layers.isGiven())
+    return Error{ErrorKind::usage, "--softness: belongs to --labels and --layers"};
   if (!arguments.wanted) {
     if (arguments.common.spectrum)
       return Error{ErrorKind::usage, "--spectrum: auto compares with the exemplar; expected a "
@@ -148,8 +150,7 @@ Result<LayeredBake> bakeNoise(const Arguments& arguments, const Judged& exemplar
   };
   LayeredBake result;
   if (arguments.layers.isGiven()) {
-    Result<LayeredBake> layered =
-        bakeLayers(arguments.layers, exemplar.name, exemplar.maps, bake);
+    Result<LayeredBake> layered = bakeLayers(arguments.layers, exemplar.name, exemplar.maps, bake);
     if (!layered)
       return layered;
     result = std::move(layered).value();

@@ -44,10 +44,15 @@ int bitsOf(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   return formatName(commandOf(bundle.noises[noise]).imageOf(bundle, map).format).bits;
 }
 
+/// Of all maps and layers, and of the index maps.
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
   int sum = 0;
-  for (const NoiseMap& map : bundle.noises[noise].maps)
-    sum += fetchesPerPixel(bundle, noise, map);
+  for (const std::size_t layer : layersOf(bundle, noise))
+    for (const NoiseMap& map : bundle.noises[layer].maps)
+      sum += fetchesPerPixel(bundle, layer, map);
+  if (const auto& layers = bundle.noises[noise].layers)
+    for (const LayerNode& node : layers->nodes)
+      sum += fetchesPerPixel(bundle, node.index, bundle.noises[node.index].maps.front());
   return sum;
 }
 

@@ -17,7 +17,6 @@
 #include <nlohmann/json.hpp>
 
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <numeric>
 
@@ -25,6 +24,7 @@ namespace lichen::cli {
 namespace {
 
 constexpr int kMostPatchCycles = 64; // per tile, of rings and the like in --index
+constexpr NumberRange kShareRange{0.01, 1e6};
 
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
@@ -54,6 +54,11 @@ Result<Input> readInput(const std::string& text) {
   const Result<std::size_t> noise = findNoise(bundle.value(), file, name);
   if (!noise)
     return noise.error();
+  const Noise& chosen = bundle.value().noises[noise.value()];
+  if (chosen.layers)
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: noise '{}' is layered itself; expected one that is not", file,
+                             chosen.name)};
   return Input{file, std::move(bundle).value(), noise.value()};
 }
 
@@ -72,9 +77,11 @@ Result<void> check(const Arguments& arguments) {
 
 /// The index map: a noise of a bundle, or one that has a spectrum.
 Result<Input> readIndex(const Arguments& arguments, const Input& first) {
-  const std::string extension =
-      std::filesystem::path(splitNoise(arguments.index).first).extension().string();
-  if (extension == ".glb" || extension == ".gltf" || extension == ".lichen")
+  const auto isBundle = [&](const char* extension) {
+    const std::string& text = arguments.index;
+    return text.ends_with(extension) || text.find(extension + std::string(":")) != text.npos;
+  };
+  if (isBundle(".glb") || isBundle(".gltf") || isBundle(".lichen"))
     return readInput(arguments.index);
   const auto choice = spectrumChoice().read(arguments.index);
   if (!choice || !*choice)
@@ -92,14 +99,22 @@ Result<Input> readIndex(const Arguments& arguments, const Input& first) {
   return Input{"--index", std::move(baked.value().bundle), 0};
 }
 
-/// A chain: each node divides one layer from those after it.
-std::vector<LayerNode> chainOf(std::vector<double> shares, std::size_t layers, double softness) {
-  shares.resize(layers, 1.0 / double(layers));
+/// A chain: each node divides one layer from those after it. Errors: usage for a layer that is too
+/// small beside those after it.
+Result<std::vector<LayerNode>> chainOf(std::vector<double> shares, std::size_t layers,
+                                       double softness) {
+  shares.resize(layers, 1.0 / double(layers)); // all or none are given
   std::vector<LayerNode> nodes(layers - 1);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const double rest = std::accumulate(shares.begin() + std::ptrdiff_t(n), shares.end(), 0.0);
-    nodes[n].proportion =
-        std::clamp((rest - shares[n]) / rest, kProportionRange.least, kProportionRange.most);
+    const double proportion = (rest - shares[n]) / rest;
+    if (!(proportion >= kProportionRange.least && proportion <= kProportionRange.most))
+      return Error{
+          ErrorKind::usage,
+          fmt::format("--shares: {:g} beside {:g} of the layers after it; expected at least "
+                      "a hundredth of both on each side",
+                      shares[n], rest - shares[n])};
+    nodes[n].proportion = proportion;
     nodes[n].softness = softness;
     nodes[n].below = {false, n};
     nodes[n].above = n + 1 < nodes.size() ? LayerSide{true, n + 1} : LayerSide{false, n + 1};
@@ -127,8 +142,19 @@ Result<Bundle> layered(const Arguments& arguments) {
                                           {&index.value().bundle, index.value().noise});
   const std::string name =
       arguments.name.empty() ? fmt::format("{}", fmt::join(names, "-")) : arguments.name;
-  return layerNoises(name, layers, indices,
-                     chainOf(arguments.shares, layers.size(), arguments.softness));
+  const Result<std::vector<LayerNode>> nodes =
+      chainOf(arguments.shares, layers.size(), arguments.softness);
+  if (!nodes)
+    return nodes.error();
+  Result<Bundle> bundle = layerNoises(name, layers, indices, nodes.value());
+  if (!bundle)
+    return bundle;
+  // The look is the first noise's, also where its material has a mapping that others do not have.
+  MaterialNoise& material = *bundle.value().materials.front();
+  material.texCoord = 0;
+  if (!mappingObstacle(bundle.value(), 0, material.mapping).empty())
+    material.mapping = Mapping::uv;
+  return bundle;
 }
 
 Result<int> run(const Arguments& arguments) {
@@ -168,13 +194,13 @@ Result<int> run(const Arguments& arguments) {
 Runner addLayer(CLI::App& verb, const SharedOptions& shared) {
   auto arguments = std::make_shared<Arguments>(shared);
   addTexts(verb, "BUNDLE", arguments->inputs, "...",
-           "2 to 4 bundles, each with :NAME for a noise but the first; all with the same maps and "
-           "tiles of one size and shape")
+           "2 to 4 bundles; append :NAME to choose another noise than the first. All have the same "
+           "maps, and tiles of one size and shape")
       .required();
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
   addValue(verb, "--name", arguments->name, nameText(), "",
            "Name of the noise and its material [default: those of the layers]");
-  addValue(verb, "--shares", arguments->shares, numbers({0.01, 1e6}, LICHEN_MAX_LAYERS), "",
+  addValue(verb, "--shares", arguments->shares, numbers(kShareRange, LICHEN_MAX_LAYERS), "",
            "Areas of the layers, relative to each other [default: all the same]");
   addText(
       verb, "--index", arguments->index, "SPECTRUM|BUNDLE",

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lichen::cli {
@@ -31,7 +32,17 @@ Result<LabelImage> labelsOf(const LayersOption& option, const MapExemplar& guide
     Result<SrgbImage> picture = readSrgb(option.labels);
     if (!picture)
       return picture.error();
-    return labelsFromPicture(picture.value(), option.labels);
+    const SrgbImage& image = picture.value();
+    constexpr double kTolerance = 0.01;
+    const double wide = double(image.width) * guide.height,
+                 high = double(image.height) * guide.width;
+    if (std::abs(wide - high) > kTolerance * high)
+      return Error{
+          ErrorKind::badInput,
+          fmt::format("{}: {} x {} pixels; expected the shape of the exemplar, which is {} x "
+                      "{} after cropping",
+                      option.labels, image.width, image.height, guide.width, guide.height)};
+    return labelsFromPicture(image, option.labels);
   }
   Result<LabelImage> labels = clusterLabels(guide, *option.count);
   if (!labels)
@@ -39,15 +50,36 @@ Result<LabelImage> labelsOf(const LayersOption& option, const MapExemplar& guide
                  fmt::format("--layers {}: {}", *option.count, labels.error().message)};
   constexpr double kSeparate = 0.3;
   if (const double separation = labelSeparation(guide, labels.value()); separation < kSeparate)
-    notes.push_back(fmt::format("the colours form no {} clear clusters (separation {:.2f} of 1); "
-                                "--labels says where the layers lie",
+    notes.push_back(fmt::format("the {} clusters of colours overlap (separation {:.2f} of 1): look "
+                                "at where the layers lie, or paint --labels",
                                 *option.count, separation));
   return labels;
 }
 
+/// Whether each map has a pixel of each label, whatever its size.
+Result<void> checkSamples(const LabelImage& labels, std::span<const MapExemplar> maps) {
+  for (const MapExemplar& map : maps) {
+    std::vector<bool> found(std::size_t(labels.count));
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+        const std::size_t row =
+            std::size_t(y) * std::size_t(labels.height) / std::size_t(map.height);
+        const std::size_t column =
+            std::size_t(x) * std::size_t(labels.width) / std::size_t(map.width);
+        found[labels.labels[row * std::size_t(labels.width) + column]] = true;
+      }
+    if (std::ranges::count(found, false) > 0)
+      return Error{ErrorKind::badInput,
+                   fmt::format("the map {} of {} x {} pixels is too small for labels of {} x {}",
+                               nameOf(map.target), map.width, map.height, labels.width,
+                               labels.height)};
+  }
+  return {};
+}
+
 LayerSide sideOf(const LayerPart& part) { return {part.isSplit, std::size_t(part.index)}; }
 
-/// The layer with each label: the first is the first label's.
+/// Layer k has label k.
 std::vector<LayerNode> nodesOf(std::span<const LayerSplit> splits, double softness) {
   std::vector<LayerNode> nodes;
   for (const LayerSplit& split : splits) {
@@ -72,8 +104,8 @@ void addLayersOption(CLI::App& verb, LayersOption& option) {
   addValue(verb, "--layers", option.count, optional(wholeNumber(kFewestLabels, kMostLabels)), "",
            "The same with this many clusters of the exemplar's colours")
       .group(kHeading);
-  addValue(verb, "--softness", option.softness, number(kSoftnessRange), "0.1",
-           "Width of the transitions between layers, in deviations of the index map")
+  addValue(verb, "--softness", option.softness, optional(number(kSoftnessRange)), "",
+           "Width of the transitions between layers, in deviations of the index map [default: 0.1]")
       .group(kHeading);
 }
 
@@ -85,6 +117,8 @@ bakeLayers(const LayersOption& option, const std::string& name, std::span<const 
   Result<LabelImage> labels = labelsOf(option, guide, result.about.notes);
   if (!labels)
     return labels.error();
+  if (Result<void> sampled = checkSamples(labels.value(), maps); !sampled)
+    return sampled.error();
   std::vector<Bundle> layers(std::size_t(labels.value().count));
   for (const MapExemplar& map : maps)
     if (const std::string fault = layerTargetFault(layers.size(), map.target); !fault.empty())
@@ -99,6 +133,7 @@ bakeLayers(const LayersOption& option, const std::string& name, std::span<const 
     layers[layer].materials.emplace_back(made.material);
     for (const std::string& line : made.notes)
       result.about.notes.push_back(fmt::format("layer {}: {}", layer + 1, line));
+    result.about.bordersWereBlended = result.about.bordersWereBlended || made.bordersWereBlended;
     if (layer == 0) {
       result.about.json = std::move(made.json);
       result.about.facts = std::move(made.facts);
@@ -119,8 +154,8 @@ bakeLayers(const LayersOption& option, const std::string& name, std::span<const 
     layerNoise.push_back({&layer, 0});
   for (const Bundle& index : indices)
     indexNoise.push_back({&index, 0});
-  Result<Bundle> bundle =
-      layerNoises(name, layerNoise, indexNoise, nodesOf(splits, option.softness));
+  Result<Bundle> bundle = layerNoises(name, layerNoise, indexNoise,
+                                      nodesOf(splits, option.softness.value_or(kUsualSoftness)));
   if (!bundle)
     return bundle.error();
   result.bundle = std::move(bundle).value();

@@ -15,9 +15,11 @@ namespace lichen::cli {
 struct LayersOption {
   std::string labels;       ///< a picture; empty for none
   std::optional<int> count; ///< of colour clusters
-  double softness = 0.0;
+  std::optional<double> softness;
   [[nodiscard]] bool isGiven() const { return !labels.empty() || count; }
 };
+
+inline constexpr double kUsualSoftness = 0.1;
 
 void addLayersOption(CLI::App& verb, LayersOption& option);
 

@@ -134,7 +134,7 @@ std::vector<float> fieldCorrelation(const IndexMap& map) {
 }
 
 SpectrumPicture indexSpectrum(const IndexMap& map) {
-  constexpr int kMostCycles = 256;
+  constexpr int kMostCycles = 128; // finer patches are not worth a fit of all of them
   const int columns = std::min(map.width / 4, kMostCycles);
   const int rows = std::min(map.height / 4, kMostCycles);
   const HalfSpectrum transform = forwardFft(fieldCorrelation(map), map.width, map.height);

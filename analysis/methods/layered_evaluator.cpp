@@ -64,10 +64,7 @@ public:
                    std::vector<Layer> layers,
                    std::vector<std::unique_ptr<const NoiseEvaluator>> indices)
       : NoiseEvaluator(noise, constants), constants_(shaderLayers(noise)),
-        layers_(std::move(layers)), indices_(std::move(indices)) {
-    for (const NoiseMap& map : noise.maps)
-      holdsSlopes_.push_back(map.encoding == ValueEncoding::slope);
-  }
+        layers_(std::move(layers)), indices_(std::move(indices)) {}
 
   [[nodiscard]] Value evaluate(std::size_t map, const TileFootprint& at,
                                const MixPlace&) const override {
@@ -115,7 +112,7 @@ private:
       if (weights[layer] > 0.0f)
         sum.add(weights[layer], layers_[layer].evaluator->evaluate(layers_[layer].maps[map], at),
                 layers_[layer].means[map]);
-    if (holdsSlopes_[map])
+    if (holdsSlopes(map))
       return sum.value(variance);
     Value value = sum.value(4);
     for (float& component : value)
@@ -126,7 +123,6 @@ private:
   shader::LichenLayers constants_;
   std::vector<Layer> layers_;
   std::vector<std::unique_ptr<const NoiseEvaluator>> indices_;
-  std::vector<bool> holdsSlopes_;
 };
 
 Value meanOf(const Bundle& bundle, const Noise& noise, std::size_t map) {

@@ -4,21 +4,20 @@
 #include <lichen/multiple_kernels.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lichen {
 
 Result<IndexMapBake> bakeIndexMap(const SpectrumPicture& spectrum, int width, int height,
                                   int kernels) {
-  // Index maps are not decoded, so any values do. Few are enough for what the tile must hold.
-  constexpr int kMostSide = 256;
-  const int largest = std::max(width, height);
-  const int least = largest > kMostSide ? kMostSide : largest;
+  // Index maps are not decoded, so any values do; so many that they hold the spectrum.
+  const double scale = std::max((spectrum.width + 1.0) / width, (spectrum.height + 1.0) / height);
   MapExemplar values;
   values.target = MapTarget::height;
   values.channels = {MapChannel::height};
   values.encoding = ValueEncoding::linear;
-  values.width = std::max(1, width * least / largest);
-  values.height = std::max(1, height * least / largest);
+  values.width = std::max(1, int(std::lround(scale * width)));
+  values.height = std::max(1, int(std::lround(scale * height)));
   const std::size_t count = std::size_t(values.width) * std::size_t(values.height);
   for (std::size_t i = 0; i < count; ++i)
     values.values.push_back((float(i) + 0.5f) / float(count));
@@ -33,6 +32,8 @@ Result<IndexMapBake> bakeIndexMap(const SpectrumPicture& spectrum, int width, in
   MultipleKernelsBake& bake = baked.value();
   IndexMapBake result;
   result.decibels = bake.spectrumErrors.back().decibels;
+  bake.noise.as<MultipleKernelsNoise>().texelsPerTileX = width;
+  bake.noise.as<MultipleKernelsNoise>().texelsPerTileY = height;
   auto& map = bake.noise.maps.front().as<MultipleKernelsMap>();
   result.bundle.tables.push_back(std::move(bake.tables[map.kernels]));
   map.kernels = 0;

@@ -60,7 +60,7 @@ vec4 lichenSampleLayerGrad(int image, vec2 uv, vec2 uvX, vec2 uvY) {
   return texel;
 }
 
-// Alone of kernels, which index maps have.
+// Index maps have kernels, which are fetched texel by texel.
 #define LICHEN_FETCH_TEXEL(name) texelFetch(sampler2D(name, lichenImageSampler), at, 0)
 vec4 lichenFetchLayer(int image, ivec2 at) {
   vec4 texel = vec4(0.0);

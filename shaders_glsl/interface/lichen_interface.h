@@ -245,7 +245,7 @@ struct LichenLayers {
 /// layered noises.
 struct LichenNoiseConstants {
   LichenNoise noise;
-  LichenMap maps[LICHEN_MAX_MAPS]; // by role; of layered noises by slot (noise/layers.glsl)
+  LichenMap maps[LICHEN_MAX_MAPS]; // by role; of layered noises by slot (mapping/layered.glsl)
   LichenLayers layers;
   LichenNoise layerNoises[LICHEN_MAX_LAYERS - 1]; // `noise` is the first layer
   LichenNoise indexNoises[LICHEN_MAX_LAYER_NODES];

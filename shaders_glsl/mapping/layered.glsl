@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Layered noises at a point: what lichen.glsl evaluates where it declares the descriptors and
-// LICHEN_LAYERS is above 1. All layers and roles take one loop, so that the code of a noise is there
-// once, and not once for each: drivers that inline all calls need minutes and gigabytes to compile
-// that. Images are numbers, and each fetch chooses one. Other noises are drawn by other shaders.
+// LICHEN_LAYERS is above 1. All layers and roles take one loop, so that the code of a noise is
+// there once, and not once for each: drivers that inline all calls need minutes and gigabytes to
+// compile that. Images are numbers, and each fetch chooses one. Noises that are not layered are drawn too,
+// but only base colour, normals, and occlusion, roughness and metallic, and not on surfaces.
 #ifndef LICHEN_LAYERED_GLSL
 #define LICHEN_LAYERED_GLSL
 
@@ -11,8 +12,8 @@
 #include "triplanar.glsl"
 #include "uv.glsl"
 
-// Bit m: some layer has the method m, of LICHEN_USED_METHODS; index maps have multiple kernels.
-// Likewise.
+// Bit m: some layer has the method m, of LICHEN_USED_METHODS; index maps have multiple kernels. A
+// literal, or the host's specialization constant.
 #ifndef LICHEN_LAYER_METHODS
 #define LICHEN_LAYER_METHODS LICHEN_USED_METHODS
 #endif
@@ -83,7 +84,7 @@ int lichenLayerSlot(int layer, int role) {
 vec4 lichenLayeredValue(int role, LichenLayeredPlace at, vec4 weights) {
   LichenLayerSum sum = lichenNoLayers();
   for (int layer = 0; layer < LICHEN_LAYERS; ++layer) {
-    if (uint(layer) >= lichenLayers.count)
+    if (uint(layer) >= max(lichenLayers.count, 1u)) // another noise is its only layer
       break;
     float weight = weights[layer];
     LichenNoise noise = lichenNoise;

@@ -12,8 +12,9 @@
 /// Gaussian value, and in w what filtering lost of its variance. Its mean over all points is the
 /// same whatever is lost.
 float lichenIndexWeight(vec4 index, float threshold, float softness) {
-  // The mean of a Gaussian transition over a Gaussian footprint is a wider one. The polynomial is
-  // constant beyond 2.9 deviations.
+  // The mean of a Gaussian transition over a Gaussian footprint is a wider one. Where the polynomial
+  // is constant, beyond 2.885 deviations, it is within this of 0 or 1, which layers without a share
+  // need.
   const float kLeast = 0.0022;
   float z = 6.0 * (index.x - 0.5);
   float deviation = sqrt(softness * softness + max(index.w, 0.0));

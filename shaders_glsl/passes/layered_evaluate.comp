@@ -13,7 +13,6 @@ layout(constant_id = 0) const int kLayerMethods = 15;
 #define LICHEN_SET 0
 #include "../lichen.glsl"
 
-const int kWeights = 3; // of the layers, in place of a role
 layout(constant_id = 1) const int kRole = LICHEN_BASE_COLOR;
 
 struct Point {
@@ -37,8 +36,6 @@ void main() {
     values[index] = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
   else if (kRole == LICHEN_NORMAL)
     values[index] = LICHEN_VALUE(LICHEN_NORMAL, shading);
-  else if (kRole == LICHEN_OCCLUSION_ROUGHNESS_METALLIC)
-    values[index] = LICHEN_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, shading);
   else
-    values[index] = shading.weights;
+    values[index] = LICHEN_VALUE(LICHEN_OCCLUSION_ROUGHNESS_METALLIC, shading);
 }

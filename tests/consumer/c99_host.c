@@ -32,7 +32,7 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenCopy, depth, 48, 44);
   failures += KEEPS(LichenSamplerProperties, reserved, 40, 36);
   failures += KEEPS(LichenBinding, image, 32, 28);
-  failures += KEEPS(LichenMaterialParameters, noiseSummary, 216, 144);
+  failures += KEEPS(LichenMaterialParameters, noiseSummary, 608, 144);
   failures += KEEPS(LichenPlacement, reserved, 64, 60);
   failures += KEEPS(LichenVulkanFunctions, updateDescriptorSets, 216, 208);
   failures += KEEPS(LichenMemoryRequest, optimalTiling, 48, 44);

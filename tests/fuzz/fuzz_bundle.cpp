@@ -2,6 +2,7 @@
 // Any bytes -> parseBundle(), checkBundle() and decodeKtx2(): results satisfy their contract, and
 // parsing and checking agree.
 #include <lichen/bundle.h>
+#include <lichen/layered_noise.h>
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 
 using namespace lichen;
 
@@ -50,6 +52,31 @@ void checkShape(const TextonShape& shape) {
               isWithin(shape.texelsPerTileY, shape.coefficientsY, int(kMaxTableSide)),
           "size of the exemplar");
   require(isWithin(shape.steps, 1, kMaxTextonSteps), "number of steps");
+}
+
+void checkLayers(const Bundle& bundle, std::size_t noise) {
+  const NoiseLayers& layers = *bundle.noises[noise].layers;
+  require(layers.others.size() == layers.nodes.size() &&
+              isWithin(int(layers.nodes.size()), 1, LICHEN_MAX_LAYER_NODES),
+          "number of layers");
+  visitLayerNoises(bundle.noises[noise], [&](std::size_t other) {
+    require(other < bundle.noises.size() && other != noise && !bundle.noises[other].layers,
+            "a layer or an index map");
+  });
+  std::vector<int> layerUses(layers.others.size() + 1), nodeUses(layers.nodes.size());
+  for (const LayerNode& node : layers.nodes) {
+    require(node.proportion > 0.0 && node.proportion < 1.0 && node.softness > 0.0, "a node");
+    for (const LayerSide& side : {node.below, node.above}) {
+      require(side.index < (side.isNode ? nodeUses : layerUses).size(), "a side");
+      ++(side.isNode ? nodeUses : layerUses)[side.index];
+    }
+  }
+  require(nodeUses.front() == 0 && std::ranges::count(nodeUses, 1) + 1 == std::ssize(nodeUses) &&
+              std::ranges::count(layerUses, 1) == std::ssize(layerUses),
+          "a tree");
+  const std::unique_ptr<shader::LichenNoiseConstants> constants =
+      std::make_unique<shader::LichenNoiseConstants>(shaderConstants(bundle, noise));
+  require(constants->layers.count == layerUses.size(), "layers in the constants");
 }
 
 void checkTexton(const NoiseMap& map, const TextonShape& shape, const Bundle& bundle) {
@@ -193,6 +220,9 @@ void checkContract(const Bundle& bundle) {
     for (const NoiseMap& map : noise.maps)
       checkMap(map, noise, bundle);
   }
+  for (std::size_t n = 0; n < bundle.noises.size(); ++n)
+    if (bundle.noises[n].layers)
+      checkLayers(bundle, n);
   require(bundle.materials.size() == bundle.materialNames.size(), "number of material names");
   for (const std::optional<MaterialNoise>& use : bundle.materials) {
     require(!use || use->noise < bundle.noises.size(), "index of a material's noise");

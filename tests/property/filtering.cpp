@@ -72,7 +72,7 @@ TEST_CASE("a view has the mean colour, contrast and features of its supersampled
   // pixels are a quarter as wide as long.
   struct Size {
     double texels, slant;
-    std::array<int, 8> contrast, difference; // bounds of the planes [%]
+    std::array<int, 9> contrast, difference; // bounds of the planes [%]
   };
   // What each plane has plus at most 0.03, the spread of the ratios of 400 pixels. At the level of
   // the longer side, contrast is off by 0.1 to 0.3 from 2 texels on, and by 0.3 for narrow pixels.
@@ -80,16 +80,16 @@ TEST_CASE("a view has the mean colour, contrast and features of its supersampled
   // of a texel or less do not average: so that a view of one texel a pixel is as sharp as the
   // exemplar.
   for (const auto& [texels, slant, contrast, difference] :
-       {Size{0.125, 1, {1, 1, 1, 1, 2, 2, 4, 5}, {2, 2, 2, 2, 11, 11, 11, 12}},
-        Size{0.5, 1, {4, 3, 5, 5, 11, 10, 11, 12}, {7, 6, 9, 8, 29, 28, 29, 30}},
-        Size{1, 1, {8, 6, 12, 10, 21, 19, 21, 21}, {20, 13, 22, 18, 49, 46, 47, 48}},
-        Size{1.41, 1, {5, 6, 10, 10, 15, 15, 3, 6}, {15, 17, 24, 23, 30, 37, 21, 27}},
-        Size{2, 1, {5, 5, 8, 8, 13, 13, 4, 7}, {16, 16, 29, 27, 29, 27, 22, 30}},
-        Size{2.83, 1, {5, 3, 4, 4, 10, 10, 6, 8}, {18, 17, 29, 28, 29, 28, 19, 31}},
-        Size{4, 1, {9, 6, 9, 5, 10, 10, 6, 8}, {19, 19, 27, 27, 29, 29, 18, 32}},
-        Size{5.66, 1, {10, 10, 10, 8, 10, 10, 11, 10}, {24, 22, 27, 27, 29, 29, 25, 36}},
-        Size{1, 4, {6, 4, 8, 8, 13, 13, 5, 7}, {26, 22, 39, 36, 33, 30, 25, 38}},
-        Size{2, 4, {12, 11, 13, 9, 10, 10, 11, 13}, {34, 31, 39, 37, 33, 30, 32, 42}}})
+       {Size{0.125, 1, {1, 1, 1, 1, 2, 2, 4, 5, 3}, {2, 2, 2, 2, 11, 11, 11, 12, 3}},
+        Size{0.5, 1, {4, 3, 5, 5, 11, 10, 11, 12, 5}, {7, 6, 9, 8, 29, 28, 29, 30, 8}},
+        Size{1, 1, {8, 6, 12, 10, 21, 19, 21, 21, 8}, {20, 13, 22, 18, 49, 46, 47, 48, 18}},
+        Size{1.41, 1, {5, 6, 10, 10, 15, 15, 3, 6, 7}, {15, 17, 24, 23, 30, 37, 21, 27, 17}},
+        Size{2, 1, {5, 5, 8, 8, 13, 13, 4, 7, 7}, {16, 16, 29, 27, 29, 27, 22, 30, 20}},
+        Size{2.83, 1, {5, 3, 4, 4, 10, 10, 6, 8, 5}, {18, 17, 29, 28, 29, 28, 19, 31, 22}},
+        Size{4, 1, {9, 6, 9, 5, 10, 10, 6, 8, 8}, {19, 19, 27, 27, 29, 29, 18, 32, 26}},
+        Size{5.66, 1, {10, 10, 10, 8, 10, 10, 11, 10, 9}, {24, 22, 27, 27, 29, 29, 25, 36, 31}},
+        Size{1, 4, {6, 4, 8, 8, 13, 13, 5, 7, 7}, {26, 22, 39, 36, 33, 30, 25, 38, 30}},
+        Size{2, 4, {12, 11, 13, 9, 10, 10, 11, 13, 12}, {34, 31, 39, 37, 33, 30, 32, 42, 41}}})
     for (std::size_t k = 0; k < planes().size(); ++k) {
       const NamedPlane& one = planes()[k];
       const FilteredView view =
@@ -153,7 +153,7 @@ TEST_CASE("a camera moving over a floor shimmers hardly more than supersampled f
   // up to eight times as long as wide, in texels as large as the exemplar's grain, and one square
   // fetch keeps more of it than their average does: measured 1.14, 1.23, 1.39 and 1.57, to 0.02.
   // Kernels keep their size when they fade (1.56).
-  const std::array<double, 8> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5, 1.25, 1.6};
+  const std::array<double, 9> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5, 1.25, 1.6, 1.22};
   for (std::size_t k = 0; k < planes().size(); ++k) {
     const NamedPlane& one = planes()[k];
     const CameraMove move = cameraMove(one.plane, 5);

@@ -4,6 +4,7 @@
 #include "example_exemplar.h"
 #include "layered_example.h"
 
+#include <lichen/bundle_writer.h>
 #include <lichen/layered_noise.h>
 #include <lichen/noise_evaluator.h>
 #include <lichen/tiling.h>
@@ -98,7 +99,7 @@ TEST_CASE("transitions keep the variance of layers that are alike") {
   }
 }
 
-TEST_CASE("four layers in a tree of any shape have weights that add up to 1") {
+TEST_CASE("a tree of four layers becomes a side and a threshold for each node") {
   Noise noise;
   noise.layers = NoiseLayers{{1, 2, 3},
                              {{0, 0.5, 0.1, {true, 1}, {true, 2}},
@@ -115,4 +116,31 @@ TEST_CASE("four layers in a tree of any shape have weights that add up to 1") {
   CHECK(balanced.threshold.x == Approx(0.0).margin(1e-6));
   // The quantile of 0.8, 0.841621, times sqrt(1.01).
   CHECK(balanced.threshold.y == Approx(0.845819).epsilon(1e-5));
+}
+
+TEST_CASE("a tree is read as it was made, whatever the order of its layers") {
+  std::vector<Bundle> layers;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const MapExemplar map = threeMaterials(kTexels, kTexels, seed);
+    layers.push_back(bundleOf(bakeTiling("noise", {&map, 1}, {})));
+  }
+  const Bundle index = examplePatches(kTexels, kTexels);
+  const std::vector<BundledNoise> noises{{&layers[0], 0}, {&layers[1], 0}, {&layers[2], 0}};
+  const std::vector<BundledNoise> indices{{&index, 0}, {&index, 0}};
+  BundleFile file;
+  file.bundle =
+      layerNoises("layered", noises, indices,
+                  {{0, 0.2, 0.1, {false, 2}, {true, 1}}, {0, 0.6, 0.1, {false, 1}, {false, 0}}})
+          .value();
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  const Bundle read = parseBundle(encodeGlb(file).value(), "layered").value();
+  CHECK(read.noises[0] == file.bundle.noises[0]);
+  const auto meanOfLayer = [&](std::size_t layer) {
+    return read.noises[layersOf(read, 0)[layer]].maps[0].mean;
+  };
+  CHECK(meanOfLayer(0) == layers[0].noises[0].maps[0].mean);
+  CHECK(meanOfLayer(1) == layers[2].noises[0].maps[0].mean); // the first that the tree names
+  CHECK(meanOfLayer(2) == layers[1].noises[0].maps[0].mean);
+  CHECK(read.noises[0].layers->nodes[1].above == LayerSide{false, 0});
 }

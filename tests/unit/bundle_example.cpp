@@ -3,6 +3,7 @@
 #include "bundle_example.h"
 
 #include <lichen/bfloat16_pair.h>
+#include <lichen/bundle_merge.h>
 #include <lichen/structure_texel.h>
 
 #include <algorithm>
@@ -476,6 +477,20 @@ std::vector<std::byte> tinyPng() {
       0x43, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
   const auto bytes = std::as_bytes(std::span(kFile));
   return {bytes.begin(), bytes.end()};
+}
+
+BundleFile layered() {
+  Bundle layer = smallestKernels().bundle;
+  layer.noises[0].maps[0].target = MapTarget::occlusionRoughnessMetallic;
+  layer.noises[0].maps[0].channels = {MapChannel::occlusion};
+  const BundledNoise noise{&layer, 0};
+  BundleFile file;
+  file.bundle = layerNoises("layered", std::array{noise, noise}, std::array{noise},
+                            {{0, 0.3, 0.2, {false, 1}, {false, 0}}})
+                    .value();
+  file.previews.emplace_back();
+  file.shape = PreviewShape::none;
+  return file;
 }
 
 } // namespace lichen::example

@@ -44,7 +44,9 @@ void setLosses(Table& gaussian, const std::vector<float>& losses);
 
 /// One height map as multiple-kernels noise: two kernels, the second a ring. About 2 KB as a GLB.
 [[nodiscard]] BundleFile smallestKernels();
-/// The same with a structure and a list of three offsets.
+/// The same as an occlusion in two layers that are alike, and their index map: noises 0, 1 and 2.
+[[nodiscard]] BundleFile layered();
+/// The smallest with cosines, a structure and a list of three offsets.
 [[nodiscard]] BundleFile smallestStructure();
 
 /// A valid PNG of 2 x 2 texels in one colour.

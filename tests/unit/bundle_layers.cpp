@@ -18,29 +18,8 @@ using nlohmann::json;
 
 namespace {
 
-/// A noise of kernels that is an occlusion, which layers may have.
-Bundle occlusion() {
-  Bundle bundle = example::smallestKernels().bundle;
-  bundle.noises[0].maps[0].target = MapTarget::occlusionRoughnessMetallic;
-  bundle.noises[0].maps[0].channels = {MapChannel::occlusion};
-  return bundle;
-}
-
-/// Two layers that are alike, and their index map: noises 0, 1 and 2.
-BundleFile layeredFile() {
-  const Bundle layer = occlusion();
-  const BundledNoise noise{&layer, 0};
-  BundleFile file;
-  file.bundle = layerNoises("layered", std::array{noise, noise}, std::array{noise},
-                            {{0, 0.3, 0.2, {false, 1}, {false, 0}}})
-                    .value();
-  file.previews.emplace_back();
-  file.shape = PreviewShape::none;
-  return file;
-}
-
 const std::vector<std::byte>& soundFile() {
-  static const std::vector<std::byte> file = encodeGlb(layeredFile()).value();
+  static const std::vector<std::byte> file = encodeGlb(example::layered()).value();
   return file;
 }
 
@@ -53,7 +32,7 @@ TEST_CASE("a layered noise has no faults, and is read as it was written") {
   CHECK(checkBundle(GlbParts(soundFile()).join()).empty());
   const Bundle bundle = parseBundle(soundFile(), "layered").value();
   REQUIRE(bundle.noises.size() == 3);
-  CHECK(bundle.noises[0] == layeredFile().bundle.noises[0]);
+  CHECK(bundle.noises[0] == example::layered().bundle.noises[0]);
   CHECK(bundle.noises[0].layers->others == std::vector<std::size_t>{1});
   CHECK(layersOf(bundle, 0) == std::vector<std::size_t>{0, 1});
   CHECK(layersOf(bundle, 1) == std::vector<std::size_t>{1});
@@ -87,6 +66,7 @@ TEST_CASE("every fault of layers is found") {
              noiseOf(p,
                      1)["layers"] = {{"index", 2}, {"proportion", 0.5}, {"below", 1}, {"above", 2}};
            }},
+          {"itself as the index map", "layer-fit", [](GlbParts& p) { rootOf(p)["index"] = 0; }},
           {"tiles of another size", "layer-fit",
            [](GlbParts& p) { noiseOf(p, 1)["tileSize"] = 2; }},
           {"other channels", "layer-fit",
@@ -116,7 +96,7 @@ TEST_CASE("a noise with a layer that is ignored shows its first layer alone") {
 
 TEST_CASE("merging and placing keep the layers of a noise") {
   const Bundle layered = parseBundle(soundFile(), "layered").value();
-  Bundle plain = occlusion();
+  Bundle plain = example::smallestKernels().bundle;
   plain.materialNames = {"plain"};
   const std::vector<NamedBundle> inputs{{"a", plain}, {"b", layered}};
   const Bundle merged = mergeBundles(inputs).value().bundle;

@@ -219,7 +219,7 @@ TEST_CASE("inconsistent parts of a bundle file are an error") {
   CHECK(refused([](BundleFile& f) { f.previews.pop_back(); }));
   CHECK(refused([](BundleFile& f) { f.bundle.materials.pop_back(); }));
   CHECK(refused([](BundleFile& f) { f.bundle.materials[1].reset(); }));
-  CHECK(refused([](BundleFile& f) { f.bundle.materials[1]->noise = 0; }));
+  CHECK(refused([](BundleFile& f) { f.bundle.materials[1]->noise = 2; }));
   CHECK(refused([](BundleFile& f) { f.bundle.materials[1]->texCoord = 1; }));
   CHECK(refused([](BundleFile& f) { f.bundle.materials[1]->contrast = 7.0; }));
   CHECK(refused([](BundleFile& f) { f.previews[0].tilesPerImage = 0; }));

@@ -72,7 +72,7 @@ struct LayerPart {
 struct LayerSplit {
   double proportion = 0.5; ///< of the region that lies above the threshold, in (0, 1)
   /// Of the field, whose variance is 1: the squares of the amplitudes sum to 1. It ends at a
-  /// quarter of the label image's frequencies and at 256 cycles per tile.
+  /// quarter of the label image's frequencies and at 128 cycles per tile.
   SpectrumPicture spectrum;
   LayerPart below, above; ///< `below` has the darker mean colour
 };

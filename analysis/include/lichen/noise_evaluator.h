@@ -78,6 +78,7 @@ protected:
 
   [[nodiscard]] const shader::LichenMaterial& constants() const { return constants_.material; }
   [[nodiscard]] const shader::LichenTriplanarMaterial& planes() const { return constants_; }
+  [[nodiscard]] bool holdsSlopes(std::size_t map) const { return holdsSlopes_[map]; }
 
 private:
   /// Converts texture coordinates to a position in the mix.

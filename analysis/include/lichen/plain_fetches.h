@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a pixel of one map costs, in the unit of `lichen bake --budget`: trilinear fetches of a plain
-// texture, on a CPU. docs/benchmarks.md measures it.
+// What a pixel of one map costs, in the unit of `lichen bake --budget`: trilinear fetches of a
+// plain texture, on a CPU. docs/benchmarks.md measures it.
 #pragma once
 
 namespace lichen {

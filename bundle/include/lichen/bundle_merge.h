@@ -18,7 +18,7 @@ struct NamedBundle {
 };
 
 struct MergedBundle {
-  Bundle bundle;                  ///< material i uses the i-th noise that is no mere layer
+  Bundle bundle;                  ///< one material for each noise but those without one
   std::vector<std::string> notes; ///< sentences for the user: what was renamed or dropped
 };
 
@@ -44,12 +44,13 @@ struct BundledNoise {
 };
 
 /// One bundle with a layered noise, its noise 0, of 2 to 4 noises and one index map fewer: node n
-/// of `nodes` takes indices[n]. The layers of inputs that are layered themselves are ignored. A
-/// material of the first layer's parameters, as mergeBundles() has them, uses it. Errors: usage,
-/// where layersFault() finds one; resources when memory does not suffice.
+/// of `nodes` takes indices[n]; both are renumbered as a file has them. The layers of inputs that
+/// are layered themselves are ignored. A material of the first layer's parameters, as
+/// mergeBundles() has them, uses it. Errors: usage, where layersFault() finds one; resources when
+/// memory does not suffice.
 [[nodiscard]] Result<Bundle> layerNoises(const std::string& name,
                                          std::span<const BundledNoise> layers,
                                          std::span<const BundledNoise> indices,
-                                         std::vector<LayerNode> nodes);
+                                         const std::vector<LayerNode>& nodes);
 
 } // namespace lichen

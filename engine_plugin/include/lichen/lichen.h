@@ -380,7 +380,7 @@ typedef enum LichenBindingKind {
 #define LICHEN_SET_BINDINGS 16
 #define LICHEN_SET_IMAGES 12
 
-/* The same where shaders know layers (LICHEN_LAYERS above 1): the images of index maps come last. */
+/* The same where shaders know layers (LICHEN_LAYERS above 1): the images of index maps are last. */
 #define LICHEN_LAYERED_SET_BINDINGS 19
 #define LICHEN_LAYERED_SET_IMAGES 15
 
@@ -490,8 +490,9 @@ typedef struct LichenPlacement {
 } LichenPlacement;
 
 /* Writes LICHEN_MATERIAL_BYTES, of the mapping triplanar LICHEN_TRIPLANAR_MATERIAL_BYTES, of a
- * layered noise LICHEN_LAYERED_MATERIAL_BYTES, to `destination` (any alignment, may be mapped memory: it is written once, in order, and not read).
- * Cheap enough for every frame: no allocation. `placement` NULL: at the origin. */
+ * layered noise LICHEN_LAYERED_MATERIAL_BYTES, to `destination` (any alignment, may be mapped
+ * memory: it is written once, in order, and not read). Cheap enough for every frame: no allocation.
+ * `placement` NULL: at the origin. */
 LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* parameters,
                                            const LichenPlacement* placement, void* destination,
                                            LichenDiagnostic* diagnostic);

@@ -209,10 +209,10 @@ LICHEN_API LichenResult lichenVulkanGetSamplers(LichenVulkanContext context, VkS
 
 /* A set from the host's pool, written with the noise's constants and images, and with `material`: a
  * uniform buffer's range of at least LICHEN_MATERIAL_BYTES, where shaders know triplanar noise
- * LICHEN_TRIPLANAR_MATERIAL_BYTES, and where they know layers LICHEN_LAYERED_MATERIAL_BYTES. Once for each material, not each frame. The pool needs no
- * FREE_DESCRIPTOR_SET; the set is the host's. noise < noiseCount.
- * LICHEN_ERROR_OUT_OF_POOL_MEMORY where the pool is too small; on Vulkan 1.0 without
- * VK_KHR_maintenance1 drivers need not notice. */
+ * LICHEN_TRIPLANAR_MATERIAL_BYTES, and where they know layers LICHEN_LAYERED_MATERIAL_BYTES. Once
+ * for each material, not each frame. The pool needs no FREE_DESCRIPTOR_SET; the set is the host's.
+ * noise < noiseCount. LICHEN_ERROR_OUT_OF_POOL_MEMORY where the pool is too small; on Vulkan 1.0
+ * without VK_KHR_maintenance1 drivers need not notice. */
 LICHEN_API LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, uint32_t noise,
                                                 VkDescriptorPool pool,
                                                 const VkDescriptorBufferInfo* material,
@@ -220,8 +220,9 @@ LICHEN_API LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, uint3
 
 /* For hosts that write descriptors themselves: where the noise's constants are, and its
  * LICHEN_SET_IMAGES images, those of all roles and then their tables, without samplers; with
- * LICHEN_VULKAN_LAYERS LICHEN_LAYERED_SET_IMAGES of them. They live as long as the assets. The buffer may also be read as a storage buffer, in which all noises of
- * the bundle follow each other. noise < noiseCount. */
+ * LICHEN_VULKAN_LAYERS LICHEN_LAYERED_SET_IMAGES of them, those of index maps last. They live as
+ * long as the assets. The buffer may also be read as a storage buffer, in which all noises of the
+ * bundle follow each other. noise < noiseCount. */
 LICHEN_API LichenResult lichenVulkanGetDescriptors(LichenVulkanAssets assets, uint32_t noise,
                                                    VkDescriptorBufferInfo* constants,
                                                    VkDescriptorImageInfo* images);

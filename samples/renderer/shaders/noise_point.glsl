@@ -17,7 +17,7 @@ layout(constant_id = 11) const bool kStructure = true; // whether any has a stru
 layout(constant_id = 12) const bool kRingKernels = true; // whether any has rings
 layout(constant_id = 13) const bool kSquareKernels = true; // whether any has windows on a square
 layout(constant_id = 14) const bool kKernelPattern = true; // whether any perturbs a pattern
-layout(constant_id = 15) const int kLayerMethods = 7; // as kMethods, without index maps
+layout(constant_id = 15) const int kLayerMethods = 15; // as kMethods, without index maps
 layout(constant_id = 17) const int kLayerSlots = 63; // bits of the slots with images
 layout(constant_id = 16) const int kRoles = 63; // bits of the roles that any has
 #define LICHEN_USED_METHODS kMethods

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Layered noises in the engine plugin's plan layer: properties, bindings, blocks and switches.
+#include "plugin_plan.h"
+
+#include <lichen/layered_noise.h>
+#include <lichen/shader_parameters.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cstring>
+
+using namespace lichen;
+using namespace lichen::test;
+
+TEST_CASE("a layered noise names its layers and index maps, and others only themselves") {
+  const OwnedBundle bundle(example::layered());
+  LichenNoiseProperties noise;
+  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  REQUIRE(lichenGetNoiseProperties(bundle.handle, 0, &noise) == LICHEN_SUCCESS);
+  CHECK(noise.layerCount == 2);
+  CHECK(std::array{noise.layers[0], noise.layers[1], noise.layers[2]} ==
+        std::array{0u, 1u, LICHEN_NO_NOISE});
+  CHECK(std::array{noise.indices[0], noise.indices[1]} == std::array{2u, LICHEN_NO_NOISE});
+  REQUIRE(lichenGetNoiseProperties(bundle.handle, 1, &noise) == LICHEN_SUCCESS);
+  CHECK(noise.layerCount == 1);
+  CHECK(std::array{noise.layers[0], noise.layers[1]} == std::array{1u, LICHEN_NO_NOISE});
+}
+
+TEST_CASE("the images of layers and index maps have bindings of their own") {
+  const OwnedBundle bundle(example::layered());
+  const auto imageAt = [&](std::uint32_t noise, std::uint32_t binding) {
+    LichenBinding found;
+    LICHEN_INIT(found, LICHEN_STRUCTURE_BINDING);
+    CHECK(lichenGetBinding(bundle.handle, noise, binding, &found) == LICHEN_SUCCESS);
+    CHECK(found.kind == LICHEN_BINDING_SAMPLED_IMAGE);
+    return found.image;
+  };
+  constexpr std::uint32_t kOcclusion = LICHEN_OCCLUSION_ROUGHNESS_METALLIC;
+  constexpr std::uint32_t kSecond = 5; // its slot in the second layer
+  const std::uint32_t none = imageAt(0, LICHEN_BINDING_IMAGE(LICHEN_BASE_COLOR));
+  CHECK(imageAt(0, LICHEN_BINDING_IMAGE(kOcclusion)) != none);
+  CHECK(imageAt(0, LICHEN_BINDING_IMAGE(kSecond)) == imageAt(1, LICHEN_BINDING_IMAGE(kOcclusion)));
+  CHECK(imageAt(0, LICHEN_BINDING_TABLE(kSecond)) == imageAt(1, LICHEN_BINDING_TABLE(kOcclusion)));
+  CHECK(imageAt(0, LICHEN_BINDING_INDEX(0)) == imageAt(2, LICHEN_BINDING_IMAGE(kOcclusion)));
+  CHECK(imageAt(0, LICHEN_BINDING_INDEX(1)) == none);
+  CHECK(imageAt(1, LICHEN_BINDING_INDEX(0)) == none);
+}
+
+TEST_CASE("a material of a layered noise has a block for each layer and index map") {
+  const BundleFile file = example::layered();
+  const OwnedBundle bundle(file);
+  LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  parameters.seed = 5;
+  parameters.contrast = 1.5;
+  shader::LichenLayeredMaterial block{};
+  REQUIRE(lichenFillMaterial(&parameters, nullptr, &block, nullptr) == LICHEN_SUCCESS);
+  MaterialNoise material = *file.bundle.materials[0];
+  material.seed = 5;
+  material.contrast = 1.5;
+  const std::array layers{shaderNoise(file.bundle, 0), shaderNoise(file.bundle, 1)};
+  const std::array indices{shaderNoise(file.bundle, 2)};
+  const shader::LichenLayeredMaterial expected =
+      shaderLayeredMaterial(layers, indices, material, {});
+  CHECK(std::memcmp(&block, &expected, sizeof block) == 0);
+  CHECK(block.first.material.seed == 5u);
+  CHECK(block.layers[0].material.seed == 5u + 0x9E3779B9u);
+  CHECK(block.indices[0].material.seed == 5u + 4u * 0x9E3779B9u);
+  CHECK(block.first.material.contrast == 1.5f);
+  CHECK(block.indices[0].material.contrast == 1.0f);
+}
+
+TEST_CASE(
+    "a layered noise has the mappings that all its noises have, and its switches say layers") {
+  const OwnedBundle bundle(example::layered());
+  LichenMaterialParameters parameters = parametersOf(bundle.handle);
+  std::array<char, LICHEN_SWITCH_BYTES> text{};
+  const LichenMaterialParameters* const all[] = {&parameters};
+  REQUIRE(lichenGetShaderSwitches(all, 1, nullptr, text.data(), text.size(), nullptr) ==
+          LICHEN_SUCCESS);
+  CHECK_THAT(text.data(), Catch::StartsWith("-DLICHEN_ROLES=4 -DLICHEN_METHODS=8 "
+                                            "-DLICHEN_LAYERS=2 -DLICHEN_LAYER_METHODS=8 "));
+  parameters.mapping = LICHEN_MAPPING_SURFACE;
+  CHECK(fill(parameters).result == LICHEN_ERROR_USAGE);
+}
