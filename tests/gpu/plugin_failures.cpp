@@ -443,7 +443,7 @@ TEST_CASE("incomplete or unknown host input gives an error that names it") {
   info.deviceAllocator = &memory.callbacks;
   refused(LICHEN_ERROR_USAGE, "type");
   info.flags = 4;
-  refused(LICHEN_ERROR_USAGE, "flags 0x2");
+  refused(LICHEN_ERROR_USAGE, "flags 0x4");
   info.maxAnisotropy = std::numeric_limits<float>::quiet_NaN();
   refused(LICHEN_ERROR_USAGE, "maxAnisotropy");
   info.maxAnisotropy = 65.0f;
