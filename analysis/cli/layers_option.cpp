@@ -56,18 +56,17 @@ Result<LabelImage> labelsOf(const LayersOption& option, const MapExemplar& guide
   return labels;
 }
 
-/// Whether each map has a pixel of each label, whatever its size.
+/// Whether each map has the centre of a pixel in each label, whatever its size.
 Result<void> checkSamples(const LabelImage& labels, std::span<const MapExemplar> maps) {
+  const auto at = [](int i, int to, int from) {
+    return (2 * std::size_t(i) + 1) * std::size_t(from) / (2 * std::size_t(to));
+  };
   for (const MapExemplar& map : maps) {
     std::vector<bool> found(std::size_t(labels.count));
     for (int y = 0; y < map.height; ++y)
-      for (int x = 0; x < map.width; ++x) {
-        const std::size_t row =
-            std::size_t(y) * std::size_t(labels.height) / std::size_t(map.height);
-        const std::size_t column =
-            std::size_t(x) * std::size_t(labels.width) / std::size_t(map.width);
-        found[labels.labels[row * std::size_t(labels.width) + column]] = true;
-      }
+      for (int x = 0; x < map.width; ++x)
+        found[labels.labels[at(y, map.height, labels.height) * std::size_t(labels.width) +
+                            at(x, map.width, labels.width)]] = true;
     if (std::ranges::count(found, false) > 0)
       return Error{ErrorKind::badInput,
                    fmt::format("the map {} of {} x {} pixels is too small for labels of {} x {}",

@@ -20,8 +20,8 @@ struct Purity {
 };
 
 /// The purity of each of width x height pixels of the tile. `distance` is that to other labels
-/// [pixels of `labels`]. Thin labels, of which all pixels lie near others, are as pure in their
-/// middle. Throws std::bad_alloc.
+/// [pixels of `labels`]. In a thin label all pixels lie near others; those farthest from them count
+/// as pure. Throws std::bad_alloc.
 [[nodiscard]] Purity purityOf(const LabelImage& labels, const std::vector<float>& distance,
                               int width, int height);
 

@@ -4,6 +4,7 @@
 #include "../property/layered_example.h"
 #include "plugin_host.h"
 #include "shared_device.h"
+#include "slopes_of_color.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/local_random_phase.h>
@@ -30,18 +31,6 @@ struct LayeredPoint {
 };
 
 constexpr int kWidth = 64, kHeight = 48;
-
-MapExemplar slopesOf(MapExemplar map) {
-  std::vector<float> slopes;
-  for (std::size_t i = 0; i < map.values.size() / 3; ++i)
-    for (std::size_t c = 0; c < 2; ++c)
-      slopes.push_back(map.values[3 * i + c] - 0.5f);
-  map.values = slopes;
-  map.target = MapTarget::normal;
-  map.channels = {MapChannel::slopeX, MapChannel::slopeY};
-  map.encoding = ValueEncoding::slope;
-  return map;
-}
 
 /// Of 16 bits, as rounding of tables has a test of its own for all methods.
 Bundle bakedAs(Method method, std::span<const MapExemplar> maps) {

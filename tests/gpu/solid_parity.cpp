@@ -6,6 +6,7 @@
 #include "../property/solid_twin.h"
 #include "plugin_host.h"
 #include "shared_device.h"
+#include "slopes_of_color.h"
 
 #include <lichen/bundle_writer.h>
 #include <lichen/lattice.h>
@@ -36,19 +37,6 @@ struct SolidPoint {
 };
 
 constexpr int kWidth = 64, kHeight = 48;
-
-/// Slopes that a colour's first two channels happen to be.
-MapExemplar slopesOf(MapExemplar map) {
-  std::vector<float> slopes;
-  for (std::size_t i = 0; i < map.values.size() / 3; ++i)
-    for (std::size_t c = 0; c < 2; ++c)
-      slopes.push_back(map.values[3 * i + c] - 0.5f);
-  map.values = slopes;
-  map.target = MapTarget::normal;
-  map.channels = {MapChannel::slopeX, MapChannel::slopeY};
-  map.encoding = ValueEncoding::slope;
-  return map;
-}
 
 template <class Bake>
 std::vector<std::byte> glbOf(Result<Bake> bake) {
