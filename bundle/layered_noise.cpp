@@ -136,6 +136,8 @@ std::string mappingObstacle(const Bundle& bundle, std::size_t noise, Mapping map
              misfit;
     if (const std::string_view obstacle = mappingObstacle(each, mapping); !obstacle.empty())
       return "noise '" + each.name + "'" + misfit + ": " + std::string(obstacle);
+    if (each.layers && !mappingFitsLayers(mapping))
+      return "noise '" + each.name + "'" + misfit + ": it has layers";
   }
   return {};
 }

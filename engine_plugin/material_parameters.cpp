@@ -6,6 +6,7 @@
 #include "plan.h"
 
 #include <lichen/lattice.h>
+#include <lichen/layered_noise.h>
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
@@ -46,6 +47,11 @@ LichenResult readPointProcess(LichenPointProcess value, PointProcess& process,
 /// Whether all layers and index maps of the noise have a mapping. If not, says why not.
 LichenResult checkMapping(LichenMapping value, const NoiseSummary& summary, Mapping mapping,
                           LichenDiagnostic* diagnostic) {
+  if (summary.layerCount > 1 && !mappingFitsLayers(mapping)) {
+    writeDiagnostic(diagnostic, "mapping %d (%s) does not fit the noise: it has layers", int(value),
+                    nameOf(mapping).data());
+    return LICHEN_ERROR_USAGE;
+  }
   std::array<const shader::LichenNoise*, 1 + 2 * LICHEN_MAX_LAYER_NODES> noises{&summary.constants};
   std::size_t count = 1;
   for (std::uint32_t layer = 1; layer < summary.layerCount; ++layer) {
@@ -57,7 +63,8 @@ LichenResult checkMapping(LichenMapping value, const NoiseSummary& summary, Mapp
       writeDiagnostic(
           diagnostic,
           "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar), for "
-          "texton noise 2 (surface) or for local random-phase and multiple-kernels noise 3 (solid)",
+          "texton and multiple-kernels noise 2 (surface) or for local random-phase and "
+          "multiple-kernels noise 3 (solid)",
           int(value), nameOf(Method(noise->method)).data());
       return LICHEN_ERROR_USAGE;
     }

@@ -104,8 +104,9 @@ std::string switchesOf(const Needs& needs) {
   unless(needs.triplanar, "OMIT_TRIPLANAR");
   unless(needs.otherMappings, "OTHER_MAPPINGS=0");
   const auto has = [&](std::uint32_t method) { return (needs.methods & (1u << method)) != 0; };
+  if (has(LICHEN_METHOD_TEXTON) || has(LICHEN_METHOD_MULTIPLE_KERNELS))
+    unless(needs.surface, "OMIT_SURFACE");
   if (has(LICHEN_METHOD_TEXTON)) {
-    unless(needs.surface, "OMIT_SURFACE_TEXTONS");
     unless(needs.mixes, "MIXED_TEXTONS=0");
     unless(needs.poisson, "POISSON_POINTS=0");
     unless(needs.cubic, "CUBIC_TEXTONS=0");

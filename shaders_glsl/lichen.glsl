@@ -46,6 +46,7 @@ layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
 #define LICHEN_LAYERS 1
 #endif
 #if LICHEN_LAYERS > 1
+#define LICHEN_OMIT_SURFACE
 #include "interface/layer_images.glsl"
 #else
 #define LICHEN_IMAGE_2D texture2D

@@ -88,9 +88,9 @@ Result<void> checkMapping(const Noise& noise, Mapping mapping) {
     if (obstacle.empty())
       return {};
     return Error{ErrorKind::usage,
-                 fmt::format("--mapping {}: noise '{}' does not support it: {}; bake it with {}",
+                 fmt::format("--mapping {}: noise '{}' does not support it: {}; bake it {}",
                              nameOf(mapping), noise.name, obstacle,
-                             commandOf(noise.method()).optionsForSolids())};
+                             commandOf(noise.method()).optionsFor(mapping))};
   }
   std::vector<std::string> mappings, methods;
   for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Adapts the twin of a method that lies in planes, with the mappings uv and triplanar, and solid if
-// it has that, to the interface that all methods share.
+// Adapts the twin of a method that lies in planes, with the mappings uv and triplanar, and surface
+// and solid if it has them, to the interface that all methods share.
 #pragma once
 
 #include <lichen/noise_evaluator.h>
@@ -11,8 +11,8 @@
 
 namespace lichen {
 
-/// `Twin` has the two functions evaluate(map, material, footprint) of TilingEvaluator, and the
-/// third of LocalRandomPhaseEvaluator if it has solids.
+/// `Twin` has the two functions evaluate(map, material, footprint) of TilingEvaluator, and those of
+/// MultipleKernelsEvaluator for surfaces and solids if it has these.
 template <class Twin>
 class PlaneEvaluator final : public NoiseEvaluator {
 public:
@@ -27,8 +27,10 @@ public:
                                const MixPlace&) const override {
     return twin_.evaluate(map, planes(), at);
   }
-  [[nodiscard]] Value evaluate(std::size_t, const SurfaceFootprint&,
+  [[nodiscard]] Value evaluate(std::size_t map, const SurfaceFootprint& at,
                                const MixPlace&) const override {
+    if constexpr (requires { twin_.evaluate(map, constants(), at); })
+      return twin_.evaluate(map, constants(), at);
     assert(!"the method does not fit the mapping surface, and create() refuses it");
     return {};
   }

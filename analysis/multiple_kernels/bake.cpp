@@ -92,6 +92,9 @@ KernelRow gridOf(const Kernel& kernel, Window window, double impacts, double til
   const Eigen::Vector2d perWidth(1.0, tileAspect); // tile heights, and the frequencies of these
   const Eigen::Matrix2d inSpace = kernel.toWindow() * perWidth.asDiagonal();
   row.toWindowZ = float(std::sqrt((inSpace.transpose() * inSpace).eigenvalues().real().maxCoeff()));
+  // On surfaces in cubes, as textons. [GLM17] section 6
+  const double inWidths = kernel.area(window) / tileAspect;
+  row.cubes = cellsOf(std::cbrt(std::pow(inWidths, 1.5) / (kSurfaceImpacts * impacts)));
   row.layers = cellsOf(4.0 / 3.0 * std::pow(double(kSolidWider), 3.0) / double(row.toWindowZ));
   return row;
 }
@@ -104,7 +107,6 @@ std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window,
   double energy = 0.0;
   for (const Kernel& kernel : kernels)
     energy += kernel.energy;
-  const auto spread = float(windowSpread(window));
   std::vector<KernelRow> rows;
   for (const Kernel& kernel : kernels) {
     // A ring has waves in all directions. With few impacts, single directions are seen.
@@ -116,7 +118,6 @@ std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window,
                     float(toWindow(1, 1))};
     const double density = double(row.columns) * row.rows / (kKernelTiles * kKernelTiles);
     row.amplitude = float(1.0 / std::sqrt(density * squareIntegral(window, kernel)));
-    row.spread = spread;
     rows.push_back(row);
   }
   return rows;

@@ -5,6 +5,7 @@
 #include "kernel_impacts.h"
 #include "kernel_pattern.h"
 #include "solid_kernels.h"
+#include "surface_kernels.h"
 #include "triplanar/planes.h"
 
 #include <lichen/multiple_kernels_evaluate.h>
@@ -23,21 +24,6 @@ using Value = MultipleKernelsEvaluator::Value;
 
 std::array<float, 2> positionOf(const TileFootprint& at, const shader::LichenMaterial& material) {
   return {at.position[0] + material.offsetX, at.position[1] + material.offsetY};
-}
-
-/// The amplitude that a footprint leaves of a kernel.
-float retainedOf(const WaveFootprint& footprint, const KernelRow& row, bool isRing) {
-  const auto& q = row.toWindow;
-  const float xx = q[0] * q[0] + q[2] * q[2], yy = q[1] * q[1] + q[3] * q[3],
-              xy = q[0] * q[1] + q[2] * q[3];
-  const auto [fx, fy] = row.frequency;
-  // A ring has all directions, and half of its square along each axis.
-  const float ofFrequency =
-      isRing ? 0.5f * fx * fx * (footprint.xx + footprint.yy) : footprint.squaredCycles(fx, fy);
-  const float area = row.spread * (q[0] * q[3] - q[1] * q[2]);
-  return kernelRetained(
-      ofFrequency, row.spread * (footprint.xx * xx + footprint.yy * yy + footprint.xy * xy),
-      area * area * (footprint.xx * footprint.yy - 0.25f * footprint.xy * footprint.xy));
 }
 
 /// The sums over impacts of their four waves, and derivatives of these along x and y [1 / cell].
@@ -98,11 +84,8 @@ Gradient gradientAt(const std::vector<KernelRow>& rows, const std::vector<Patter
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const KernelRow& row = rows[k];
     const bool isRing = k >= shared.kernels - shared.rings;
-    const float retained = retainedOf(footprint, row, isRing);
-    float own = 0.0f;
-    for (const std::array<float, 4>& color : row.colors)
-      for (const float factor : color)
-        own += factor * factor;
+    const float retained = kernelRetained(row, isRing, footprint, window);
+    const float own = kernelSquares(row);
     squares += own;
     lost += own * (1.0f - retained * retained);
     if (retained == 0.0f || own == 0.0f)
@@ -229,6 +212,18 @@ Value MultipleKernelsEvaluator::evaluate(std::size_t mapIndex,
   const Map& map = (*maps_)[mapIndex];
   return solid::valueOf(solidSumAt(map.rows, noise_, map.decoder.constants(), material, at),
                         map.decoder, material);
+}
+
+Value MultipleKernelsEvaluator::gaussian(std::size_t mapIndex,
+                                         const shader::LichenMaterial& material,
+                                         const SurfaceFootprint& at) const {
+  return surfaceGaussianAt((*maps_)[mapIndex].rows, noise_, material, at);
+}
+
+Value MultipleKernelsEvaluator::evaluate(std::size_t mapIndex,
+                                         const shader::LichenMaterial& material,
+                                         const SurfaceFootprint& at) const {
+  return (*maps_)[mapIndex].decoder.decode(gaussian(mapIndex, material, at), material.contrast);
 }
 
 MultipleKernelsEvaluator::Visited

@@ -151,6 +151,39 @@ inline float kernelRetained(float cycles, float trace, float determinant) {
   return std::max((1.0f + kFaint) * retainedAt(cycles / wider) / std::sqrt(wider) - kFaint, 0.0f);
 }
 
+/// lichenKernelSpread
+inline float kernelSpread(KernelWindow window) {
+  if (window == KernelWindow::gabor)
+    return 0.106387243f;
+  return window == KernelWindow::sinc ? 0.297779771f : 0.292652321f;
+}
+
+/// lichenKernelRetained of a row
+inline float kernelRetained(const KernelRow& row, bool isRing, const WaveFootprint& footprint,
+                            KernelWindow window) {
+  const auto& q = row.toWindow;
+  const float xx = q[0] * q[0] + q[2] * q[2], yy = q[1] * q[1] + q[3] * q[3],
+              xy = q[0] * q[1] + q[2] * q[3];
+  const auto [fx, fy] = row.frequency;
+  const float spread = kernelSpread(window);
+  // A ring has all directions, and half of its square along each axis.
+  const float cycles =
+      isRing ? 0.5f * fx * fx * (footprint.xx + footprint.yy) : footprint.squaredCycles(fx, fy);
+  const float area = spread * (q[0] * q[3] - q[1] * q[2]);
+  return kernelRetained(
+      cycles, spread * (footprint.xx * xx + footprint.yy * yy + footprint.xy * xy),
+      area * area * (footprint.xx * footprint.yy - 0.25f * footprint.xy * footprint.xy));
+}
+
+/// lichenKernelSquares
+inline float kernelSquares(const KernelRow& row) {
+  float squares = 0.0f;
+  for (const std::array<float, 4>& color : row.colors)
+    for (const float factor : color)
+      squares += factor * factor;
+  return squares;
+}
+
 /// lichenKernelSinc
 inline float kernelSinc(float t) {
   constexpr float kPerTurn = 0.159154943f, kLeast = 1e-3f;

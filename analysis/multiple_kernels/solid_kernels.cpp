@@ -74,6 +74,7 @@ SolidKernel kernelAt(const KernelRow& row, bool isRing, const SolidPlace& place,
   kernel.place = position - corner;
   kernel.layer =
       std::uint32_t(std::int32_t(corner)) + place.groupZ * std::uint32_t(std::int32_t(row.layers));
+  const float spread = kernelSpread(KernelWindow::gabor);
   const auto& q = row.toWindow;
   std::array<Vec3, 2> windows{};
   for (std::size_t k = 0; k < 2; ++k) {
@@ -88,14 +89,14 @@ SolidKernel kernelAt(const KernelRow& row, bool isRing, const SolidPlace& place,
     kernel.cycles[1] += isRing ? 0.0f : 2.0f * along * axis[2];
     kernel.cycles[2] += axis[2] * axis[2];
   }
-  const float a = row.spread * solid::dot(windows[0], windows[0]);
-  const float b = row.spread * solid::dot(windows[1], windows[1]);
-  const float both = row.spread * solid::dot(windows[0], windows[1]);
+  const float a = spread * solid::dot(windows[0], windows[0]);
+  const float b = spread * solid::dot(windows[1], windows[1]);
+  const float both = spread * solid::dot(windows[0], windows[1]);
   kernel.trace = a + b;
   kernel.determinant = a * b - both * both;
-  kernel.depthSpread = row.spread * row.toWindowZ * row.toWindowZ;
+  kernel.depthSpread = spread * row.toWindowZ * row.toWindowZ;
   kernel.planarSpread =
-      0.5f * row.spread *
+      0.5f * spread *
       (q[0] * q[0] + q[2] * q[2] + kernel.aspect * kernel.aspect * (q[1] * q[1] + q[3] * q[3]));
   for (float& factor : kernel.plane.toWindow)
     factor /= kSolidWider;
@@ -199,10 +200,7 @@ solid::Sum solidSumAt(std::span<const KernelRow> rows, const shader::LichenNoise
     const KernelRow& row = rows[k];
     const SolidKernel kernel =
         kernelAt(row, k >= shared.kernels - shared.rings, place, material, noise);
-    float own = 0.0f;
-    for (const Waves& color : row.colors)
-      for (const float factor : color)
-        own += factor * factor;
+    const float own = kernelSquares(row);
     sum.squares += own;
     sum.lost += own * (1.0f - retainedSquare(kernel));
     if (own == 0.0f)

@@ -10,10 +10,6 @@
 
 namespace lichen::solid {
 
-float dot(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec3 combined(float a, const Vec3& x, float b, const Vec3& y) {
-  return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
-}
 Vec3 product(const Vec3& a, const Vec3& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
 
 Vec3 inTiles(const Vec3& metres, const shader::LichenMaterial& material,

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "gaussianization/value_decoder.h"
+#include "vec3.h"
 
 #include <lichen/shader_parameters.h>
 #include <lichen/solid_footprint.h>
@@ -13,10 +14,10 @@
 
 namespace lichen::solid {
 
-using Vec3 = std::array<float, 3>;
+using space::combined;
+using space::dot;
+using space::Vec3;
 
-[[nodiscard]] float dot(const Vec3& a, const Vec3& b);
-[[nodiscard]] Vec3 combined(float a, const Vec3& x, float b, const Vec3& y);
 [[nodiscard]] Vec3 product(const Vec3& a, const Vec3& b);
 
 /// The largest third frequency of a wave over the length of the two of the exemplar.

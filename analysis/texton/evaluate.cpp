@@ -251,16 +251,16 @@ Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenMateri
 Value TextonEvaluator::gaussian(std::size_t mapIndex, const shader::LichenMaterial& material,
                                 const SurfaceFootprint& at, const MixPlace& mix) const {
   const Map& map = (*maps_)[mapIndex];
-  const texton::SurfaceImpacts surface = texton::surfaceImpactsAt(at, material, noise_);
-  const Textons textons(map.image, noise_, surface.impacts, mix);
+  const texton::SurfaceImpacts near = texton::surfaceImpactsAt(at, material, noise_);
+  const Textons textons(map.image, noise_, near.impacts, mix);
   const shader::LichenMap here = map.mix.at(map.constants, mix);
-  const std::array<float, 3> gain = gainOf(surface.impacts, material, here);
+  const std::array<float, 3> gain = gainOf(near.impacts, material, here);
   Value sum{};
   if (needsImpacts(gain))
-    texton::forEachSurfaceImpact(surface, material, [&](const Vec2& place, float weight) {
-      const Value h = textons.at(place);
+    surface::forEachImpact(near.cubes, [&](const surface::Impact& impact) {
+      const Value h = textons.at(impact.offset);
       for (std::size_t c = 0; c < 3; ++c)
-        sum[c] += weight * h[c];
+        sum[c] += impact.weight * h[c];
     });
   return gaussianOf(sum, gain, here);
 }

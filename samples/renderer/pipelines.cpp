@@ -219,6 +219,7 @@ struct Constants {
   VkBool32 objectSpaces = VK_FALSE;
   VkBool32 tileRotation = VK_FALSE;
   VkBool32 solid = VK_FALSE;
+  VkBool32 surface = VK_FALSE;
   VkBool32 structure = VK_FALSE;
   VkBool32 ringKernels = VK_FALSE;
   VkBool32 squareKernels = VK_FALSE;
@@ -239,6 +240,7 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{8, offsetof(Constants, objectSpaces), sizeof(VkBool32)},
     VkSpecializationMapEntry{9, offsetof(Constants, tileRotation), sizeof(VkBool32)},
     VkSpecializationMapEntry{10, offsetof(Constants, solid), sizeof(VkBool32)},
+    VkSpecializationMapEntry{18, offsetof(Constants, surface), sizeof(VkBool32)},
     VkSpecializationMapEntry{11, offsetof(Constants, structure), sizeof(VkBool32)},
     VkSpecializationMapEntry{12, offsetof(Constants, ringKernels), sizeof(VkBool32)},
     VkSpecializationMapEntry{13, offsetof(Constants, squareKernels), sizeof(VkBool32)},
@@ -264,7 +266,7 @@ FragmentCode fragmentCodeFor(const NoiseFeatures& noises, bool hasNoise) {
   if (noises.hasMethod(LICHEN_NOISE_MULTIPLE_KERNELS)) {
     if (hasTextons || noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE))
       return {scene_frag, depth_frag};
-    return noises.triplanarNoises
+    return noises.triplanarNoises || noises.surfaceNoises
                ? FragmentCode{scene_frag_kernels, depth_frag_kernels}
                : FragmentCode{scene_frag_plane_kernels, depth_frag_plane_kernels};
   }
@@ -293,6 +295,7 @@ Constants constantsOf(const SurfaceConstants& shared) {
           .objectSpaces = noises.objectSpaces,
           .tileRotation = noises.tileRotation,
           .solid = noises.solidNoises,
+          .surface = noises.surfaceNoises,
           .structure = noises.structures,
           .ringKernels = (noises.kernelKinds & LICHEN_KERNELS_RINGS) != 0,
           .squareKernels = (noises.kernelKinds & LICHEN_KERNELS_SQUARE) != 0,

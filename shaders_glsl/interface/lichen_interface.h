@@ -156,8 +156,8 @@ struct LichenCosinesMaterial {
 
 /// What only multiple-kernels noise has of a material: own0 to own2.
 struct LichenKernelsMaterial {
-  // Of solid noise: the third of cellI and cellJ and of offsetX and offsetY [tile widths].
-  uint isSolid; // 0 of noise in a plane
+  uint isSolid, isSurface; // 0 of noise in a plane
+  // Otherwise the third of cellI and cellJ and of offsetX and offsetY [tile widths].
   int cellK;
   float offsetZ;
 };

@@ -35,7 +35,7 @@ LichenShadingPoint lichenPointSurfaceGrad(vec3 position, vec3 positionGradientX,
   LichenShadingPoint shading;
   shading.material = material;
   shading.noise = noise;
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
+#ifndef LICHEN_OMIT_SURFACE
   // As on texture coordinates, the exemplar is rotated against the surface, and scaled.
   vec2 rotation = vec2(material.uvToTileXX, material.uvToTileXY); // (cos, sin) / scale
   float perScale = length(rotation);
@@ -48,11 +48,11 @@ LichenShadingPoint lichenPointSurfaceGrad(vec3 position, vec3 positionGradientX,
   vec2 tiles = tilesPerMetre * vec2(1.0, noise.tileAspect);
   mat3x2 toTiles = mat3x2(tiles * vec2(right.x, down.x), tiles * vec2(right.y, down.y),
                           tiles * vec2(right.z, down.z));
-  lichenSetPoint(shading.point.texton, vec2(0.0), toTiles * positionGradientX,
-                 toTiles * positionGradientY, material, noise);
+  shading.point = lichenPointAt(vec2(0.0), toTiles * positionGradientX, toTiles * positionGradientY,
+                                material, noise);
   lichenSetMixFromMaterial(shading.point, material, noise);
-  shading.surface = lichenSurfaceImpactsAt(tilesPerMetre * position, right, down, frame[2],
-                                         shading.point.texton, material, noise);
+  shading.surface = lichenSurfacePointAt(tilesPerMetre * position, mat3(right, down, frame[2]),
+                                         shading.point, material, noise);
 #endif
   return shading;
 }

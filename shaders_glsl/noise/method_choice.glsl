@@ -33,11 +33,10 @@
 #if (LICHEN_METHODS & 2) != 0
 #define LICHEN_HAS_TEXTONS
 #define LICHEN_EACH_TEXTON(DO) DO(texton, LichenImpacts, LICHEN_METHOD_TEXTON)
+#define LICHEN_SURFACE_TEXTON(DO) DO(texton, LichenSurfaceCubes, LICHEN_METHOD_TEXTON)
 #else
 #define LICHEN_EACH_TEXTON(DO)
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
-#define LICHEN_OMIT_SURFACE_TEXTONS
-#endif
+#define LICHEN_SURFACE_TEXTON(DO)
 #endif
 #if (LICHEN_METHODS & 4) != 0
 #define LICHEN_HAS_LOCAL_RANDOM_PHASE
@@ -55,8 +54,11 @@
   DO(multipleKernels, LichenKernelsPoint, LICHEN_METHOD_MULTIPLE_KERNELS)
 #define LICHEN_SOLID_MULTIPLE_KERNELS(DO)                                                          \
   DO(multipleKernels, LichenSolidKernelsPoint, LICHEN_METHOD_MULTIPLE_KERNELS)
+#define LICHEN_SURFACE_MULTIPLE_KERNELS(DO)                                                        \
+  DO(multipleKernels, LichenSurfaceKernelsPoint, LICHEN_METHOD_MULTIPLE_KERNELS)
 #else
 #define LICHEN_EACH_MULTIPLE_KERNELS(DO)
+#define LICHEN_SURFACE_MULTIPLE_KERNELS(DO)
 #define LICHEN_SOLID_MULTIPLE_KERNELS(DO)
 #endif
 
@@ -68,14 +70,22 @@
 #if (LICHEN_METHODS & 12) == 0 && !defined(LICHEN_OMIT_SOLID)
 #define LICHEN_OMIT_SOLID
 #endif
-
-// 0 where no texton noise is mapped onto a surface. A literal, or the host's specialization
-// constant; where LICHEN_OMIT_SURFACE_TEXTONS is defined it is not compiled.
-#ifdef LICHEN_OMIT_SURFACE_TEXTONS
-#define LICHEN_SURFACE_TEXTONS 0
+// Likewise, for each method that has surfaces; see surface_method.glsl.
+#define LICHEN_EACH_SURFACE_METHOD(DO)                                                             \
+  LICHEN_SURFACE_TEXTON(DO)                                                                        \
+  LICHEN_SURFACE_MULTIPLE_KERNELS(DO)
+#if (LICHEN_METHODS & 10) == 0 && !defined(LICHEN_OMIT_SURFACE)
+#define LICHEN_OMIT_SURFACE
 #endif
-#ifndef LICHEN_SURFACE_TEXTONS
-#define LICHEN_SURFACE_TEXTONS 1
+
+// 0 where no material's mapping is surface. A literal, or the host's specialization constant; where
+// LICHEN_OMIT_SURFACE is defined it is not compiled.
+#ifdef LICHEN_OMIT_SURFACE
+#undef LICHEN_SURFACE
+#define LICHEN_SURFACE 0
+#endif
+#ifndef LICHEN_SURFACE
+#define LICHEN_SURFACE 1
 #endif
 // 0 where no material's mapping is solid. Likewise; LICHEN_OMIT_SOLID.
 #ifdef LICHEN_OMIT_SOLID
@@ -104,9 +114,14 @@ bool lichenHasMethod(int method, LichenNoise noise) {
   return used == bit || ((used & bit) != 0 && noise.method == uint(method));
 }
 
-/// Whether texton noise is mapped onto a surface; known at compile time where none is.
-bool lichenIsSurface(LichenMaterial material) {
-  return bool(LICHEN_SURFACE_TEXTONS) && lichenTextonMaterial(material).surfaceCubeTexels > 0.0;
+/// Whether the mapping is surface; known at compile time where none is.
+bool lichenIsSurface(LichenMaterial material, LichenNoise noise) {
+  if (!bool(LICHEN_SURFACE))
+    return false;
+  if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise))
+    return lichenTextonMaterial(material).surfaceCubeTexels > 0.0;
+  return lichenHasMethod(LICHEN_METHOD_MULTIPLE_KERNELS, noise) &&
+         lichenKernelsMaterial(material).isSurface != 0u;
 }
 
 /// Whether the mapping is solid; known at compile time where none is.

@@ -36,8 +36,8 @@ LichenCosinesMaterial lichenCosinesMaterial(LichenMaterial material) {
 }
 
 LichenKernelsMaterial lichenKernelsMaterial(LichenMaterial material) {
-  return LichenKernelsMaterial(material.own0.x, int(material.own0.y),
-                               uintBitsToFloat(material.own0.z));
+  return LichenKernelsMaterial(material.own0.x, material.own0.y, int(material.own0.z),
+                               uintBitsToFloat(material.own0.w));
 }
 
 LichenKernelsNoise lichenKernelsNoise(LichenNoise noise) {

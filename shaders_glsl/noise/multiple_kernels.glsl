@@ -38,30 +38,47 @@ struct LichenKernelsPoint {
   vec2 gradientX, gradientY; // [tiles / pixel]
 };
 
-/// A kernel and the cells of its grid that may reach a point. Offsets are in cells.
-struct LichenKernel {
-  vec2 frequency;  // [cycles / cell]; of a ring, (radius, 0) in cycles per tile
-  mat2 toWindow;   // from an offset in cells to the window's coordinates
-  vec2 perCell;    // [tiles] sides of a cell
+/// One row of an image.
+struct LichenKernelRow {
+  vec2 frequency; // [cycles / tile]; of a ring, (radius, 0)
   bool isRing;
-  uvec2 corner;    // the cell that holds the point; its place in that:
-  vec2 place;      // [0, 1)
-  ivec2 period;    // [cells]; 0 without one
+  vec2 cells;    // columns and rows of its grid in LICHEN_KERNEL_TILES tiles
+  mat2 toWindow; // Q: from an offset in tiles to the window's coordinates
   float amplitude;
-  float spread; // [cycles^2] mean square frequency of the window along each of its axes
+  float cubes;             // on surfaces, those of its grid in LICHEN_KERNEL_TILES tile widths
+  float layers, toWindowZ; // in solids, likewise; and Q along z
 };
 
-/// The kernel in row `row` of an image.
-LichenKernel lichenKernelAt(LICHEN_IMAGE_2D image, int row, LichenKernelsPoint point,
-                            LichenMaterial material, LichenKernelsNoise kernels) {
+/// The row `row` of an image.
+LichenKernelRow lichenKernelRow(LICHEN_IMAGE_2D image, int row, LichenKernelsNoise kernels) {
   vec4 grid = LICHEN_FETCH_2D(image, ivec2(0, row));
   vec4 window = LICHEN_FETCH_2D(image, ivec2(1, row));
   vec4 scales = LICHEN_FETCH_2D(image, ivec2(2, row));
-  LichenKernel kernel;
   const float kOfWave = 1.41421356; // whose square is 1 in the mean
-  kernel.amplitude = kOfWave * scales.x;
-  kernel.spread = scales.y;
-  vec2 cells = grid.zw; // in a group, or in the period
+  bool isRing = bool(LICHEN_RING_KERNELS) && row >= int(kernels.kernels - kernels.rings);
+  return LichenKernelRow(grid.xy, isRing, grid.zw, mat2(window.xz, window.yw), kOfWave * scales.x,
+                         scales.y, scales.z, scales.w);
+}
+
+/// A kernel and the cells of its grid that may reach a point. Offsets are in cells.
+struct LichenKernel {
+  vec2 frequency; // [cycles / cell]; of a ring, (radius, 0) in cycles per tile
+  bool isRing;
+  mat2 toWindow; // from an offset in cells to the window's coordinates
+  vec2 perCell;  // [tiles] sides of a cell
+  uvec2 corner;  // the cell that holds the point; its place in that:
+  vec2 place;    // [0, 1)
+  ivec2 period;  // [cells]; 0 without one
+  float amplitude;
+};
+
+/// The kernel of a row around a point.
+LichenKernel lichenKernelAt(LichenKernelRow row, LichenKernelsPoint point,
+                            LichenMaterial material) {
+  LichenKernel kernel;
+  kernel.amplitude = row.amplitude;
+  kernel.isRing = row.isRing;
+  vec2 cells = row.cells; // in a group, or in the period
   vec2 perTile = cells / float(LICHEN_KERNEL_TILES);
   kernel.period = ivec2(0);
   bool isPeriodic = bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0;
@@ -81,9 +98,8 @@ LichenKernel lichenKernelAt(LICHEN_IMAGE_2D image, int row, LichenKernelsPoint p
   if (!isPeriodic) // a place of almost 1 may round to it, which is the next group's corner
     kernel.corner += uvec2(point.group) * uvec2(ivec2(cells));
   kernel.perCell = 1.0 / perTile;
-  kernel.isRing = bool(LICHEN_RING_KERNELS) && row >= int(kernels.kernels - kernels.rings);
-  kernel.frequency = kernel.isRing ? grid.xy : grid.xy * kernel.perCell;
-  kernel.toWindow = mat2(window.xz * kernel.perCell.x, window.yw * kernel.perCell.y);
+  kernel.frequency = row.isRing ? row.frequency : row.frequency * kernel.perCell;
+  kernel.toWindow = mat2(row.toWindow[0] * kernel.perCell.x, row.toWindow[1] * kernel.perCell.y);
   return kernel;
 }
 
@@ -252,6 +268,52 @@ float lichenKernelRetained(float cycles, float trace, float determinant) {
   return max((1.0 + kFaint) * retained - kFaint, 0.0);
 }
 
+/// The mean square frequency of a window along each of its axes. [cycles^2]
+float lichenKernelSpread(uint window) {
+  // Of the kind gabor 21 / (20 pi^2), of the others by quadrature.
+  if (lichenIsOnDisk(window))
+    return 0.106387243;
+  return window == uint(LICHEN_WINDOW_SINC) ? 0.297779771 : 0.292652321;
+}
+
+/// The amplitude that a pixel leaves of a kernel. `footprint` as lichenWaveFootprint has it.
+float lichenKernelRetained(LichenKernelRow row, vec3 footprint, uint window) {
+  mat2 q = row.toWindow;
+  vec2 f = row.frequency;
+  float spread = lichenKernelSpread(window);
+  // A ring has all directions, and half of its square along each axis.
+  float cycles = row.isRing
+                     ? 0.5 * f.x * f.x * (footprint.x + footprint.y)
+                     : f.x * (footprint.x * f.x + footprint.z * f.y) + footprint.y * f.y * f.y;
+  float trace = spread * (footprint.x * dot(q[0], q[0]) + footprint.y * dot(q[1], q[1]) +
+                          footprint.z * dot(q[0], q[1]));
+  float area = spread * determinant(q);
+  return lichenKernelRetained(
+      cycles, trace, area * area * (footprint.x * footprint.y - 0.25 * footprint.z * footprint.z));
+}
+
+/// The factors of a kernel's four waves, for each channel.
+struct LichenKernelColors {
+  vec4 channel0, channel1, channel2;
+};
+LichenKernelColors lichenKernelColors(LICHEN_IMAGE_2D image, int row) {
+  return LichenKernelColors(LICHEN_FETCH_2D(image, ivec2(3, row)),
+                            LICHEN_FETCH_2D(image, ivec2(4, row)),
+                            LICHEN_FETCH_2D(image, ivec2(5, row)));
+}
+
+/// The sum of their squares: what the kernel adds to the variance of all channels.
+float lichenKernelSquares(LichenKernelColors colors) {
+  return dot(colors.channel0, colors.channel0) + dot(colors.channel1, colors.channel1) +
+         dot(colors.channel2, colors.channel2);
+}
+
+/// The four waves as channels.
+vec3 lichenColored(LichenKernelColors colors, vec4 waves) {
+  return vec3(dot(colors.channel0, waves), dot(colors.channel1, waves),
+              dot(colors.channel2, waves));
+}
+
 /// The tiles in which a point's place is counted.
 vec2 lichenKernelsTiles(LichenMaterial material) {
   bool isPeriodic = bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0;
@@ -269,38 +331,22 @@ vec4 lichenKernelsGaussian(LICHEN_IMAGE_2D image, LichenKernelsPoint point, Lich
   vec3 sum = vec3(0.0);
   slopes = LichenGaussianSlopes(vec3(0.0), vec3(0.0));
   float squares = 0.0, lost = 0.0;
-  for (int row = 0; row < int(kernels.kernels); ++row) {
-    vec4 color0 = LICHEN_FETCH_2D(image, ivec2(3, row));
-    vec4 color1 = LICHEN_FETCH_2D(image, ivec2(4, row));
-    vec4 color2 = LICHEN_FETCH_2D(image, ivec2(5, row));
-    LichenKernel kernel = lichenKernelAt(image, row, point, material, kernels);
-    // In tiles.
-    mat2 q = mat2(kernel.toWindow[0] / kernel.perCell.x, kernel.toWindow[1] / kernel.perCell.y);
-    vec2 f = kernel.isRing ? kernel.frequency : kernel.frequency / kernel.perCell;
-    // A ring has all directions, and half of its square along each axis.
-    float cycles = kernel.isRing
-                       ? 0.5 * f.x * f.x * (footprint.x + footprint.y)
-                       : f.x * (footprint.x * f.x + footprint.z * f.y) + footprint.y * f.y * f.y;
-    float trace = kernel.spread * (footprint.x * dot(q[0], q[0]) + footprint.y * dot(q[1], q[1]) +
-                                   footprint.z * dot(q[0], q[1]));
-    float area = kernel.spread * (q[0].x * q[1].y - q[0].y * q[1].x);
-    float retained = lichenKernelRetained(
-        cycles, trace,
-        area * area * (footprint.x * footprint.y - 0.25 * footprint.z * footprint.z));
-    float own = dot(color0, color0) + dot(color1, color1) + dot(color2, color2);
+  for (int k = 0; k < int(kernels.kernels); ++k) {
+    LichenKernelColors colors = lichenKernelColors(image, k);
+    LichenKernelRow row = lichenKernelRow(image, k, kernels);
+    float retained = lichenKernelRetained(row, footprint, kernels.window);
+    float own = lichenKernelSquares(colors);
     squares += own;
     lost += own * (1.0 - retained * retained);
     if (retained > 0.0 && own > 0.0) {
-      LichenKernelSums sums = lichenKernelSums(kernel, lichenPcg(point.seedWord + uint(row)),
-                                               kernels.window, hasSlopes);
-      sum += retained *
-             vec3(dot(color0, sums.waves), dot(color1, sums.waves), dot(color2, sums.waves));
+      LichenKernel kernel = lichenKernelAt(row, point, material);
+      LichenKernelSums sums =
+          lichenKernelSums(kernel, lichenPcg(point.seedWord + uint(k)), kernels.window, hasSlopes);
+      sum += retained * lichenColored(colors, sums.waves);
       if (hasSlopes) {
         vec2 perTile = retained / kernel.perCell;
-        slopes.alongX += perTile.x * vec3(dot(color0, sums.alongX), dot(color1, sums.alongX),
-                                          dot(color2, sums.alongX));
-        slopes.alongY += perTile.y * vec3(dot(color0, sums.alongY), dot(color1, sums.alongY),
-                                          dot(color2, sums.alongY));
+        slopes.alongX += perTile.x * lichenColored(colors, sums.alongX);
+        slopes.alongY += perTile.y * lichenColored(colors, sums.alongY);
       }
     }
   }

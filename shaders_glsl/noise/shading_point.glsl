@@ -6,7 +6,7 @@
 
 #include "method.glsl"
 #include "solid_method.glsl"
-#include "surface_texton.glsl"
+#include "surface_method.glsl"
 #include "triplanar.glsl"
 
 /// What all maps of a noise share at one point; the parts of its method and mapping are set.
@@ -14,7 +14,7 @@ struct LichenShadingPoint {
   LichenMaterial material;
   LichenNoise noise;
   LichenPoint point;
-  LichenSurfaceImpacts surface;
+  LichenSurfacePoint surface;
   LichenTriplanar triplanar;
   LichenSolidPoint solid;
 };
@@ -28,10 +28,10 @@ vec4 lichenValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenShadingPoin
   if (lichenIsTriplanar(shading.material))
     return lichenTriplanarValue(image, table, shading.triplanar, shading.point, shading.noise, map);
 #endif
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenHasMethod(LICHEN_METHOD_TEXTON, shading.noise) && lichenIsSurface(shading.material))
-    return lichenSurfaceTexton(image, table, shading.point.texton, shading.surface,
-                               shading.material, shading.noise, map);
+#ifndef LICHEN_OMIT_SURFACE
+  if (lichenIsSurface(shading.material, shading.noise))
+    return lichenSurfaceValue(image, table, shading.surface, shading.point, shading.material,
+                              shading.noise, map);
 #endif
 #ifndef LICHEN_OMIT_SOLID
   if (lichenIsSolid(shading.material, shading.noise))

@@ -44,50 +44,44 @@ struct LichenSolidKernelSums {
   vec4 waves, depthX, depthY;
 };
 
-/// The kernel in row `row` of an image.
-LichenSolidKernel lichenSolidKernelAt(LICHEN_IMAGE_2D image, int row, LichenSolidKernelsPoint point,
+/// The kernel of a row around a point.
+LichenSolidKernel lichenSolidKernelAt(LichenKernelRow row, LichenSolidKernelsPoint point,
                                       LichenMaterial material, LichenNoise noise) {
   LichenSolidKernel kernel;
-  kernel.plane = lichenKernelAt(image, row, point.plane, material, lichenKernelsNoise(noise));
-  vec2 depth = LICHEN_FETCH_2D(image, ivec2(2, row)).zw; // layers, and the window's Q along z
+  kernel.plane = lichenKernelAt(row, point.plane, material);
   kernel.aspect = noise.tileAspect;
-  kernel.frequency = kernel.plane.isRing ? kernel.plane.frequency
-                                         : kernel.plane.frequency / kernel.plane.perCell *
-                                               vec2(1.0, kernel.aspect);
+  kernel.frequency = row.isRing ? row.frequency : row.frequency * vec2(1.0, kernel.aspect);
   // Windows in space are wider by the root of 15 / 14: planes then have the spread of the window in
   // the plane. The integral of a squared window there is 0.6365 times that in the plane.
   const float kShrink = 0.966091783, kIntegral = 0.636518;
-  float layersPerTile = depth.x / float(LICHEN_KERNEL_TILES);
+  float layersPerTile = row.layers / float(LICHEN_KERNEL_TILES);
   kernel.plane.amplitude *=
-      sqrt(kShrink * kShrink * kShrink * depth.y / (kIntegral * layersPerTile));
+      sqrt(kShrink * kShrink * kShrink * row.toWindowZ / (kIntegral * layersPerTile));
   kernel.perLayer = 1.0 / layersPerTile;
-  float position = point.insideZ * depth.x;
+  float position = point.insideZ * row.layers;
   float corner = floor(position);
   kernel.place = position - corner;
-  kernel.layer = uint(int(corner)) + uint(point.groupZ) * uint(int(depth.x));
+  kernel.layer = uint(int(corner)) + uint(point.groupZ) * uint(int(row.layers));
   LichenSolidFootprint axes = point.footprint;
-  vec2 perTile = 1.0 / kernel.plane.perCell;
-  // Of the window, whose Q is in tiles, and of the wave: rings have all directions.
-  vec3 windowA = vec3(kernel.plane.toWindow * (perTile * axes.a.xy), depth.y * axes.a.z);
-  vec3 windowB = vec3(kernel.plane.toWindow * (perTile * axes.b.xy), depth.y * axes.b.z);
-  vec2 ofPlane = vec2(dot(kernel.plane.frequency, perTile * axes.a.xy),
-                      dot(kernel.plane.frequency, perTile * axes.b.xy));
+  // Of the window, and of the wave: rings have all directions.
+  vec3 windowA = vec3(row.toWindow * axes.a.xy, row.toWindowZ * axes.a.z);
+  vec3 windowB = vec3(row.toWindow * axes.b.xy, row.toWindowZ * axes.b.z);
+  vec2 ofPlane = vec2(dot(row.frequency, axes.a.xy), dot(row.frequency, axes.b.xy));
   vec2 ofDepth = vec2(axes.a.z, axes.b.z);
-  if (kernel.plane.isRing)
-    ofPlane = kernel.frequency.x * sqrt(0.5) * vec2(length(axes.a.xy), length(axes.b.xy));
-  float both = kernel.plane.isRing ? 0.0 : 2.0 * dot(ofPlane, ofDepth);
+  if (row.isRing)
+    ofPlane = row.frequency.x * sqrt(0.5) * vec2(length(axes.a.xy), length(axes.b.xy));
+  float both = row.isRing ? 0.0 : 2.0 * dot(ofPlane, ofDepth);
   kernel.cycles = vec3(dot(ofPlane, ofPlane), both, dot(ofDepth, ofDepth));
-  vec3 ofWindow = kernel.plane.spread * vec3(dot(windowA, windowA), dot(windowB, windowB),
-                                             dot(windowA, windowB));
+  float spread = lichenKernelSpread(uint(LICHEN_WINDOW_GABOR));
+  vec3 ofWindow =
+      spread * vec3(dot(windowA, windowA), dot(windowB, windowB), dot(windowA, windowB));
   kernel.trace = ofWindow.x + ofWindow.y;
   kernel.determinant = ofWindow.x * ofWindow.y - ofWindow.z * ofWindow.z;
-  mat2 window = mat2(perTile.x * kernel.plane.toWindow[0],
-                     kernel.aspect * perTile.y * kernel.plane.toWindow[1]);
-  kernel.planarSpread =
-      0.5 * kernel.plane.spread * (dot(window[0], window[0]) + dot(window[1], window[1]));
-  kernel.depthSpread = kernel.plane.spread * depth.y * depth.y;
+  vec2 column0 = row.toWindow[0], column1 = kernel.aspect * row.toWindow[1];
+  kernel.planarSpread = 0.5 * spread * (dot(column0, column0) + dot(column1, column1));
+  kernel.depthSpread = spread * row.toWindowZ * row.toWindowZ;
   kernel.plane.toWindow *= kShrink;
-  kernel.toWindowZ = kShrink * depth.y * kernel.perLayer;
+  kernel.toWindowZ = kShrink * row.toWindowZ * kernel.perLayer;
   return kernel;
 }
 
@@ -216,22 +210,21 @@ vec4 lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenSolidKernelsPoint point,
   vec3 sum = vec3(0.0);
   float squares = 0.0, lost = 0.0;
   depthSlope = 0.0;
-  int rows = int(lichenKernelsNoise(noise).kernels);
-  for (int row = 0; row < rows; ++row) {
-    vec4 color0 = LICHEN_FETCH_2D(image, ivec2(3, row));
-    vec4 color1 = LICHEN_FETCH_2D(image, ivec2(4, row));
-    vec4 color2 = LICHEN_FETCH_2D(image, ivec2(5, row));
-    LichenSolidKernel kernel = lichenSolidKernelAt(image, row, point, material, noise);
+  LichenKernelsNoise kernels = lichenKernelsNoise(noise);
+  for (int k = 0; k < int(kernels.kernels); ++k) {
+    LichenKernelColors colors = lichenKernelColors(image, k);
+    LichenSolidKernel kernel =
+        lichenSolidKernelAt(lichenKernelRow(image, k, kernels), point, material, noise);
     vec2 retained = lichenSolidRetainedSquare(kernel);
-    float own = dot(color0, color0) + dot(color1, color1) + dot(color2, color2);
+    float own = lichenKernelSquares(colors);
     squares += own;
     lost += own * (1.0 - retained.x);
     if (retained.y > 0.0 && own > 0.0) {
       LichenSolidKernelSums sums =
-          lichenSolidKernelSums(kernel, lichenPcg(point.plane.seedWord + uint(row)), isSlope);
-      sum += vec3(dot(color0, sums.waves), dot(color1, sums.waves), dot(color2, sums.waves));
-      depthSlope += dot(map.row0.x * color0 + map.row0.y * color1, sums.depthX) +
-                    dot(map.row1.x * color0 + map.row1.y * color1, sums.depthY);
+          lichenSolidKernelSums(kernel, lichenPcg(point.plane.seedWord + uint(k)), isSlope);
+      sum += lichenColored(colors, sums.waves);
+      depthSlope += dot(map.row0.x * colors.channel0 + map.row0.y * colors.channel1, sums.depthX) +
+                    dot(map.row1.x * colors.channel0 + map.row1.y * colors.channel1, sums.depthY);
     }
   }
   depthSlope *= material.contrast;

@@ -1,11 +1,11 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Evaluates one map of a texton noise at a list of points of surfaces:
+// Evaluates one map of a noise at a list of points of surfaces:
 // points[k] (position, its gradients, normal, tangent) -> values[k] (RGBA of the decoded quantity).
 // For tests and for engines that bake a noise into the texture or the vertices of a mesh.
 
-#define LICHEN_METHODS 2
+#define LICHEN_METHODS 10
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #include "../lichen.glsl"
@@ -13,7 +13,7 @@
 
 const int kValue = 0;
 const int kGaussian = 1; // the Gaussian value; 1
-const int kImpacts = 2;  // how many reach the point, in all components
+const int kImpacts = 2;  // how many reach the point, in all components; of textons
 const int kLost = 3;     // the share of the variance that filtering loses of each channel; 0
 layout(constant_id = 0) const int kQuantity = kValue;
 
@@ -34,20 +34,15 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenShadingPoint shading = LICHEN_POINT_SURFACE(point.position.xyz, point.gradientX.xyz,
                                            point.gradientY.xyz, point.normal.xyz, point.tangent);
   if (point.position.w != 0.0)
-    lichenSetMix(shading.point.texton, point.gradientX.w,
-                 vec2(point.gradientY.w, point.normal.w));
-  LichenImpacts impacts = shading.point.texton;
+    lichenSetMix(shading.point.texton, point.gradientX.w, vec2(point.gradientY.w, point.normal.w));
   if (kQuantity == kImpacts)
-    return vec4(float(lichenSurfaceImpactCount(shading.surface, lichenMaterial, lichenNoise)));
+    return vec4(float(lichenSurfaceImpactCount(shading.surface.texton)));
   if (kQuantity == kValue)
     return lichenValue(image, table, shading, map);
-  LichenRetained retained = lichenTextonRetained(table, impacts, lichenNoise, map);
-  if (kQuantity == kLost)
-    return vec4(1.0 - retained.footprint, 0.0);
-  LichenMap here = lichenMixedMap(table, impacts, lichenNoise, map);
-  return vec4(lichenSurfaceTextonGaussian(image, impacts, shading.surface, retained, lichenMaterial,
-                                          lichenNoise, here),
-              1.0);
+  vec3 lost;
+  vec3 gaussian = lichenSurfaceGaussian(image, table, shading.surface, shading.point,
+                                        lichenMaterial, lichenNoise, map, lost);
+  return kQuantity == kLost ? vec4(lost, 0.0) : vec4(gaussian, 1.0);
 }
 
 void main() {

@@ -7,7 +7,7 @@
 // For tests and for engines that bake a noise into the texture or the vertices of a mesh.
 
 #define LICHEN_OTHER_MAPPINGS 0
-#define LICHEN_OMIT_SURFACE_TEXTONS
+#define LICHEN_OMIT_SURFACE
 #define LICHEN_OMIT_SOLID
 #define LICHEN_SET 0
 #include "../lichen.glsl"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Texton noise on surfaces in the shader, through the plugin, against the CPU twin; and both
 // against an oracle that sums all impacts of a large box in double precision.
+#include "surface_points.h"
 #include "surface_reference.h"
 #include "texton_reference.h"
 #include "texton_twins.h"
@@ -20,110 +21,7 @@ constexpr const char* kPass = "surface_evaluate.comp";
 /// The numbering of surface_evaluate.comp.
 enum Quantity { kValue, kGaussian, kImpacts, kLost };
 
-/// The input layout of surface_evaluate.comp.
-struct SurfacePoint {
-  std::array<float, 4> position{}; ///< w: 0 if the material sets the mix weight
-  std::array<float, 4> gradientX{}, gradientY{}, normal{}; ///< w: mix weight, derivatives
-  std::array<float, 4> tangent{};
-};
-
 using Vec = SurfaceReference::Vec;
-
-/// An orthonormal frame, as an implementation of the format makes it from a normal and a tangent.
-struct Frame {
-  Vec right{}, down{}, outward{};
-};
-
-Frame frameOf(const SurfacePoint& point, double rotation) {
-  const auto dot = [](const Vec& a, const Vec& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  };
-  Frame f;
-  Vec tangent{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    f.outward[k] =
-        double(point.normal[k]) / std::hypot(point.normal[0], point.normal[1], point.normal[2]);
-    tangent[k] = double(point.tangent[k]);
-  }
-  Vec right{}, down{};
-  const double slant = dot(tangent, f.outward);
-  for (std::size_t k = 0; k < 3; ++k)
-    right[k] = tangent[k] - slant * f.outward[k];
-  const double length = std::sqrt(dot(right, right));
-  for (std::size_t k = 0; k < 3; ++k)
-    right[k] /= length;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
-    down[k] = -double(point.tangent[3]) * (f.outward[a] * right[b] - f.outward[b] * right[a]);
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    f.right[k] = std::cos(rotation) * right[k] + std::sin(rotation) * down[k];
-    f.down[k] = std::cos(rotation) * down[k] - std::sin(rotation) * right[k];
-  }
-  return f;
-}
-
-/// Points some tiles around the origin with any frame, a quarter of them along the grid's axes.
-/// Footprints range from a quarter of a texel to beyond the last mip.
-std::vector<SurfacePoint> samplePoints(const SyntheticTexton& texton, std::size_t count) {
-  std::mt19937 generator(11u);
-  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), level(-2.0f, 6.0f), weight(-0.2f, 1.2f);
-  std::normal_distribution<float> gaussian;
-  std::vector<SurfacePoint> points(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    SurfacePoint& point = points[k];
-    const float pixel = std::exp2(level(generator)) / float(texton.texelsPerTileX);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      point.position[axis] = tiles(generator);
-      point.normal[axis] = gaussian(generator);
-      point.tangent[axis] = gaussian(generator);
-      point.gradientX[axis] = pixel * gaussian(generator);
-      point.gradientY[axis] = 0.3f * pixel * gaussian(generator);
-    }
-    if (k % 4 == 0) {
-      point.normal = point.tangent = {};
-      point.normal[k / 4 % 3] = k / 12 % 2 == 0 ? 2.0f : -2.0f;
-      point.tangent[(k / 4 + 1 + k / 24 % 2) % 3] = 3.0f;
-    }
-    point.position[3] = 1.0f;
-    point.tangent[3] = k % 3 == 0 ? -1.0f : 1.0f;
-    point.gradientX[3] = weight(generator);
-    point.gradientY[3] = weight(generator);
-    point.normal[3] = weight(generator);
-  }
-  return points;
-}
-
-MaterialUse onSurface(MaterialUse use) {
-  use.parameters.mapping = LICHEN_MAPPING_SURFACE;
-  return use;
-}
-
-/// Uses that together change every parameter.
-std::vector<MaterialUse> manyUses(const MaterialUse& own) {
-  std::vector<MaterialUse> all(3, onSurface(own));
-  all[1].parameters.scale = 0.8;
-  all[1].parameters.rotation = 0.6;
-  all[1].parameters.offset[0] = 0.25; // has no meaning in space
-  all[1].parameters.seed = 4294967295u;
-  all[1].parameters.pointProcess = LICHEN_POINT_PROCESS_POISSON;
-  all[2].placement.tileOrigin[0] = -(std::int64_t(1) << 40);
-  all[2].placement.tileOrigin[1] = (std::int64_t(1) << 40) - 1;
-  all[2].placement.tileOrigin[2] = -77;
-  all[2].parameters.contrast = 1.4;
-  all[2].parameters.impacts = 4.0;
-  return all;
-}
-
-SurfaceFootprint footprintOf(const SurfacePoint& point) {
-  SurfaceFootprint at;
-  std::copy_n(point.position.begin(), 3, at.position.begin());
-  std::copy_n(point.gradientX.begin(), 3, at.dx.begin());
-  std::copy_n(point.gradientY.begin(), 3, at.dy.begin());
-  std::copy_n(point.normal.begin(), 3, at.normal.begin());
-  at.tangent = point.tangent;
-  return at;
-}
 
 MixPlace mixOf(const SurfacePoint& point) {
   return {point.gradientX[3], {point.gradientY[3], point.normal[3]}};
@@ -138,9 +36,9 @@ TEST_CASE("the surface shader matches its CPU twin: 99.9 % within 1/1024 and all
             .coefficientsX = 8, .coefficientsY = 30, .order = 1, .mipLevels = 2, .channels = 2},
         SyntheticTexton{.order = 3, .channels = 1}, SyntheticTexton{.steps = 3, .channels = 1}}) {
     TextonTwins twins(kPass, texton);
-    const std::vector<SurfacePoint> points = samplePoints(texton, 250);
+    const std::vector<SurfacePoint> points = surfacePoints(texton.texelsPerTileX, 250);
     int number = 0;
-    for (const MaterialUse& use : manyUses(twins.host.use())) {
+    for (const MaterialUse& use : surfaceUses(twins.host.use())) {
       const auto values = twins.shader(kValue, use, points);
       const auto gaussians = twins.shader(kGaussian, use, points);
       const auto lost = twins.shader(kLost, use, points);
@@ -174,7 +72,7 @@ TEST_CASE("the surface shader and its CPU twin match the oracle, which sums over
     for (const std::uint32_t mip : {0u, 1u, 2u}) {
       const SyntheticTexton texton{.order = order, .steps = steps, .wholeFloats = true};
       TextonTwins twins(kPass, texton);
-      std::vector<SurfacePoint> points = samplePoints(texton, 16);
+      std::vector<SurfacePoint> points = surfacePoints(texton.texelsPerTileX, 16);
       MaterialUse use = onSurface(twins.host.use());
       use.parameters.pointProcess =
           mip == 1 ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
@@ -183,7 +81,7 @@ TEST_CASE("the surface shader and its CPU twin match the oracle, which sums over
       use.placement.tileOrigin[1] = 12;
       use.placement.tileOrigin[2] = -5;
       for (SurfacePoint& point : points) {
-        const Frame frame = frameOf(point, 0.0);
+        const SurfaceFrame frame = frameOf(point, 0.0);
         // Textons are fetched half a level below the footprint's (docs/decisions/018).
         const double level = mip > 0 ? mip + 0.5 : 0.0;
         const double pixel = std::exp2(level) / texton.texelsPerTileX * use.parameters.scale;
@@ -198,7 +96,7 @@ TEST_CASE("the surface shader and its CPU twin match the oracle, which sums over
       std::size_t strangers = 0;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const SurfacePoint& point = points[k];
-        const Frame frame = frameOf(point, use.parameters.rotation);
+        const SurfaceFrame frame = frameOf(point, use.parameters.rotation);
         const MixPlace mix = mixOf(point);
         const auto twin = twins.twin.gaussian(0, twins.host.material(), footprintOf(point), mix);
         const Vec expected = reference.at(
@@ -251,7 +149,7 @@ TEST_CASE("surface mapping uses the material's constant mix weight") {
   BundleFile file = syntheticTextonBundle(texton);
   file.bundle.materials[0]->mix.weight = 0.6;
   TextonTwins twins(kPass, encodeGlb(file).value());
-  std::vector<SurfacePoint> points = samplePoints(texton, 100);
+  std::vector<SurfacePoint> points = surfacePoints(texton.texelsPerTileX, 100);
   for (SurfacePoint& point : points)
     point.position[3] = 0.0f; // so that its weight and derivatives are not read
   const auto gaussians = twins.shader(kGaussian, onSurface(twins.host.use()), points);
@@ -267,7 +165,7 @@ TEST_CASE("surface mapping uses the material's constant mix weight") {
 TEST_CASE("the shader counts as many impacts on a surface as proposition 3 predicts") {
   const SyntheticTexton texton;
   TextonTwins twins(kPass, texton);
-  std::vector<SurfacePoint> points = samplePoints(texton, 400);
+  std::vector<SurfacePoint> points = surfacePoints(texton.texelsPerTileX, 400);
   for (SurfacePoint& point : points)
     point.gradientX = point.gradientY = {};
   const auto counts = twins.shader(kImpacts, onSurface(twins.host.use()), points);

@@ -70,7 +70,6 @@ Bundle bundleWith(const std::vector<Kernel>& kernels, double impacts) {
     row.toWindow = {float(q(0, 0)), float(q(0, 1)), float(q(1, 0)), float(q(1, 1))};
     const double density = double(row.columns * row.rows) / (kKernelTiles * kKernelTiles);
     row.amplitude = float(1.0 / std::sqrt(density * squareIntegral(KernelWindow::gabor, kernel)));
-    row.spread = float(windowSpread(KernelWindow::gabor));
     for (std::size_t c = 0; c < 3; ++c)
       row.colors[c][c] = float(kDeviation * std::sqrt(kernel.energy / energy));
     rows.push_back(row);

@@ -187,14 +187,13 @@ TEST_CASE("the sums of impacts, weights and squared weights follow proposition 3
       constexpr int kPlaces = 2000;
       Vec mean{}, square{};
       atIndependentPlaces(kPlaces, [&](const Vec& place) {
-        const texton::SurfaceImpacts surface = texton::surfaceImpactsAt(
+        const texton::SurfaceImpacts near = texton::surfaceImpactsAt(
             noise.footprint(place, plane), noise.material, noise.constants);
         Vec sums{};
-        texton::forEachSurfaceImpact(surface, noise.material,
-                                     [&](const texton::Vec2&, float weight) {
-                                       const double w = std::abs(double(weight));
-                                       sums = sum(1.0, sums, 1.0, {1.0, w, w * w});
-                                     });
+        surface::forEachImpact(near.cubes, [&](const surface::Impact& impact) {
+          const double w = std::abs(double(impact.weight));
+          sums = sum(1.0, sums, 1.0, {1.0, w, w * w});
+        });
         for (std::size_t k = 0; k < 3; ++k) {
           mean[k] += sums[k] / kPlaces;
           square[k] += sums[k] * sums[k] / kPlaces;
@@ -396,26 +395,22 @@ TEST_CASE("impacts in space and their grid match the specification's test vector
   const nlohmann::json vectors = nlohmann::json::parse(file);
   std::size_t count = 0;
   for (const nlohmann::json& v : vectors["surfaceImpacts"]) {
-    shader::LichenMaterial material{};
-    material.seedWord = latticeSeed(v["seed"], 3);
-    shader::LichenTextonMaterial part{};
-    part.pointProcess =
-        v["process"] == "poisson" ? LICHEN_POINTS_POISSON : LICHEN_POINTS_STRATIFIED;
-    setPart(material, part);
-    texton::SurfaceImpacts one; // one cube, with every position in reach
+    surface::Cubes one; // one cube, with every position in reach
+    one.seed = latticeSeed(v["seed"], 3);
+    one.isPoisson = v["process"] == "poisson";
     for (std::size_t k = 0; k < 3; ++k) {
       one.cell[k] = std::uint32_t(std::int64_t(v["cell"][k]));
       one.axes[k][k] = k == 2 ? 0.5f : 1.0f;
       one.radius[k] = 2.0f;
     }
     std::size_t k = 0;
-    texton::forEachSurfaceImpact(one, material, [&](const texton::Vec2& place, float weight) {
+    surface::forEachImpact(one, [&](const surface::Impact& impact) {
       REQUIRE(k < v["impacts"].size());
       const nlohmann::json& expected = v["impacts"][k++];
-      CHECK(-place[0] == float(expected["place"][0]));
-      CHECK(-place[1] == float(expected["place"][1]));
+      CHECK(-impact.offset[0] == float(expected["place"][0]));
+      CHECK(-impact.offset[1] == float(expected["place"][1]));
       const float z = float(expected["place"][2]);
-      CHECK(weight == float(expected["sign"]) * (1.0f - 0.5f * z));
+      CHECK(impact.weight == float(expected["sign"]) * (1.0f - 0.5f * z));
       ++count;
     });
     CHECK(k == v["impacts"].size());

@@ -334,7 +334,7 @@ BundleFile smallestKernels() {
   row.rows = 32;
   row.toWindow = {4.0f, 0.0f, 1.0f, 3.0f};
   row.amplitude = 0.8f;
-  row.spread = 0.1064f;
+  row.cubes = 24;
   row.layers = 24;
   row.toWindowZ = 4.5f;
   row.colors[0][0] = 0.1350f; // squares, those of cosines halved, sum to 1 / 36

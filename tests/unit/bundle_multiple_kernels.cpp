@@ -64,7 +64,7 @@ TEST_CASE("every fault of what the kernels share is found") {
           {"a sinc that is not upright", "kernels-texels",
            [](GlbParts& p) { sharedOf(p)["window"] = "sinc"; }},
           {"another spectrum", "spectrum", [](GlbParts& p) { sharedOf(p)["spectrum"] = "flat"; }},
-          {"on a surface", "material-mapping",
+          {"a pattern on a surface", "material-mapping",
            [](GlbParts& p) { p.use(0)["mapping"] = "surface"; }},
       });
 }
@@ -81,7 +81,11 @@ TEST_CASE("every fault of an image of kernels is found") {
           {"a huge frequency", "kernels-texels", set(0, 0, 20000.0f)},
           {"no columns", "kernels-texels", set(0, 2, 0.0f)},
           {"half a row", "kernels-texels", set(1, 3, 2.5f)},
+          {"half a cube", "kernels-texels", set(0, 9, 0.5f)},
           {"no layers", "kernels-texels", set(0, 10, 0.0f)},
+          {"a support of a million cells", "kernels-texels", set(0, 2, 32768.0f)},
+          {"a support of a million cubes", "kernels-texels", set(0, 9, 32768.0f)},
+          {"a support of a thousand layers", "kernels-texels", set(0, 10, 32768.0f)},
           {"no window along z", "kernels-texels", set(1, 11, 0.0f)},
           {"a matrix without an inverse", "kernels-texels", set(0, 4, 0.0f)},
           {"a huge matrix", "kernels-texels", set(0, 7, 1e6f)},

@@ -81,5 +81,5 @@ TEST_CASE(
   CHECK_THAT(text.data(), Catch::StartsWith("-DLICHEN_ROLES=4 -DLICHEN_METHODS=8 "
                                             "-DLICHEN_LAYERS=2 -DLICHEN_LAYER_METHODS=8 "));
   parameters.mapping = LICHEN_MAPPING_SURFACE;
-  CHECK(fill(parameters).result == LICHEN_ERROR_USAGE);
+  CHECK(fill(parameters).message == "mapping 2 (surface) does not fit the noise: it has layers");
 }

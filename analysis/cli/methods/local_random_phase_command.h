@@ -10,7 +10,7 @@ class LocalRandomPhaseCommand final : public MethodCommand {
 public:
   [[nodiscard]] std::string heading() const override { return "Local random phase"; }
   [[nodiscard]] bool takesSpectrum() const override { return true; }
-  [[nodiscard]] std::string optionsForSolids() const override { return "--structure 0"; }
+  [[nodiscard]] std::string optionsFor(Mapping) const override { return "with --structure 0"; }
   [[nodiscard]] std::unique_ptr<const BakeOptions>
   addBakeOptions(CLI::App& verb, const CommonOptions& common) const override;
   [[nodiscard]] std::unique_ptr<const UseOptions> addSynthOptions(CLI::App& verb) const override;

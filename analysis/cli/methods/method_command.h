@@ -94,9 +94,9 @@ public:
   [[nodiscard]] virtual std::unique_ptr<const UseOptions> addSynthOptions(CLI::App& verb) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const UseOptions> addApplyOptions(CLI::App& verb) const = 0;
 
-  /// The options with which a noise is baked for solids, of a method not all of whose noises have
-  /// them.
-  [[nodiscard]] virtual std::string optionsForSolids() const { return {}; }
+  /// How a noise is baked for a mapping that not all noises of the method have: the end of "bake
+  /// it".
+  [[nodiscard]] virtual std::string optionsFor(Mapping) const { return {}; }
 
   /// What `inspect` reports about a noise: JSON members, and lines indented by two spaces.
   virtual void describe(const Noise& noise, nlohmann::ordered_json& json) const = 0;

@@ -10,8 +10,9 @@ class MultipleKernelsCommand final : public MethodCommand {
 public:
   [[nodiscard]] std::string heading() const override { return "Multiple kernels"; }
   [[nodiscard]] bool takesSpectrum() const override { return true; }
-  [[nodiscard]] std::string optionsForSolids() const override {
-    return "--kernel gabor, without --pattern";
+  [[nodiscard]] std::string optionsFor(Mapping mapping) const override {
+    return mapping == Mapping::solid ? "with --kernel gabor, without --pattern"
+                                     : "without --pattern";
   }
   [[nodiscard]] std::unique_ptr<const BakeOptions>
   addBakeOptions(CLI::App& verb, const CommonOptions& common) const override;

@@ -6,6 +6,7 @@
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/solid_footprint.h>
+#include <lichen/surface_footprint.h>
 #include <lichen/tile_footprint.h>
 #include <lichen/triplanar_footprint.h>
 
@@ -41,6 +42,10 @@ public:
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
                                const SolidFootprint& at) const;
 
+  /// On a surface: impacts near the tangent plane are projected onto it.
+  [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
+                               const SurfaceFootprint& at) const;
+
   /// The value before decoding: Gaussian with mean 1/2 and, if no variance is lost, standard
   /// deviation 1/6. The fourth is the share of the variance lost to filtering, the mean over the
   /// channels.
@@ -51,6 +56,8 @@ public:
 
   [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenMaterial& material,
                                const SolidFootprint& at) const;
+  [[nodiscard]] Value gaussian(std::size_t map, const shader::LichenMaterial& material,
+                               const SurfaceFootprint& at) const;
 
   /// The value of the map's first channel and its derivatives along x and y [1 / tile], for bumps.
   /// Those of the Gaussian values are exact, those of the table are differences.

@@ -205,9 +205,9 @@ struct Bundle;
 [[nodiscard]] std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,
                                                         const NoiseMap& map);
 
-/// Whether a method supports a mapping. All methods support uv and triplanar; textons also support
-/// surface, and some noises of local random phase and of multiple kernels support solid
-/// (mappingObstacle()).
+/// Whether a method supports a mapping. All methods support uv and triplanar; textons and some
+/// noises of multiple kernels also surface, and some of multiple kernels and of local random phase
+/// solid (mappingObstacle()).
 [[nodiscard]] bool mappingFits(Method method, Mapping mapping);
 
 /// Whether a noise is a mix, that is, varies with a mix weight.

@@ -16,6 +16,11 @@ namespace lichen {
 /// Why the layers of a noise, which has some, do not fit together: in one sentence, or empty.
 [[nodiscard]] std::string layersFault(const Bundle& bundle, std::size_t noise);
 
+/// Whether noises with layers support a mapping, if all their layers and index maps do.
+[[nodiscard]] constexpr bool mappingFitsLayers(Mapping mapping) {
+  return mapping != Mapping::surface;
+}
+
 /// Why a noise, or one among its layers and index maps, does not support a mapping: a sentence that
 /// names it, or empty.
 [[nodiscard]] std::string mappingObstacle(const Bundle& bundle, std::size_t noise, Mapping mapping);

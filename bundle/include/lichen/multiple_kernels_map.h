@@ -83,8 +83,9 @@ struct KernelRow {
   std::array<float, 2> frequency{};
   int columns = 1, rows = 1;
   std::array<float, 4> toWindow{}; ///< Q, row by row
-  float amplitude = 0.0f, spread = 0.0f;
-  int layers = 1;
+  float amplitude = 0.0f;
+  int cubes = 1;  ///< on surfaces
+  int layers = 1; ///< in solids
   float toWindowZ = 1.0f;
   std::array<std::array<float, 4>, 3> colors{};
 };

@@ -15,12 +15,12 @@ constexpr std::size_t kPatternFloats = 4 * kKernelTexels / kRowPatternCosines;
 
 constexpr std::array<std::string_view, 3> kWindowNames{"gabor", "sinc", "gaussian-sinc"};
 
-std::string_view solidObstacle(KernelWindow window, bool hasPattern, Mapping mapping) {
-  if (mapping != Mapping::solid)
+std::string_view obstacleOf(KernelWindow window, bool hasPattern, Mapping mapping) {
+  if (mapping != Mapping::solid && mapping != Mapping::surface)
     return "";
   if (hasPattern)
     return "it has a pattern, which lies in a plane";
-  return window == KernelWindow::gabor
+  return window == KernelWindow::gabor || mapping == Mapping::surface
              ? ""
              : "its kernels have a window on a square, and in solids all have gabor";
 }
@@ -50,7 +50,7 @@ std::vector<KernelRow> kernelRows(const Table& image, const MultipleKernelsNoise
         rows[k].colors[c][i] = own[12 + 4 * c + i];
     }
     rows[k].amplitude = own[8];
-    rows[k].spread = own[9];
+    rows[k].cubes = int(own[9]);
     rows[k].layers = int(own[10]);
     rows[k].toWindowZ = own[11];
   }
@@ -80,7 +80,8 @@ Table kernelTable(const std::vector<KernelRow>& rows, const std::vector<PatternC
     texels.insert(texels.end(),
                   {row.frequency[0], row.frequency[1], float(row.columns), float(row.rows)});
     texels.insert(texels.end(), row.toWindow.begin(), row.toWindow.end());
-    texels.insert(texels.end(), {row.amplitude, row.spread, float(row.layers), row.toWindowZ});
+    texels.insert(texels.end(),
+                  {row.amplitude, float(row.cubes), float(row.layers), row.toWindowZ});
     for (const std::array<float, 4>& color : row.colors)
       texels.insert(texels.end(), color.begin(), color.end());
   }
@@ -94,17 +95,17 @@ Table kernelTable(const std::vector<KernelRow>& rows, const std::vector<PatternC
   return table;
 }
 
-bool MultipleKernelsFormat::fits(Mapping mapping) const { return mapping != Mapping::surface; }
+bool MultipleKernelsFormat::fits(Mapping) const { return true; }
 
 std::string_view MultipleKernelsFormat::obstacle(const Noise& noise, Mapping mapping) const {
   const auto& own = noise.as<MultipleKernelsNoise>();
-  return solidObstacle(own.window, own.cosines > 0, mapping);
+  return obstacleOf(own.window, own.cosines > 0, mapping);
 }
 
 std::string_view MultipleKernelsFormat::obstacle(const shader::LichenNoise& noise,
                                                  Mapping mapping) const {
   const shader::LichenKernelsNoise own = kernelsPart(noise);
-  return solidObstacle(KernelWindow(own.window), own.cosines > 0, mapping);
+  return obstacleOf(KernelWindow(own.window), own.cosines > 0, mapping);
 }
 
 std::span<const std::string_view> MultipleKernelsFormat::tableMembers() const {

@@ -55,17 +55,23 @@ void MultipleKernelsFormat::setMaterial(const shader::LichenNoise& noise,
                                         const MaterialNoise& material, const Placement& placement,
                                         shader::LichenMaterial& constants) const {
   shader::LichenKernelsMaterial part{};
-  if (material.mapping == Mapping::solid) {
-    const std::array<SplitOrigin, 3> origin = solidOrigin(noise, material, placement, kKernelTiles);
+  const bool isSolid = material.mapping == Mapping::solid;
+  if (isSolid || material.mapping == Mapping::surface) {
+    // On surfaces the axes are those of space, in tile widths.
+    const std::array<SplitOrigin, 3> origin =
+        isSolid ? solidOrigin(noise, material, placement, kKernelTiles)
+                : std::array{splitOrigin(placement.tileOriginX, 0.0, kKernelTiles),
+                             splitOrigin(placement.tileOriginY, 0.0, kKernelTiles),
+                             splitOrigin(placement.tileOriginZ, 0.0, kKernelTiles)};
     const auto group = [&](std::size_t axis) {
       return std::int32_t(std::uint32_t(std::uint64_t(origin[axis].tile / kKernelTiles)));
     };
-    constants.seedWord = latticeSeed(material.seed, kSolidPlane);
+    constants.seedWord = latticeSeed(material.seed, isSolid ? kSolidPlane : kSurfacePlane);
     constants.offsetX = origin[0].offset;
     constants.offsetY = origin[1].offset;
     constants.cellI = group(0);
     constants.cellJ = group(1);
-    part = {1, group(2), origin[2].offset};
+    part = {shader::uint(isSolid), shader::uint(!isSolid), group(2), origin[2].offset};
   }
   setPart(constants, part);
 }

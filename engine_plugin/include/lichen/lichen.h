@@ -433,7 +433,7 @@ typedef struct LichenMaterialParameters {
   uint32_t noise;
   /* The shader must compute its point for the same mapping: with LICHEN_POINT for
    * LICHEN_MAPPING_UV, LICHEN_POINT_TRIPLANAR for LICHEN_MAPPING_TRIPLANAR, LICHEN_POINT_SURFACE
-   * for LICHEN_MAPPING_SURFACE, which only textons have, and LICHEN_POINT_SOLID for
+   * for LICHEN_MAPPING_SURFACE, and LICHEN_POINT_SOLID for
    * LICHEN_MAPPING_SOLID; LichenNoiseProperties::mappings says who has it. */
   LichenMapping mapping;
   uint32_t seed; /* any; another seed is another noise of the same look */

@@ -111,22 +111,22 @@ vec3 solidDebug(LichenSolidPoint point) {
 }
 #endif
 
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
+#ifndef LICHEN_OMIT_SURFACE
 vec3 surfaceDebug(LichenShadingPoint shading) {
-  LichenImpacts impacts = shading.point.texton;
-  if (kDebugView == DEBUG_IMPACTS)
-    return ramp(float(lichenSurfaceImpactCount(shading.surface, lichenMaterial, lichenNoise)) /
+#ifdef LICHEN_HAS_TEXTONS
+  bool isTexton = lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise);
+  if (kDebugView == DEBUG_IMPACTS && isTexton)
+    return ramp(float(lichenSurfaceImpactCount(shading.surface.texton)) /
                 (kImpactsInSpace * kMostImpacts));
+  if (kDebugView == DEBUG_MIP_LEVEL && isTexton)
+    return textonPointDebug(shading.point.texton);
+#endif
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return textonPointDebug(impacts);
-  LichenMap map = shownMap();
-  LichenMap here =
-      lichenMixedMap(LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenNoise, map);
-  LichenRetained retained =
-      lichenTextonRetained(LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenNoise, map);
-  return shownGaussian(lichenSurfaceTextonGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), impacts,
-                                                   shading.surface, retained, lichenMaterial, lichenNoise,
-                                                   here));
+    return kNothingToShow;
+  vec3 lost;
+  return shownGaussian(lichenSurfaceGaussian(
+      LICHEN_IMAGE(LICHEN_BASE_COLOR), LICHEN_TABLE(LICHEN_BASE_COLOR), shading.surface,
+      shading.point, lichenMaterial, lichenNoise, shownMap(), lost));
 }
 #endif
 
@@ -174,8 +174,8 @@ vec3 noiseDebug(Footprint footprint) {
   if (lichenIsTriplanar(lichenMaterial))
     return triplanarDebug(shading);
 #endif
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsSurface(lichenMaterial))
+#ifndef LICHEN_OMIT_SURFACE
+  if (lichenIsSurface(lichenMaterial, lichenNoise))
     return surfaceDebug(shading);
 #endif
 #ifdef LICHEN_HAS_TEXTONS

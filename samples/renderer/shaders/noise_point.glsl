@@ -19,6 +19,7 @@ layout(constant_id = 13) const bool kSquareKernels = true; // whether any has wi
 layout(constant_id = 14) const bool kKernelPattern = true; // whether any perturbs a pattern
 layout(constant_id = 15) const int kLayerMethods = 15; // as kMethods, without index maps
 layout(constant_id = 17) const int kLayerSlots = 63; // bits of the slots with images
+layout(constant_id = 18) const bool kSurface = true; // whether any uses surface mapping
 layout(constant_id = 16) const int kRoles = 63; // bits of the roles that any has
 #define LICHEN_USED_METHODS kMethods
 #define LICHEN_LAYER_METHODS kLayerMethods
@@ -28,6 +29,7 @@ layout(constant_id = 16) const int kRoles = 63; // bits of the roles that any ha
 #define LICHEN_OTHER_MAPPINGS kOtherMappings
 #endif
 #define LICHEN_SOLID kSolid
+#define LICHEN_SURFACE kSurface
 #define LICHEN_STRUCTURE kStructure
 #define LICHEN_RING_KERNELS kRingKernels
 #define LICHEN_SQUARE_KERNELS kSquareKernels
@@ -148,8 +150,7 @@ LICHEN_SHADING_POINT noisePoint(Footprint f) {
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
   vec2 dx = second ? f.dx.zw : f.dx.xy;
   vec2 dy = second ? f.dy.zw : f.dy.xy;
-#if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE_TEXTONS) ||                    \
-    !defined(LICHEN_OMIT_SOLID)
+#if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE) || !defined(LICHEN_OMIT_SOLID)
   Spot spot = f.world;
   if (isInObject())
     spot = f.object;
@@ -166,8 +167,8 @@ LICHEN_SHADING_POINT noisePoint(Footprint f) {
     return shading;
   }
 #endif
-#ifndef LICHEN_OMIT_SURFACE_TEXTONS
-  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsSurface(lichenMaterial)) {
+#ifndef LICHEN_OMIT_SURFACE
+  if (lichenIsSurface(lichenMaterial, lichenNoise)) {
     LichenShadingPoint shading =
         LICHEN_POINT_SURFACE(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent);
     setMixInSpace(shading.point, f, uv);

@@ -6,7 +6,7 @@
 // The usual material: an endless grid of stratified impacts, one exemplar, order 1, known at
 // compile time.
 #define LICHEN_METHODS 2
-#define LICHEN_SURFACE_TEXTONS 0
+#define LICHEN_SURFACE 0
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_POISSON_POINTS 0
 #ifndef LICHEN_MIXED_TEXTONS // 1 in the variant of mixes

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Multiple-kernels noise on a surface: a point in space and the frame of its tangent plane -> for
+// each kernel the sum over impacts around the point, projected onto that plane -> the Gaussian
+// value and the share of its variance that the footprint loses. The image is that of the plane. The
+// CPU twin is analysis/multiple_kernels/surface_kernels. docs/decisions/031-kernels.md
+#ifndef LICHEN_SURFACE_KERNELS_GLSL
+#define LICHEN_SURFACE_KERNELS_GLSL
+
+#include "multiple_kernels.glsl"
+#include "surface_cubes.glsl"
+
+/// What all maps of a noise share at one point.
+struct LichenSurfaceKernelsPoint {
+  ivec3 group; // of LICHEN_KERNEL_TILES tile widths; modulo 2^32
+  vec3 inside; // the place in it, [0, 1)
+  mat3 frame;
+};
+
+/// The cubes of a kernel's grid around a point. Offsets are in the window's coordinates.
+LichenSurfaceCubes lichenKernelCubes(LichenKernelRow row, LichenSurfaceKernelsPoint point,
+                                     float aspect, float greatestHeight, uint seed) {
+  float side = float(LICHEN_KERNEL_TILES) / row.cubes;         // [tile widths]
+  vec3 right = point.frame[0], down = aspect * point.frame[1]; // [tiles]
+  mat3 axes = mat3(side * (row.toWindow[0].x * right + row.toWindow[1].x * down),
+                   side * (row.toWindow[0].y * right + row.toWindow[1].y * down),
+                   side / greatestHeight * point.frame[2]);
+  vec3 grid = point.inside * row.cubes;
+  vec3 corner = floor(grid);
+  uvec3 cell = uvec3(ivec3(corner)) + uvec3(point.group) * uint(int(row.cubes));
+  return lichenSurfaceCubesAt(grid - corner, cell, axes, vec3(0.0), vec3(1.0), seed, false);
+}
+
+/// The sums over the impacts of a kernel that reach the point, of their four waves.
+vec4 lichenSurfaceKernelSums(LichenKernelRow row, LichenSurfaceKernelsPoint point, float aspect,
+                             uint seed, uint window) {
+  // As thick a layer as textons of the same area see, and the amplitude of their proposition 3: as
+  // many impacts as in the plane would reach the point if they lay in a third of it.
+  float perWidth = abs(determinant(row.toWindow)) * aspect; // of the area [1 / tile width^2]
+  float supportArea = (lichenIsOnDisk(window) ? 3.14159265 : 4.0) / perWidth;
+  float thickness = sqrt(supportArea);
+  vec2 cellsPerTile = row.cells / float(LICHEN_KERNEL_TILES);
+  float cubesPerWidth = row.cubes / float(LICHEN_KERNEL_TILES);
+  float density = cubesPerWidth * cubesPerWidth * cubesPerWidth;
+  float amplitude =
+      row.amplitude * sqrt(3.0 * cellsPerTile.x * cellsPerTile.y * aspect / (density * thickness));
+  // The wave in the window's coordinates.
+  mat2 toTiles = inverse(row.toWindow);
+  vec2 frequency = row.frequency * toTiles;
+  LichenSurfaceCubes cubes = lichenKernelCubes(row, point, aspect, 0.5 * thickness, seed);
+  vec4 sums = vec4(0.0);
+  LichenSurfaceWalk walk = lichenFirstSurfaceImpact(cubes);
+  while (lichenHasImpact(walk, cubes)) {
+    lichenNextSurfaceImpact(walk, cubes);
+    uint word = lichenPcg(~walk.word);
+    if (row.isRing) {
+      uint turns = lichenRingTurns(walk.cell.x, walk.cell.y, seed + walk.cell.z * 0xABC98389u);
+      frequency = row.frequency.x * lichenRingDirection(turns) * toTiles;
+    }
+    float phase = dot(frequency, walk.offset) + lichenKernelPhase(word);
+    float weight = walk.isReached ? walk.weight : 0.0;
+    sums += lichenKernelWaves(weight * lichenKernelWindow(walk.offset, window) *
+                                  lichenCosineOfTurns(vec4(phase)).x,
+                              word);
+  }
+  return amplitude * sums;
+}
+
+// The seam's functions; see surface_method.glsl.
+
+void lichenSetSurfacePoint(out LichenSurfaceKernelsPoint surface, vec3 position, mat3 frame,
+                           LichenKernelsPoint point, LichenMaterial material, LichenNoise noise) {
+  LichenKernelsMaterial own = lichenKernelsMaterial(material);
+  vec3 offset = vec3(material.offsetX, material.offsetY, own.offsetZ);
+  vec3 place = (position + offset) / float(LICHEN_KERNEL_TILES);
+  vec3 group = floor(place);
+  surface.inside = place - group;
+  surface.group = ivec3(group) + ivec3(material.cellI, material.cellJ, own.cellK);
+  surface.frame = frame;
+}
+
+vec3 lichenSurfaceGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                             LichenSurfaceKernelsPoint surface, LichenKernelsPoint point,
+                             LichenMaterial material, LichenNoise noise, LichenMap map,
+                             out vec3 lost) {
+  LichenKernelsNoise kernels = lichenKernelsNoise(noise);
+  vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
+                                       vec2(noise.tileTexelsX, noise.tileTexelsY));
+  vec3 sum = vec3(0.0);
+  float squares = 0.0, ofSquares = 0.0;
+  for (int k = 0; k < int(kernels.kernels); ++k) {
+    LichenKernelColors colors = lichenKernelColors(image, k);
+    LichenKernelRow row = lichenKernelRow(image, k, kernels);
+    float retained = lichenKernelRetained(row, footprint, kernels.window);
+    float own = lichenKernelSquares(colors);
+    squares += own;
+    ofSquares += own * (1.0 - retained * retained);
+    if (retained > 0.0 && own > 0.0)
+      sum += retained *
+             lichenColored(colors, lichenSurfaceKernelSums(row, surface, noise.tileAspect,
+                                                           lichenPcg(point.seedWord + uint(k)),
+                                                           kernels.window));
+  }
+  const float kLeast = 1.0e-20; // of a map that does not vary
+  lost = vec3(ofSquares / max(squares, kLeast));
+  return 0.5 + material.contrast * sum;
+}
+
+vec4 lichenSurfaceValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                          LichenSurfaceKernelsPoint surface, LichenKernelsPoint point,
+                          LichenMaterial material, LichenNoise noise, LichenMap map) {
+  vec3 lost;
+  vec3 gaussian = lichenSurfaceGaussianAt(image, table, surface, point, material, noise, map, lost);
+  return lichenDecode(table, gaussian, lost.x, material.contrast, map);
+}
+
+#endif

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Multiple-kernels noise on surfaces, from the CPU twin: its covariance in tangent planes and the
+// number of its impacts, against closed forms.
+#include "bundle_of.h"
+#include "example_exemplar.h"
+
+#include <lichen/multiple_kernels.h>
+#include <lichen/multiple_kernels_evaluate.h>
+
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <multiple_kernels/kernel.h>
+#include <multiple_kernels/kernel_impacts.h>
+#include <numbers>
+#include <random>
+#include <sampling/surface_cubes.h>
+
+using namespace lichen;
+using namespace lichen::multiple_kernels;
+
+namespace {
+
+using Vec = std::array<float, 3>;
+
+constexpr int kWidth = 96, kHeight = 64;
+constexpr double kAspect = double(kWidth) / kHeight;
+
+Bundle bundleOf(KernelWindow window) {
+  const MapExemplar map = test::threeMaterials(kWidth, kHeight, 3);
+  MultipleKernelsOptions options;
+  options.kernels = 5;
+  options.window = window;
+  Bundle bundle = test::bundleOf(bakeMultipleKernels("example", {&map, 1}, options));
+  bundle.materials = {MaterialNoise()};
+  bundle.materials[0]->mapping = Mapping::surface;
+  return bundle;
+}
+
+std::vector<KernelRow> rowsOf(const Bundle& bundle) {
+  const Noise& noise = bundle.noises[0];
+  return kernelRows(bundle.tables[noise.maps[0].as<MultipleKernelsMap>().kernels],
+                    noise.as<MultipleKernelsNoise>());
+}
+
+/// The correlation of a kernel's window with itself at a distance in its coordinates, by
+/// quadrature.
+double windowCorrelation(KernelWindow window, double p, double q) {
+  constexpr int kSide = 200;
+  double both = 0.0, squares = 0.0;
+  for (int j = 0; j < kSide; ++j)
+    for (int i = 0; i < kSide; ++i) {
+      const double x = (2.0 * i + 1.0) / kSide - 1.0, y = (2.0 * j + 1.0) / kSide - 1.0;
+      const double value = windowAt(window, x, y);
+      squares += value * value;
+      both += value * windowAt(window, x + p, y + q);
+    }
+  return both / squares;
+}
+
+/// The covariance of the first channel at a distance [tiles].
+double expectedCovariance(const Bundle& bundle, double dx, double dy) {
+  const KernelWindow window = bundle.noises[0].as<MultipleKernelsNoise>().window;
+  double sum = 0.0;
+  for (const KernelRow& row : rowsOf(bundle)) {
+    double own = 0.0;
+    for (const float factor : row.colors[0])
+      own += double(factor) * double(factor);
+    const auto& q = row.toWindow;
+    sum += own * windowCorrelation(window, q[0] * dx + q[1] * dy, q[2] * dx + q[3] * dy) *
+           std::cos(2.0 * std::numbers::pi * (row.frequency[0] * dx + row.frequency[1] * dy));
+  }
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("on any tangent plane the covariance of kernels is that of the plane") {
+  for (const KernelWindow window : {KernelWindow::gabor, KernelWindow::gaussianSinc}) {
+    const Bundle bundle = bundleOf(window);
+    const MultipleKernelsEvaluator twin = MultipleKernelsEvaluator::create(bundle, 0).value();
+    const shader::LichenMaterial material =
+        shaderMaterial(bundle, *bundle.materials[0], {}).material;
+    // Distances in texels, of which the exemplar's materials are some wide.
+    const std::array<std::array<double, 2>, 4> distances{
+        {{0.0, 0.0}, {3.0, 0.0}, {0.0, 4.0}, {-5.0, 7.0}}};
+    std::array<double, 4> sums{}, squares{};
+    constexpr int kPlaces = 6000;
+    std::mt19937 generator(5u);
+    std::normal_distribution<float> gaussian;
+    std::uniform_real_distribution<float> tiles(-500.0f, 500.0f);
+    for (int place = 0; place < kPlaces; ++place) {
+      SurfaceFootprint at;
+      for (std::size_t k = 0; k < 3; ++k) {
+        at.position[k] = tiles(generator);
+        at.normal[k] = gaussian(generator);
+        at.tangent[k] = gaussian(generator);
+      }
+      at.tangent[3] = 1.0f;
+      const surface::Point frame = surface::pointAt(at, material, shaderNoise(bundle, 0));
+      const double here = double(twin.gaussian(0, material, at)[0]) - 0.5;
+      for (std::size_t d = 0; d < distances.size(); ++d) {
+        SurfaceFootprint there = at;
+        for (std::size_t k = 0; k < 3; ++k)
+          there.position[k] += float(distances[d][0] / kWidth * double(frame.right[k]) +
+                                     distances[d][1] / kWidth * double(frame.down[k]));
+        const double value = here * (double(twin.gaussian(0, material, there)[0]) - 0.5);
+        sums[d] += value / kPlaces;
+        squares[d] += value * value / kPlaces;
+      }
+    }
+    for (std::size_t d = 0; d < distances.size(); ++d) {
+      const double expected =
+          expectedCovariance(bundle, distances[d][0] / kWidth, distances[d][1] / kHeight);
+      INFO(nameOf(window) << " at " << distances[d][0] << ", " << distances[d][1] << ": " << sums[d]
+                          << " of " << expected);
+      // 5 standard errors, alpha 6e-7. Texels are square: those of the plane.
+      CHECK(std::abs(sums[d] - expected) <
+            5.0 * std::sqrt((squares[d] - sums[d] * sums[d]) / kPlaces));
+    }
+  }
+}
+
+TEST_CASE("twice as many impacts of a baked kernel lie about a point of a surface as of a plane") {
+  for (const KernelWindow window : {KernelWindow::gabor, KernelWindow::sinc})
+    for (const KernelRow& row : rowsOf(bundleOf(window))) {
+      const double area = kernelOf(row, false).area(window); // [tiles^2]
+      const double inPlane = area * row.columns * row.rows / (kKernelTiles * kKernelTiles);
+      const double ofWidths = area / kAspect;
+      const double onSurface =
+          std::pow(ofWidths, 1.5) * std::pow(double(row.cubes) / kKernelTiles, 3.0);
+      CHECK(onSurface == Approx(kSurfaceImpacts * inPlane).epsilon(0.15)); // whole cells
+    }
+}
+
+TEST_CASE("the spreads of windows that shaders have are those of the quadrature") {
+  for (const KernelWindow window :
+       {KernelWindow::gabor, KernelWindow::sinc, KernelWindow::gaussianSinc}) {
+    INFO(nameOf(window));
+    CHECK(double(kernelSpread(window)) == Approx(windowSpread(window)).epsilon(1e-3));
+  }
+}
