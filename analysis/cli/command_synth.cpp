@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// lichen synth: bundle -> image of a noise.
+// lichen synth: bundle -> image of a noise, or all textures of a material.
 #include "command.h"
 #include "methods/method_command.h"
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
+#include "texture_files.h"
 
 #include <lichen/core_texture.h>
 #include <lichen/files.h>
@@ -14,8 +15,10 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <system_error>
 
 namespace lichen::cli {
 namespace {
@@ -35,6 +38,11 @@ struct Arguments {
   std::optional<std::array<double, 2>> mix;
   std::vector<std::unique_ptr<const UseOptions>> methods; ///< in the order of Method
   SynthesisOptions synthesis;
+  bool allMaps = false;
+  // Of all maps; absent where not given.
+  std::optional<Importer> importer;
+  std::optional<GreenAxis> green;
+  std::optional<TextureFormat> format;
   const CLI::App* verb = nullptr;
 };
 
@@ -108,9 +116,69 @@ std::vector<std::string> notesOf(const Bundle& bundle, const SynthesisOptions& s
       .periodNotes(noise, synthesis.width / across, synthesis.height / down);
 }
 
+/// Synthesizes and writes one map after the other, so that memory holds one. Returns the names of
+/// the files.
+Result<std::vector<std::string>> writeAllMaps(const Arguments& arguments, const Bundle& bundle) {
+  const std::filesystem::path folder = arguments.output;
+  std::error_code code;
+  std::filesystem::create_directories(folder, code);
+  if (code)
+    return Error{ErrorKind::environment, fmt::format("{}: could not create the folder: {}",
+                                                     arguments.output, code.message())};
+  const TextureStyle style{arguments.importer.value_or(Importer::blender), arguments.green,
+                           arguments.format.value_or(TextureFormat::png)};
+  const Noise& noise = bundle.noises[arguments.synthesis.material.noise];
+  const auto count = double(noise.maps.size());
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < noise.maps.size(); ++m) {
+    const NoiseMap& map = noise.maps[m];
+    SynthesisOptions synthesis = arguments.synthesis;
+    synthesis.map = map.target;
+    synthesis.progress =
+        partOf(arguments.synthesis.progress, double(m) / count, double(m + 1) / count);
+    Result<LinearImage> values = synthesize(bundle, synthesis);
+    if (!values)
+      return values.error();
+    const Result<std::vector<TextureFile>> files =
+        texturesOf(noise.name, map, std::move(values).value(), style);
+    if (!files)
+      return files.error();
+    for (const TextureFile& file : files.value()) {
+      if (Result<void> written = replaceFile(folder / file.name, file.bytes); !written)
+        return written.error();
+      names.push_back(file.name);
+    }
+  }
+  return names;
+}
+
+/// Checks the options of one map and of all maps against each other, and the output.
+Result<void> checkOptions(const Arguments& arguments) {
+  if (!arguments.allMaps) {
+    const bool isOfAll = arguments.importer || arguments.green || arguments.format;
+    if (isOfAll)
+      return Error{ErrorKind::usage, "--for, --green and --format: belong to --all-maps"};
+    return checkOutput(arguments.output, {".png", ".exr"});
+  }
+  if (!arguments.map.empty())
+    return Error{ErrorKind::usage, "--map: not with --all-maps, which writes every map"};
+  return {};
+}
+
+Result<std::vector<std::string>> write(const Arguments& arguments, const Bundle& bundle) {
+  if (arguments.allMaps)
+    return writeAllMaps(arguments, bundle);
+  Result<LinearImage> image = synthesize(bundle, arguments.synthesis);
+  if (!image)
+    return image.error();
+  if (Result<void> written = writeMap(arguments, bundle, std::move(image).value()); !written)
+    return written.error();
+  return std::vector<std::string>{};
+}
+
 Result<int> run(Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
-  if (Result<void> checked = checkOutput(arguments.output, {".png", ".exr"}); !checked)
+  if (Result<void> checked = checkOptions(arguments); !checked)
     return checked.error();
   const Result<Bundle> bundle = readBundle(arguments.bundle);
   if (!bundle)
@@ -121,24 +189,27 @@ Result<int> run(Arguments& arguments) {
     return resolved.error();
   ProgressLine progress("synth", arguments.shared);
   arguments.synthesis.progress = progress.asProgress();
-  Result<LinearImage> image = synthesize(bundle.value(), arguments.synthesis);
-  if (!image)
-    return image.error();
-  if (Result<void> written = writeMap(arguments, bundle.value(), std::move(image).value());
-      !written)
-    return written.error();
+  const Result<std::vector<std::string>> files = write(arguments, bundle.value());
+  if (!files)
+    return files.error();
   progress.erase();
-  const std::vector<std::string> notes = notesOf(bundle.value(), arguments.synthesis);
+  std::vector<std::string> notes = notesOf(bundle.value(), arguments.synthesis);
+  if (arguments.allMaps && !arguments.synthesis.tileable)
+    notes.emplace_back("the textures do not repeat; --tileable makes them");
   for (const std::string& line : notes)
     note(arguments.shared, line);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   if (arguments.shared.json) {
-    const nlohmann::ordered_json report{
+    nlohmann::ordered_json report{
         {"output", arguments.output},           {"width", arguments.synthesis.width},
         {"height", arguments.synthesis.height}, {"seed", arguments.synthesis.material.seed},
         {"seconds", seconds.count()},           {"notes", notes}};
+    if (arguments.allMaps)
+      report["files"] = files.value();
     printLine(toText(report));
   }
+  for (const std::string& name : files.value())
+    say(arguments.shared, (std::filesystem::path(arguments.output) / name).string());
   say(arguments.shared,
       fmt::format("{}: {} x {}, {:.2f} s", arguments.output, arguments.synthesis.width,
                   arguments.synthesis.height, seconds.count()));
@@ -152,12 +223,29 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   SynthesisOptions& synthesis = arguments->synthesis;
   addText(verb, "BUNDLE", arguments->bundle, "", "A .glb, .gltf or .lichen with a noise")
       .required();
-  addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr", "The image").required();
+  addText(verb, "-o,--output", arguments->output, "OUT.png|OUT.exr|FOLDER",
+          "The image; with --all-maps the folder, created if it does not exist")
+      .required();
   addText(verb, "--noise", arguments->noise, "NAME", "Name of the noise [default: the first]");
   addText(
       verb, "--map", arguments->map, "MAP",
       "baseColor, normal, occlusionRoughnessMetallic, emissive, height or opacity [default: the "
       "first that the noise has]");
+  addFlag(verb, "--all-maps", arguments->allMaps, "Write the textures of all maps of the noise");
+  addValue(verb, "--for", arguments->importer,
+           optional(oneOf<Importer>({{"blender", Importer::blender},
+                                     {"godot", Importer::godot},
+                                     {"unity", Importer::unity},
+                                     {"unreal", Importer::unreal}})),
+           "", "With --all-maps: the program whose names and packing to use [default: blender]");
+  addValue(verb, "--green", arguments->green,
+           optional(oneOf<GreenAxis>({{"up", GreenAxis::up}, {"down", GreenAxis::down}})), "",
+           "With --all-maps: where green points in normal maps, up (OpenGL) or down (DirectX) "
+           "[default: the program's]");
+  addValue(
+      verb, "--format", arguments->format,
+      optional(oneOf<TextureFormat>({{"png", TextureFormat::png}, {"exr", TextureFormat::exr}})),
+      "", "With --all-maps: png or exr [default: png]");
   addValue(verb, "--size", arguments->size, imageSize(kMaxImageSide), "1024x1024",
            "Image size in pixels");
   addValue(verb, "--texels-per-tile", synthesis.texelsPerTile, number(kTexelsPerTileRange), "",

@@ -84,6 +84,10 @@ void NoiseHost::readNoises() {
     noises_.push_back(noise);
     names_.emplace_back(noise.name);
   }
+  for (const LichenNoiseProperties& noise : noises_)
+    for (const std::uint32_t index : noise.indices)
+      if (index != LICHEN_NO_NOISE)
+        names_[index].reset();
 }
 
 void NoiseHost::readMaterials(const Scene& scene) {

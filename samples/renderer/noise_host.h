@@ -12,6 +12,7 @@
 #include <lichen/lichen.h>
 #include <lichen/lichen_vulkan.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -87,7 +88,7 @@ public:
     return blocks_.offset(slot, material);
   }
   /// Names of the bundle's noises as stored in the file; may be empty strings.
-  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+  [[nodiscard]] const std::vector<std::optional<std::string>>& names() const { return names_; }
   [[nodiscard]] const NoiseUse& use(std::size_t material) const { return materials_[material].use; }
   /// Side of the tiles for all mappings but uv, in the units of the noise's space; 0
   /// otherwise.
@@ -123,7 +124,7 @@ private:
   LichenOwned<LichenVulkanAssets> assets_;
   UniformBlocks blocks_;              ///< one for each material
   std::vector<VkDescriptorSet> sets_; ///< by noise
-  std::vector<std::string> names_;
+  std::vector<std::optional<std::string>> names_;
   std::vector<LichenNoiseProperties> noises_; ///< of the bundle
   std::vector<MaterialState> materials_;      ///< of the scene
   NoiseChanges changes_;

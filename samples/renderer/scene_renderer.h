@@ -41,7 +41,7 @@ public:
   [[nodiscard]] const Camera& camera() const { return inputs_.camera; }
   [[nodiscard]] const Sphere& subject() const { return inputs_.subject; }
   /// Names of the bundle's noises as stored in the file; may be empty strings.
-  [[nodiscard]] const std::vector<std::string>& noiseNames() const { return noises_.names(); }
+  [[nodiscard]] const std::vector<std::optional<std::string>>& noiseNames() const { return noises_.names(); }
 
   // After any of these calls, continue with frame 0.
   void setSize(std::uint32_t width, std::uint32_t height); ///< when no frame is in flight

@@ -94,14 +94,17 @@ Request Controls::press(Key key) {
   return Request::none;
 }
 
-void Controls::setNoises(std::vector<std::string> noises) {
+void Controls::setNoises(std::vector<std::optional<std::string>> noises) {
   noises_ = std::move(noises);
-  if (look_.noise.noise && *look_.noise.noise >= noises_.size())
+  if (look_.noise.noise && (*look_.noise.noise >= noises_.size() || !noises_[*look_.noise.noise]))
     look_.noise.noise.reset();
 }
 
 void Controls::nextNoise(int step) {
-  const std::optional<std::size_t> next = cycle(look_.noise.noise, noises_.size(), step);
+  std::optional<std::size_t> next = look_.noise.noise;
+  do
+    next = cycle(next, noises_.size(), step);
+  while (next && !noises_[*next]);
   look_.noise.noise = next ? std::optional(std::uint32_t(*next)) : std::nullopt;
 }
 
@@ -151,8 +154,8 @@ std::string Controls::summary() const {
       add(fmt::format("{} x{:.3g}", name, factor));
   };
   if (noise.noise)
-    add("noise " + (noises_[*noise.noise].empty() ? std::to_string(*noise.noise)
-                                                  : printable(noises_[*noise.noise])));
+    add("noise " + (noises_[*noise.noise]->empty() ? std::to_string(*noise.noise)
+                                                   : printable(*noises_[*noise.noise])));
   if (noise.mapping)
     add(*noise.mapping == NoiseMapping::uv ? "mapping uv"
         : *noise.mapping == NoiseMapping::triplanar

@@ -31,15 +31,15 @@ struct Key {
 
 class Controls {
 public:
-  /// `noises`: names of the bundle's noises.
-  Controls(std::vector<std::string> noises, const Look& start)
+  /// `noises`: names of the bundle's noises, nothing for index maps, which no material shows.
+  Controls(std::vector<std::optional<std::string>> noises, const Look& start)
       : noises_(std::move(noises)), start_(start), look_(start) {}
 
   /// Changes the look, or returns a request. Unassigned keys do nothing.
   Request press(Key key);
   [[nodiscard]] const Look& look() const { return look_; }
   /// Replaces the noises after a reload. Deselects a noise that no longer exists.
-  void setNoises(std::vector<std::string> noises);
+  void setNoises(std::vector<std::optional<std::string>> noises);
 
   /// Differences from the file, such as "seed +1, scale x1.19"; empty if there are none.
   [[nodiscard]] std::string summary() const;
@@ -53,7 +53,7 @@ private:
   void nextTileRotation(int step);
   void nextDebugView(int step);
 
-  std::vector<std::string> noises_;
+  std::vector<std::optional<std::string>> noises_;
   Look start_;
   Look look_;
 };

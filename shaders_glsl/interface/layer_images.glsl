@@ -5,9 +5,15 @@
 #define LICHEN_LAYER_IMAGES_GLSL
 
 #include "../interface/lichen_interface.h"
+#include "../noise/method_choice.glsl"
 
 #define LICHEN_FIRST_INDEX 6
 
+// Bit m: some layer has the method m, of LICHEN_USED_METHODS; index maps have multiple kernels. A
+// literal, or the host's specialization constant.
+#ifndef LICHEN_LAYER_METHODS
+#define LICHEN_LAYER_METHODS LICHEN_USED_METHODS
+#endif
 // Bit s: some layer has an image in slot s. A literal, or the host's specialization constant.
 #ifndef LICHEN_LAYER_SLOTS
 #define LICHEN_LAYER_SLOTS 63
@@ -60,11 +66,13 @@ vec4 lichenSampleLayerGrad(int image, vec2 uv, vec2 uvX, vec2 uvY) {
   return texel;
 }
 
-// Index maps have kernels, which are fetched texel by texel.
+// Texel by texel: of index maps, and of layers with cosines or kernels.
 #define LICHEN_FETCH_TEXEL(name) texelFetch(sampler2D(name, lichenImageSampler), at, 0)
 vec4 lichenFetchLayer(int image, ivec2 at) {
   vec4 texel = vec4(0.0);
-  LICHEN_FROM_SLOTS(LICHEN_FETCH_TEXEL, lichenImage)
+  if ((int(LICHEN_LAYER_METHODS) & 12) != 0) {
+    LICHEN_FROM_SLOTS(LICHEN_FETCH_TEXEL, lichenImage)
+  }
   LICHEN_FROM_INDEX(0, LICHEN_FETCH_TEXEL, lichenIndex0)
   LICHEN_FROM_INDEX(1, LICHEN_FETCH_TEXEL, lichenIndex1)
   LICHEN_FROM_INDEX(2, LICHEN_FETCH_TEXEL, lichenIndex2)

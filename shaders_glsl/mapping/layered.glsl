@@ -12,12 +12,6 @@
 #include "triplanar.glsl"
 #include "uv.glsl"
 
-// Bit m: some layer has the method m, of LICHEN_USED_METHODS; index maps have multiple kernels. A
-// literal, or the host's specialization constant.
-#ifndef LICHEN_LAYER_METHODS
-#define LICHEN_LAYER_METHODS LICHEN_USED_METHODS
-#endif
-
 /// A layered noise at a point: the weights of its layers, and the values of the roles that it may
 /// have.
 struct LichenLayeredPoint {

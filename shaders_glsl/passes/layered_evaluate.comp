@@ -8,7 +8,9 @@
 
 layout(constant_id = 0) const int kLayerMethods = 15;
 #define LICHEN_LAYER_METHODS kLayerMethods
+#ifndef LICHEN_LAYERS // the most that there are
 #define LICHEN_LAYERS 4
+#endif
 #define LICHEN_ROLES 7
 #define LICHEN_SET 0
 #include "../lichen.glsl"

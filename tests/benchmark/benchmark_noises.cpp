@@ -4,8 +4,10 @@
 #include "exemplars.h"
 #include "shader_frames.h"
 
+#include <lichen/bundle_merge.h>
 #include <lichen/bundle_writer.h>
 #include <lichen/image_io.h>
+#include <lichen/index_map.h>
 #include <lichen/texton_mix.h>
 
 #include <materials.h>
@@ -43,6 +45,12 @@ test::SyntheticTexton textons() {
           .texelsPerTileY = kShaderExemplarSide};
 }
 
+LichenVulkanInfo infoFor(const VulkanDevice& gpu, const NoiseUse& use) {
+  LichenVulkanInfo info = test::defaultVulkanInfo(gpu);
+  info.flags = use.isLayered ? LICHEN_VULKAN_LAYERS : 0;
+  return info;
+}
+
 } // namespace
 
 std::vector<std::byte> tilingGlb(GaussianOnly gaussian) {
@@ -67,6 +75,22 @@ std::vector<std::byte> multipleKernelsGlb() {
   return bundleGlb(multipleKernelsBundle(exemplars::rust(kShaderExemplarSide)));
 }
 
+std::vector<std::byte> layeredGlb() {
+  const Bundle below = bakedBundle(exemplars::rust(kShaderExemplarSide));
+  const Bundle above = bakedBundle(exemplars::granite(kShaderExemplarSide));
+  SpectrumPicture patches; // about five across a tile
+  patches.width = patches.height = 17;
+  for (int y = -8; y <= 8; ++y)
+    for (int x = -8; x <= 8; ++x)
+      patches.amplitudes.push_back(x * x + y * y > 1 && x * x + y * y <= 25 ? 1.0f : 0.0f);
+  const IndexMapBake index =
+      bakeIndexMap(patches, kShaderExemplarSide, kShaderExemplarSide).value();
+  const std::array noises{BundledNoise{&below, 0}, BundledNoise{&above, 0}};
+  const std::array indices{BundledNoise{&index.bundle, 0}};
+  const std::vector nodes{LayerNode{0, 0.5, 0.2, {false, 0}, {false, 1}}};
+  return bundleGlb(layerNoises("layered", noises, indices, nodes).value());
+}
+
 std::vector<std::byte> bricksGlb() {
   return bundleGlb(localRandomPhaseBundle(exemplars::bricks(kShaderExemplarSide)));
 }
@@ -86,7 +110,7 @@ std::vector<std::byte> slopeGlb() {
 }
 
 ReadyNoise::ReadyNoise(VulkanDevice& gpu, const std::vector<std::byte>& glb, const NoiseUse& use)
-    : host_(gpu, glb) {
+    : host_(gpu, glb, infoFor(gpu, use)) {
   test::MaterialUse material = host_.use();
   material.parameters.mapping = use.mapping;
   material.parameters.blendSharpness = use.blendSharpness;

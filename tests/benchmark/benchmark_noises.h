@@ -22,6 +22,8 @@ namespace lichen::bench {
 [[nodiscard]] std::vector<std::byte> localRandomPhaseGlb(double structure);
 /// Multiple-kernels noise of the exemplar of tilingGlb().
 [[nodiscard]] std::vector<std::byte> multipleKernelsGlb();
+/// Two tilings with a few patches of each across a tile, as layers.
+[[nodiscard]] std::vector<std::byte> layeredGlb();
 /// Bricks as local random-phase noise, which is all structure, with a list of offsets.
 [[nodiscard]] std::vector<std::byte> bricksGlb();
 /// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other
@@ -35,6 +37,7 @@ struct NoiseUse {
   LichenMapping mapping = LICHEN_MAPPING_UV;
   double blendSharpness = 1.0;
   std::uint32_t tileRotation = 0;
+  bool isLayered = false;
 };
 
 /// A noise on the device, uploaded and with its material's block written.

@@ -17,7 +17,7 @@
 #include <local_random_phase.frag.h>
 #include <plain.frag.h>
 #include <stdexcept>
-#include <surface.frag.h>
+#include <surface.frag.textons.h>
 #include <texton.frag.h>
 #include <texton.frag.mixed.h>
 #include <tiling.frag.gaussian.h>
@@ -233,7 +233,7 @@ std::vector<Row> measure() {
       {"texton", texton_frag, noise},
       {"mix of textons", texton_frag_mixed, noise},
       {"local random phase", local_random_phase_frag, noise},
-      {"surface texton", surface_frag, noise},
+      {"surface texton", surface_frag_textons, noise},
       {"four layers of tiling, bindless", bindless_frag, device.bindlessLayout()}};
   // RADV's; cycles are its estimates of a wave alone, and of many waves.
   constexpr std::array kShown{

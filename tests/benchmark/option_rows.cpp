@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Ratios of a shader with an option to one without it: textons on a surface, solids and triplanar
-// tiling to those on texture coordinates, tiling's quality levels to the highest, rotated tiles to
-// unrotated ones.
+// Ratios of a shader with an option to one without it: surfaces, solids and triplanar tiling to
+// those on texture coordinates, layers to one tiling, tiling's quality levels to the highest,
+// rotated tiles to unrotated ones.
 #include "option_rows.h"
 
 #include "benchmark_noises.h"
 
 #include <array>
 #include <cstdio>
+#include <layered.frag.h>
 #include <local_random_phase.frag.h>
 #include <multiple_kernels.frag.h>
 #include <solid.frag.cosines.h>
 #include <solid.frag.kernels.h>
-#include <surface.frag.h>
+#include <span>
+#include <string>
+#include <surface.frag.kernels.h>
+#include <surface.frag.textons.h>
 #include <texton.frag.h>
 #include <tiling.frag.joint.h>
 #include <tiling.frag.one_tap.h>
@@ -52,28 +56,37 @@ Row ratioRow(const std::string& what, double target, const Shader& option, const
   return {what, seconds[1] / seconds[0], target, "", note};
 }
 
-void appendSurfaceRows(std::vector<Row>& rows, const Screen& screen) {
-  constexpr double kTarget = 3.0;
-  const ReadyNoise plane(screen.gpu(), textonGlb());
-  const ReadyNoise surface(screen.gpu(), textonGlb(), {.mapping = LICHEN_MAPPING_SURFACE});
-  const Shader unit{"texton", texton_frag, plane};
-  const Shader option{"surface texton", surface_frag, surface};
-  rows.push_back(ratioRow("surface texton, 60 impacts, over texton, 30 impacts, flat", kTarget,
-                          option, unit, screen, kSurfaceFlat));
-  rows.push_back(ratioRow("surface texton, 60 impacts, over texton, 30 impacts, perspective",
-                          kTarget, option, unit, screen, kFloor));
+/// A noise with another mapping relative to that in the plane.
+struct Mapped {
+  std::string what; ///< of the rows
+  std::vector<std::byte> glb;
+  std::span<const std::uint32_t> inPlane, mapped; ///< shaders
+  LichenMapping mapping;
+  double target;
+};
+
+void appendMappedRows(std::vector<Row>& rows, const Mapped& noise, const Screen& screen) {
+  const ReadyNoise plane(screen.gpu(), noise.glb);
+  const ReadyNoise mapped(screen.gpu(), noise.glb, {.mapping = noise.mapping});
+  const Shader unit{"plane", noise.inPlane, plane}, option{"mapped", noise.mapped, mapped};
+  rows.push_back(ratioRow(noise.what + ", flat", noise.target, option, unit, screen, kSurfaceFlat));
+  rows.push_back(
+      ratioRow(noise.what + ", perspective", noise.target, option, unit, screen, kFloor));
 }
 
-/// A noise in a solid relative to that in the plane.
-void appendSolidRows(std::vector<Row>& rows, const std::string& method,
-                     const std::vector<std::byte>& glb, std::span<const std::uint32_t> inPlane,
-                     std::span<const std::uint32_t> inSolid, const Screen& screen) {
-  const ReadyNoise plane(screen.gpu(), glb);
-  const ReadyNoise solid(screen.gpu(), glb, {.mapping = LICHEN_MAPPING_SOLID});
-  const Shader unit{"plane", inPlane, plane}, option{"solid", inSolid, solid};
-  const std::string name = method + " in a solid over the plane, ";
-  rows.push_back(ratioRow(name + "flat", kNoTarget, option, unit, screen, kSurfaceFlat));
-  rows.push_back(ratioRow(name + "perspective", kNoTarget, option, unit, screen, kFloor));
+void appendMappings(std::vector<Row>& rows, const Screen& screen) {
+  constexpr double kSurfaceTarget = 3.0;
+  const std::vector<std::byte> kernels = multipleKernelsGlb();
+  for (const Mapped& noise :
+       {Mapped{"surface texton, 60 impacts, over texton, 30 impacts", textonGlb(), texton_frag,
+               surface_frag_textons, LICHEN_MAPPING_SURFACE, kSurfaceTarget},
+        Mapped{"multiple kernels on a surface, 60 impacts, over the plane, 30 impacts", kernels,
+               multiple_kernels_frag, surface_frag_kernels, LICHEN_MAPPING_SURFACE, kNoTarget},
+        Mapped{"local random phase in a solid over the plane", localRandomPhaseGlb(0.0),
+               local_random_phase_frag, solid_frag_cosines, LICHEN_MAPPING_SOLID, kNoTarget},
+        Mapped{"multiple kernels in a solid over the plane", kernels, multiple_kernels_frag,
+               solid_frag_kernels, LICHEN_MAPPING_SOLID, kNoTarget}})
+    appendMappedRows(rows, noise, screen);
 }
 
 using Glb = std::vector<std::byte>;
@@ -85,6 +98,15 @@ void appendTriplanarRow(std::vector<Row>& rows, const Glb& colors, const Screen&
   rows.push_back(ratioRow("triplanar tiling on a sphere over tiling", kTarget,
                           {"triplanar tiling", triplanar_frag, planes},
                           {"tiling", tiling_frag_joint, plane}, screen, kSurfaceFlat));
+}
+
+void appendLayerRows(std::vector<Row>& rows, const Glb& colors, const Screen& screen) {
+  const ReadyNoise plain(screen.gpu(), colors);
+  const ReadyNoise layers(screen.gpu(), layeredGlb(), {.isLayered = true});
+  const Shader unit{"tiling", tiling_frag_joint, plain}, option{"layers", layered_frag, layers};
+  const std::string what = "two layers of tiling over tiling, ";
+  rows.push_back(ratioRow(what + "flat", kNoTarget, option, unit, screen, kFlat));
+  rows.push_back(ratioRow(what + "perspective", kNoTarget, option, unit, screen, kFloor));
 }
 
 /// The quality levels of tiling, and a sharper blend at the highest level.
@@ -135,11 +157,8 @@ void appendRotationRows(std::vector<Row>& rows, const Glb& colorGlb, const Scree
 
 void appendOptionRows(std::vector<Row>& rows, const Screen& screen) {
   const Glb colors = tilingGlb(GaussianOnly::no);
-  appendSurfaceRows(rows, screen);
-  appendSolidRows(rows, "local random phase", localRandomPhaseGlb(0.0), local_random_phase_frag,
-                  solid_frag_cosines, screen);
-  appendSolidRows(rows, "multiple kernels", multipleKernelsGlb(), multiple_kernels_frag,
-                  solid_frag_kernels, screen);
+  appendMappings(rows, screen);
+  appendLayerRows(rows, colors, screen);
   appendTriplanarRow(rows, colors, screen);
   appendLevelRows(rows, colors, screen);
   appendRotationRows(rows, colors, screen);

@@ -49,6 +49,8 @@ TEST_CASE("a generated photograph, baked and rendered, matches its golden image"
   checkWholeWay("structure", {"--method", "local-random-phase", "--structure", "0.5"}, "triplanar");
   checkWholeWay("solid", {"--method", "local-random-phase", "--structure", "0"}, "solid");
   checkWholeWay("kernels", {"--method", "multiple-kernels"}, "uv");
+  checkWholeWay("kernels_surface", {"--method", "multiple-kernels"}, "surface");
+  checkWholeWay("layers", {"--layers", "2"}, "uv");
   checkWholeWay("kernels_triplanar", {"--method", "multiple-kernels", "--spectrum", "ring:8:12"},
                 "triplanar");
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "../property/example_exemplar.h"
+#include "parity_errors.h"
 #include "plugin_host.h"
 
 #include <lichen/bundle_writer.h>
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 namespace lichen::test {
@@ -79,6 +81,26 @@ inline TileFootprint footprintOf(const Point& point, const shader::LichenMateria
                       m.uvToTileYX * v[0] + m.uvToTileYY * v[1]};
   };
   return {toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)};
+}
+
+/// Compares values and Gaussian values at these points under manyUses(). The pass numbers them 0
+/// and 1; `twin` has the functions of LocalRandomPhaseEvaluator.
+template <class Twin>
+void checkPlaneParity(PluginHost& host, const Twin& twin, std::span<const std::uint32_t> pass,
+                      const std::vector<Point>& points) {
+  int number = 0;
+  for (const MaterialUse& use : manyUses(host.use())) {
+    const auto values = host.evaluate(pass, 0, use, points);
+    const auto gaussians = host.evaluate(pass, 1, use, points);
+    ParityErrors errors;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const TileFootprint at = footprintOf(points[k], host.material());
+      errors.add(values[k], twin.evaluate(0, host.material(), at));
+      errors.add(gaussians[k], twin.gaussian(0, host.material(), at));
+    }
+    INFO("use " << number++);
+    errors.check();
+  }
 }
 
 } // namespace lichen::test

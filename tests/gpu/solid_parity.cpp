@@ -4,6 +4,7 @@
 // point.
 #include "../property/example_exemplar.h"
 #include "../property/solid_twin.h"
+#include "parity_errors.h"
 #include "plugin_host.h"
 #include "shared_device.h"
 #include "slopes_of_color.h"
@@ -315,24 +316,15 @@ TEST_CASE("the solid shader matches its CPU twin: 99.9 % within 1/1024 and all w
     for (const MaterialUse& use : manyUses(host.use())) {
       const auto values = host.evaluate(pass, kValue, use, points);
       const auto gaussians = host.evaluate(pass, kGaussian, use, points);
-      double largest = 0.0;
-      std::size_t beyond = 0, count = 0;
+      ParityErrors errors;
       for (std::size_t k = 0; k < points.size(); ++k) {
         const SolidFootprint at = footprintOf(points[k]);
-        const auto expected = twin.evaluate(host.material(), at);
-        const auto expectedGaussian = twin.gaussian(host.material(), at);
-        for (std::size_t c = 0; c < 4; ++c)
-          for (const double error : {double(values[k][c]) - double(expected[c]),
-                                     double(gaussians[k][c]) - double(expectedGaussian[c])}) {
-            largest = std::max(largest, std::abs(error));
-            beyond += std::size_t(std::abs(error) > 1.0 / 1024.0);
-            ++count;
-          }
+        errors.add(values[k], twin.evaluate(host.material(), at));
+        errors.add(gaussians[k], twin.gaussian(host.material(), at));
       }
       INFO(nameOf(kind.method) << ", slopes " << kind.isSlope << ", table "
                                << (kind.gaussian == GaussianOnly::no) << ", use " << number++);
-      CHECK(largest <= 1.0 / 255.0);
-      CHECK(double(beyond) <= 0.001 * double(count));
+      errors.check();
     }
     CHECK(device->messages().texts() == std::vector<std::string>{});
   }

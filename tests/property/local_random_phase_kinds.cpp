@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Local random-phase noise at its limits, a Fourier series and a Gabor noise, against closed forms;
-// and noises of all kinds of exemplars, whose decoded values have the exemplar's distribution.
+// and its colours and the correlations of its sets.
 #include "bundle_of.h"
 #include "example_exemplar.h"
+#include "statistics_of_maps.h"
 
 #include <lichen/image.h>
 #include <lichen/local_random_phase.h>
@@ -18,7 +19,6 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <exemplar/value_encoding.h>
 #include <gaussianization/value_decoder.h>
 #include <local_random_phase/cosine_table.h>
 #include <local_random_phase/octave_lattice.h>
@@ -28,6 +28,7 @@
 
 using namespace lichen;
 using namespace lichen::local_random_phase;
+using namespace lichen::test;
 
 namespace {
 
@@ -159,123 +160,6 @@ std::vector<LagProduct> lagProducts(const Bundle& bundle,
   return products;
 }
 
-/// One channel of an image or exemplar.
-std::vector<double> channelOf(const std::vector<float>& values, std::size_t channels,
-                              std::size_t channel) {
-  std::vector<double> result;
-  for (std::size_t i = channel; i < values.size(); i += channels)
-    result.push_back(values[i]);
-  return result;
-}
-
-std::vector<float> decodedValues(const MapExemplar& map) {
-  std::vector<float> values = map.values;
-  for (float& value : values)
-    value = exemplar::decoded(value, map.encoding);
-  return values;
-}
-
-/// Samples the colours or heights of 512 x 512 texels: every `stride`-th texel along each axis.
-LinearImage synthesized(const Bundle& bundle, MapTarget target, int stride = 1) {
-  SynthesisOptions options;
-  options.map = target;
-  options.width = options.height = 512 / stride;
-  options.stride = stride;
-  Result<LinearImage> image = synthesize(bundle, options);
-  REQUIRE(image);
-  return std::move(image).value();
-}
-
-double meanOf(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values)
-    sum += value;
-  return sum / double(values.size());
-}
-
-double covarianceOf(const std::vector<double>& a, const std::vector<double>& b) {
-  const double meanA = meanOf(a), meanB = meanOf(b);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += (a[i] - meanA) * (b[i] - meanB);
-  return sum / double(a.size());
-}
-
-double correlationOf(const std::vector<double>& a, const std::vector<double>& b) {
-  return covarianceOf(a, b) / std::sqrt(covarianceOf(a, a) * covarianceOf(b, b));
-}
-
-/// How each channel of a colour map correlates with a height.
-std::array<double, 3> correlationsWithHeight(const std::vector<float>& color,
-                                             const std::vector<float>& height) {
-  std::array<double, 3> result{};
-  for (std::size_t c = 0; c < 3; ++c)
-    result[c] = correlationOf(channelOf(color, 3, c), channelOf(height, 1, 0));
-  return result;
-}
-
-/// Independent Gaussian fields of variance 1, averaged over 3 x 3 texels; periodic.
-std::vector<std::vector<double>> gaussianFields(std::size_t count, std::uint32_t seed,
-                                                int side = kTexels) {
-  std::mt19937 generator(seed);
-  std::normal_distribution<double> normal;
-  std::vector<std::vector<double>> fields(count);
-  for (std::vector<double>& field : fields) {
-    std::vector<double> white(std::size_t(side) * std::size_t(side));
-    for (double& value : white)
-      value = normal(generator);
-    for (int y = 0; y < side; ++y)
-      for (int x = 0; x < side; ++x) {
-        double sum = 0.0;
-        for (int dy = -1; dy <= 1; ++dy)
-          for (int dx = -1; dx <= 1; ++dx)
-            sum += white[std::size_t((y + dy + side) % side * side + (x + dx + side) % side)];
-        field.push_back(sum / 3.0);
-      }
-  }
-  return fields;
-}
-
-MapExemplar emptyMap(MapTarget target, std::vector<MapChannel> channels, ValueEncoding encoding,
-                     int side = kTexels) {
-  MapExemplar map;
-  map.target = target;
-  map.channels = std::move(channels);
-  map.encoding = encoding;
-  map.width = map.height = side;
-  return map;
-}
-
-/// Checks the mean, the deviation and quantiles of each decoded channel of the noise against the
-/// exemplar's. The tolerance of mean and deviation, in deviations of the exemplar, is five standard
-/// errors of the mean of 512^2 texels that correlate over 9. `ofQuantiles` is that of quantiles.
-void checkDistribution(const MapExemplar& map, double ofQuantiles) {
-  constexpr double kOfMoments = 0.03;
-  const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("kind", {&map, 1}, {}));
-  REQUIRE(bundle.noises[0].maps[0].as<LocalRandomPhaseMap>().inverseTable.has_value());
-  const LinearImage image = synthesized(bundle, map.target);
-  const std::size_t channels = map.channels.size();
-  REQUIRE(std::size_t(image.channels) == channels);
-  const std::vector<float> values = decodedValues(map);
-  for (std::size_t c = 0; c < channels; ++c) {
-    std::vector<double> wanted = channelOf(values, channels, c),
-                        found = channelOf(image.values, channels, c);
-    const double deviation = std::sqrt(covarianceOf(wanted, wanted));
-    INFO("channel " << c << ", deviation " << deviation);
-    CHECK(meanOf(found) == Approx(meanOf(wanted)).margin(kOfMoments * deviation));
-    CHECK(std::sqrt(covarianceOf(found, found)) ==
-          Approx(deviation).margin(kOfMoments * deviation));
-    std::sort(wanted.begin(), wanted.end());
-    std::sort(found.begin(), found.end());
-    for (const double share : {0.05, 0.25, 0.5, 0.75, 0.95}) {
-      INFO("quantile " << share);
-      CHECK(found[std::size_t(share * double(found.size()))] ==
-            Approx(wanted[std::size_t(share * double(wanted.size()))])
-                .margin(ofQuantiles * deviation));
-    }
-  }
-}
-
 } // namespace
 
 TEST_CASE("where one window reaches alone, the noise is a Fourier series with random phases") {
@@ -362,8 +246,9 @@ TEST_CASE("a noise with one cosine has the autocovariance of a Gabor noise") {
 }
 
 TEST_CASE("a spectrum of one frequency makes a noise with the autocovariance of its few cosines") {
-  MapExemplar map = emptyMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
-  const std::vector<double> field = gaussianFields(1, 1)[0];
+  MapExemplar map =
+      emptyMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, kTexels);
+  const std::vector<double> field = gaussianFields(1, 1, kTexels)[0];
   for (const double g : field)
     map.values.push_back(float(1.0 / (1.0 + std::exp(-g))));
   LocalRandomPhaseOptions options;
@@ -386,76 +271,6 @@ TEST_CASE("a spectrum of one frequency makes a noise with the autocovariance of 
     // And near the origin that of the one wave.
     if (std::hypot(lag.x, lag.y) < 0.13)
       CHECK(wanted == Approx(std::cos(kTau * (7.0 * lag.x + 4.0 * lag.y))).margin(0.1));
-  }
-}
-
-TEST_CASE("the noise of a grey exemplar has its distribution") {
-  MapExemplar map = emptyMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear);
-  const std::vector<double> field = gaussianFields(1, 1)[0];
-  for (const double g : field)
-    map.values.push_back(float(1.0 / (1.0 + std::exp(1.0 - 1.5 * g))));
-  checkDistribution(map, 0.03); // measured 0.02
-}
-
-TEST_CASE("the noise of slopes has their distribution") {
-  MapExemplar map =
-      emptyMap(MapTarget::normal, {MapChannel::slopeX, MapChannel::slopeY}, ValueEncoding::slope);
-  const auto fields = gaussianFields(2, 2);
-  for (std::size_t i = 0; i < fields[0].size(); ++i) {
-    map.values.push_back(float(std::exp(0.6 * fields[0][i]) - 1.2));
-    map.values.push_back(float(0.5 * fields[0][i] + 0.8 * fields[1][i]));
-  }
-  // The outer quantiles lie too far out, with the same inverse table in tiling too: measured 0.066.
-  checkDistribution(map, 0.09);
-}
-
-TEST_CASE("the noise of light far above 1 has its distribution") {
-  MapExemplar map =
-      emptyMap(MapTarget::emissive, {MapChannel::red, MapChannel::green, MapChannel::blue},
-               ValueEncoding::log2);
-  const auto fields = gaussianFields(4, 3);
-  constexpr std::array<double, 3> kScale{4.0, 1.0, 2.0};
-  for (std::size_t i = 0; i < fields[0].size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double light = kScale[c] * std::exp(0.4 * fields[3][i] + 0.4 * fields[c][i]);
-      map.values.push_back(float(std::log2(1.0 + light)));
-    }
-  const std::vector<float> light = decodedValues(map);
-  REQUIRE(*std::max_element(light.begin(), light.end()) > 16.0f);
-  checkDistribution(map, 0.13); // likewise: measured 0.098
-}
-
-TEST_CASE("a height that follows the colour does so in the noise, with and without structure") {
-  std::vector<MapExemplar> maps{
-      emptyMap(MapTarget::baseColor, {MapChannel::red, MapChannel::green, MapChannel::blue},
-               ValueEncoding::srgb, kSmall),
-      emptyMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, kSmall)};
-  // The colour follows the first field, red most and blue against it, and so does the height.
-  constexpr std::array<double, 3> kShared{0.9, 0.6, -0.6};
-  const auto fields = gaussianFields(5, 4, kSmall);
-  for (std::size_t i = 0; i < fields[0].size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double own = std::sqrt(1.0 - kShared[c] * kShared[c]);
-      const double g = kShared[c] * fields[0][i] + own * fields[c + 1][i];
-      maps[0].values.push_back(float(1.0 / (1.0 + std::exp(0.5 - 1.2 * g))));
-    }
-    const double g = 0.95 * fields[0][i] + 0.31 * fields[4][i];
-    maps[1].values.push_back(float(0.1 + 0.2 * std::exp(0.5 * g)));
-  }
-  const std::array<double, 3> wanted =
-      correlationsWithHeight(decodedValues(maps[0]), maps[1].values);
-  CHECK(std::abs(wanted[0]) > 0.7);
-  for (const double structure : {0.0, 0.5}) {
-    LocalRandomPhaseOptions options;
-    options.structure = structure;
-    const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("set", maps, options));
-    const std::array<double, 3> found =
-        correlationsWithHeight(synthesized(bundle, MapTarget::baseColor, 2).values,
-                               synthesized(bundle, MapTarget::height, 2).values);
-    for (std::size_t c = 0; c < 3; ++c) {
-      INFO("structure " << structure << ", channel " << c);
-      CHECK(found[c] == Approx(wanted[c]).margin(0.1));
-    }
   }
 }
 

@@ -213,6 +213,13 @@ TEST_CASE("choices cycle: the file's own, then each, then the file's own") {
   CHECK(lookAfter(controls, "D").debugView.empty());
 }
 
+TEST_CASE("the key of noises skips index maps") {
+  Controls controls({"moss", std::nullopt, "rock"}, {});
+  CHECK(lookAfter(controls, "T").noise.noise == 0u);
+  CHECK(lookAfter(controls, "T").noise.noise == 2u);
+  CHECK_FALSE(lookAfter(controls, "T").noise.noise.has_value());
+}
+
 TEST_CASE("a chosen noise is deselected when the changed file no longer has it") {
   Controls controls({"moss", "rock"}, {});
   lookAfter(controls, "TT");

@@ -1,16 +1,20 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// Texton noise on a plane in space, as texton.frag has it on texture coordinates: the same pixels
-// see the same texels.
+// A noise on a surface, a plane in space, as texton.frag and multiple_kernels.frag have it on
+// texture coordinates: the same pixels see the same texels. LICHEN_METHODS says which.
 
-// The usual material, as in texton.frag.
-#define LICHEN_METHODS 2
+// The usual material, as there.
 #define LICHEN_PERIODIC_LATTICE 0
 #define LICHEN_POISSON_POINTS 0
 #define LICHEN_MIXED_TEXTONS 0
 #define LICHEN_CUBIC_TEXTONS 0
 #define LICHEN_NEAREST_TEXTONS 0
+#define LICHEN_GAUSSIAN_ONLY 0
+#define LICHEN_RING_KERNELS 0
+#define LICHEN_SQUARE_KERNELS 0
+#define LICHEN_KERNEL_PATTERN 0
+#define LICHEN_OMIT_SOLID
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1

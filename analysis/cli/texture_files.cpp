@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Names are those of Adobe Substance's export templates, which the programs' importers and add-ons
+// know: Blender's Node Wrangler reads its slots from the words of a name; Unreal and Godot pack
+// occlusion, roughness and metallic as glTF does; Unity's mask map has smoothness in alpha.
+#include "texture_files.h"
+
+#include <lichen/core_texture.h>
+#include <lichen/image_io.h>
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace lichen::cli {
+namespace {
+
+/// A texture before it is encoded.
+struct Texture {
+  std::string_view suffix;
+  LinearImage pixels;
+  bool isLight = false;
+  int bits = 8; ///< of a PNG
+};
+
+LinearImage channelOf(const LinearImage& image, std::size_t channel) {
+  LinearImage result(image.width, image.height, 1);
+  for (std::size_t i = 0; i < image.pixelCount(); ++i)
+    result.values[i] = image.values[std::size_t(image.channels) * i + channel];
+  return result;
+}
+
+bool has(const NoiseMap& map, MapChannel channel) {
+  return std::ranges::count(map.channels, channel) > 0;
+}
+
+/// What is not metal by default: coreTexture() has 1, which a factor of the material scales.
+void clearAbsentMetal(const NoiseMap& map, LinearImage& packed) {
+  if (!has(map, MapChannel::metallic))
+    for (std::size_t i = 0; i < packed.pixelCount(); ++i)
+      packed.values[3 * i + 2] = 0.0f;
+}
+
+/// Unity's mask map: metallic, occlusion, 0, smoothness.
+LinearImage maskMap(const LinearImage& packed) {
+  LinearImage mask(packed.width, packed.height, 4);
+  for (std::size_t i = 0; i < packed.pixelCount(); ++i) {
+    const float* orm = &packed.values[3 * i];
+    std::copy_n(std::array{orm[2], orm[0], 0.0f, 1.0f - orm[1]}.begin(), 4, &mask.values[4 * i]);
+  }
+  return mask;
+}
+
+std::vector<Texture> packedTextures(const NoiseMap& map, LinearImage packed, Importer importer) {
+  clearAbsentMetal(map, packed);
+  if (importer == Importer::unity)
+    return {{"MaskMap", maskMap(packed)}};
+  if (importer != Importer::blender)
+    return {{"OcclusionRoughnessMetallic", std::move(packed)}};
+  std::vector<Texture> textures;
+  const std::array<std::pair<MapChannel, std::string_view>, 3> parts{
+      {{MapChannel::occlusion, "AmbientOcclusion"},
+       {MapChannel::roughness, "Roughness"},
+       {MapChannel::metallic, "Metallic"}}};
+  for (std::size_t c = 0; c < parts.size(); ++c)
+    if (has(map, parts[c].first))
+      textures.push_back({parts[c].second, channelOf(packed, c)});
+  return textures;
+}
+
+std::vector<Texture> texturesBefore(const NoiseMap& map, LinearImage values,
+                                    const TextureStyle& style) {
+  LinearImage pixels = coreTexture(map, std::move(values));
+  switch (map.target) {
+  case MapTarget::baseColor:
+    return {{"BaseColor", std::move(pixels), true}};
+  case MapTarget::normal:
+    if (style.green.value_or(greenAxisOf(style.importer)) == GreenAxis::down)
+      for (std::size_t i = 0; i < pixels.pixelCount(); ++i)
+        pixels.values[3 * i + 1] = 1.0f - pixels.values[3 * i + 1];
+    return {{"Normal", std::move(pixels)}};
+  case MapTarget::occlusionRoughnessMetallic:
+    return packedTextures(map, std::move(pixels), style.importer);
+  case MapTarget::emissive:
+    return {{"Emissive", std::move(pixels), true}};
+  case MapTarget::height:
+    return {{"Height", std::move(pixels), false, 16}}; // displacement shows steps of 1 / 255
+  case MapTarget::opacity:
+    return {{"Opacity", std::move(pixels)}};
+  }
+  return {};
+}
+
+Result<std::vector<std::byte>> encoded(Texture texture, TextureFormat format) {
+  if (format == TextureFormat::exr)
+    return encodeExr(texture.pixels);
+  return texture.isLight ? encodePng(toSrgb(std::move(texture.pixels)), texture.bits)
+                         : encodePng(texture.pixels, texture.bits);
+}
+
+std::string fileStem(std::string material, Importer importer) {
+  for (char& c : material)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-')
+      c = '_';
+  if (material.empty())
+    material = "noise";
+  return (importer == Importer::unreal ? "T_" : "") + material; // Unreal's prefix of textures
+}
+
+} // namespace
+
+GreenAxis greenAxisOf(Importer importer) {
+  return importer == Importer::unreal ? GreenAxis::down : GreenAxis::up;
+}
+
+Result<std::vector<TextureFile>> texturesOf(const std::string& material, const NoiseMap& map,
+                                            LinearImage values, const TextureStyle& style) {
+  std::vector<TextureFile> files;
+  for (Texture& texture : texturesBefore(map, std::move(values), style)) {
+    std::string name = fileStem(material, style.importer) + "_" + std::string(texture.suffix) +
+                       (style.format == TextureFormat::exr ? ".exr" : ".png");
+    Result<std::vector<std::byte>> bytes = encoded(std::move(texture), style.format);
+    if (!bytes)
+      return bytes.error();
+    files.push_back({std::move(name), std::move(bytes).value()});
+  }
+  return files;
+}
+
+} // namespace lichen::cli

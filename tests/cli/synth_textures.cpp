@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// lichen synth --all-maps: which textures each program gets, and what their channels hold.
+#include "set_run.h"
+
+#include <lichen/image_io.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+constexpr int kSide = 64;
+
+/// One bundle for all tests of this file, with colours, normals, roughness and metallic, a height
+/// and opacity.
+struct Made {
+  Made() {
+    const std::string folder = "set";
+    makeFolder(workplace, folder);
+    for (const auto& [name, channels] : {std::pair{"base_color.png", 3},
+                                         {"roughness.png", 1},
+                                         {"metallic.png", 1},
+                                         {"height.png", 1},
+                                         {"opacity.png", 1}})
+      workplace.write(folder + "/" + name, speckled(kSide, kSide, channels));
+    SrgbImage normal(kSide, kSide, 3);
+    for (std::size_t i = 0; i < normal.pixelCount(); ++i)
+      std::copy_n((i / 8 % 2 == 0 ? kNormal : kNormalDown).begin(), 3, &normal.values[3 * i]);
+    workplace.write(folder + "/normal.png", normal);
+    bundle = bake(workplace, workplace.path(folder), "noise.glb", {"--name", "old wall/1"});
+  }
+  Workplace workplace;
+  std::string bundle;
+};
+const Made& made() {
+  static const Made set;
+  return set;
+}
+
+/// Writes the textures into a new folder of `workplace` and returns their names.
+std::vector<std::string> writeTextures(const Workplace& workplace, const Arguments& more) {
+  Arguments all{"synth",  made().bundle, "--all-maps", "-o",    workplace.path("new/textures"),
+                "--size", "64",          "--tileable", "--json"};
+  all.insert(all.end(), more.begin(), more.end());
+  const Ended ended = runLichen(all);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  return nlohmann::json::parse(ended.output)["files"].get<std::vector<std::string>>();
+}
+
+SrgbImage pngOf(const Workplace& workplace, const std::string& name) {
+  const Result<ImageFile> image = readImage(workplace.path("new/textures/" + name));
+  REQUIRE(image);
+  return std::get<SrgbImage>(image.value().pixels);
+}
+
+/// The map alone, as `synth` writes it.
+SrgbImage alone(const std::string& map) {
+  return synth(made().workplace, made().bundle, {"--map", map, "--size", "64", "--tileable"});
+}
+
+} // namespace
+
+TEST_CASE("each program gets the textures of all maps under the names that it knows") {
+  const std::string stem = "old_wall_1_";
+  const auto expected = [&](const std::string& program, const Arguments& suffixes) {
+    const Workplace workplace;
+    const std::vector<std::string> files = writeTextures(workplace, {"--for", program});
+    std::vector<std::string> names;
+    for (const std::string& suffix : suffixes)
+      names.push_back((program == "unreal" ? "T_" : "") + stem + suffix + ".png");
+    INFO(program);
+    CHECK(files == names);
+    for (const std::string& name : names)
+      CHECK(pngOf(workplace, name).width == kSide);
+  };
+  expected("blender", {"BaseColor", "Normal", "Roughness", "Metallic", "Height", "Opacity"});
+  const Arguments packed{"BaseColor", "Normal", "OcclusionRoughnessMetallic", "Height", "Opacity"};
+  expected("godot", packed);
+  expected("unreal", packed);
+  expected("unity", {"BaseColor", "Normal", "MaskMap", "Height", "Opacity"});
+}
+
+TEST_CASE("channels of the textures are those of the maps, packed as each program has them") {
+  const SrgbImage orm = alone("occlusionRoughnessMetallic"), normal = alone("normal");
+  const Workplace blender, unity, unreal, up;
+  writeTextures(blender, {});
+  writeTextures(unity, {"--for", "unity"});
+  writeTextures(unreal, {"--for", "unreal"});
+  writeTextures(up, {"--for", "unreal", "--green", "up"});
+  CHECK(pngOf(blender, "old_wall_1_BaseColor.png").values == alone("baseColor").values);
+  CHECK(pngOf(blender, "old_wall_1_Height.png").values == alone("height").values); // 16 bits
+  CHECK(pngOf(blender, "old_wall_1_Normal.png").values == normal.values);
+  CHECK(pngOf(unreal, "T_old_wall_1_OcclusionRoughnessMetallic.png").values == orm.values);
+  const SrgbImage roughness = pngOf(blender, "old_wall_1_Roughness.png");
+  const SrgbImage mask = pngOf(unity, "old_wall_1_MaskMap.png");
+  const SrgbImage down = pngOf(unreal, "T_old_wall_1_Normal.png");
+  REQUIRE(roughness.channels == 1);
+  REQUIRE(mask.channels == 4);
+  constexpr double kHalfCode = 0.51 / 255.0;
+  for (std::size_t i = 0; i < orm.pixelCount(); ++i) {
+    REQUIRE(roughness.values[i] == orm.values[3 * i + 1]);
+    REQUIRE(mask.values[4 * i] == orm.values[3 * i + 2]);
+    REQUIRE(mask.values[4 * i + 1] == 1.0f); // no occlusion
+    REQUIRE(mask.values[4 * i + 2] == 0.0f);
+    REQUIRE(double(mask.values[4 * i + 3]) ==
+            Approx(1.0 - double(orm.values[3 * i + 1])).margin(kHalfCode));
+    REQUIRE(down.values[3 * i] == normal.values[3 * i]);
+    REQUIRE(double(down.values[3 * i + 1]) ==
+            Approx(1.0 - double(normal.values[3 * i + 1])).margin(kHalfCode));
+  }
+  CHECK(pngOf(up, "T_old_wall_1_Normal.png").values == normal.values);
+}
+
+TEST_CASE("textures as EXR hold linear light") {
+  const Workplace workplace;
+  const std::vector<std::string> files = writeTextures(workplace, {"--format", "exr"});
+  REQUIRE(files.front() == "old_wall_1_BaseColor.exr");
+  const Result<ImageFile> image = readImage(workplace.path("new/textures/" + files.front()));
+  REQUIRE(image);
+  const LinearImage light = std::get<LinearImage>(image.value().pixels);
+  const LinearImage expected = toLinear(alone("baseColor"));
+  for (std::size_t i = 0; i < light.values.size(); ++i) // half a code of 8 bits of sRGB
+    REQUIRE(double(light.values[i]) == Approx(double(expected.values[i])).margin(0.005));
+}
+
+TEST_CASE("options of all maps need --all-maps, and those of one map exclude it") {
+  const std::string& bundle = made().bundle;
+  const Workplace workplace;
+  const std::string file = workplace.write("file", std::string("x"));
+  constexpr int kUsage = 2, kEnvironment = 4;
+  checkRefusal({"synth", bundle, "-o", workplace.path("x.png"), "--for", "unity"}, kUsage,
+               {"--for", "--all-maps"});
+  checkRefusal({"synth", bundle, "-o", workplace.path("x"), "--all-maps", "--map", "height"},
+               kUsage, {"--map", "--all-maps"});
+  checkRefusal({"synth", bundle, "-o", workplace.path("x"), "--all-maps", "--for", "maya"}, kUsage,
+               {"maya", "blender", "unreal"});
+  checkRefusal({"synth", bundle, "-o", file + "/textures", "--all-maps"}, kEnvironment,
+               {file, "folder"});
+  const Ended ended =
+      runLichen({"synth", bundle, "-o", workplace.path("y"), "--all-maps", "--size", "16"});
+  CHECK(ended.code == 0);
+  CHECK_THAT(ended.errors, Catch::Contains("--tileable"));
+}
