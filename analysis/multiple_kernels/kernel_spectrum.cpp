@@ -51,8 +51,8 @@ double WindowSpectrum::Profile::at(double square, double& slope) const {
     return 0.0;
   }
   const double step = values[entry + 1] - values[entry];
-  const double low = entryFrequency(entry), high = entryFrequency(entry + 1);
-  slope = step / (high * high - low * low);
+  constexpr double kSide = kFarthest / double(kEntries);
+  slope = step / (kSide * kSide * double(2 * entry + 1)); // by the square
   return values[entry] + (place - double(entry)) * step;
 }
 
@@ -89,6 +89,8 @@ double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u,
   for (const double side : {1.0, -1.0}) {
     const double du = u - side * kernel.frequency[0], dv = v - side * kernel.frequency[1];
     const double x = across * du + kernel.shear * dv, y = down * dv;
+    if (x * x + y * y > spectrum.reach() * spectrum.reach())
+      continue; // mostly one of the two
     std::array<double, 2> own{};
     const double value = spectrum.at(x, y, own);
     const double power = scale * value * value;
@@ -112,17 +114,22 @@ double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u,
 double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double frequency) {
   // As many directions as their steps along the ring stay below the width of the spectrum.
   constexpr double kStepsPerWidth = 12.0;
-  const double radius = kernel.frequency[0];
+  const double radius = kernel.frequency[0], stretch = kernel.stretch[0];
   const int directions =
-      std::clamp(int(kStepsPerWidth * radius * kernel.stretch[0]), 16, 2048); // of a half turn
-  Kernel turned = kernel;
+      std::clamp(int(kStepsPerWidth * radius * stretch), 16, 2048); // half a turn
+  // From the direction of the frequency to both sides alike, until the spectrum is out of reach.
   double sum = 0.0;
   for (int k = 0; k < directions; ++k) {
     const double angle = pi * (k + 0.5) / directions;
-    turned.frequency = {radius * std::cos(angle), radius * std::sin(angle)};
-    sum += densityAt(spectrum, turned, frequency, 0.0);
+    const double x = stretch * (frequency - radius * std::cos(angle)),
+                 y = stretch * radius * std::sin(angle);
+    if (x * x + y * y > spectrum.reach() * spectrum.reach())
+      break;
+    std::array<double, 2> slopes{};
+    const double value = spectrum.at(x, y, slopes);
+    sum += value * value;
   }
-  return sum / directions;
+  return kernel.energy * stretch * stretch * sum / directions;
 }
 
 double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
