@@ -128,12 +128,18 @@ Result<std::vector<std::string>> writeAllMaps(const Arguments& arguments, const 
   const TextureStyle style{arguments.importer.value_or(Importer::blender), arguments.green,
                            arguments.format.value_or(TextureFormat::png)};
   const Noise& noise = bundle.noises[arguments.synthesis.material.noise];
+  // All maps show the same tiles, one texel of the largest in a pixel.
+  double texelsPerTile = arguments.synthesis.texelsPerTile;
+  if (texelsPerTile == 0.0)
+    for (const NoiseMap& map : noise.maps)
+      texelsPerTile = std::max(texelsPerTile, pixelsPerTile(bundle, noise, map, 0.0)[0]);
   const auto count = double(noise.maps.size());
   std::vector<std::string> names;
   for (std::size_t m = 0; m < noise.maps.size(); ++m) {
     const NoiseMap& map = noise.maps[m];
     SynthesisOptions synthesis = arguments.synthesis;
     synthesis.map = map.target;
+    synthesis.texelsPerTile = texelsPerTile;
     synthesis.progress =
         partOf(arguments.synthesis.progress, double(m) / count, double(m + 1) / count);
     Result<LinearImage> values = synthesize(bundle, synthesis);

@@ -144,12 +144,18 @@ double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
     return kernel.isRing ? isNear(std::hypot(atU, atV) - fx, 0.0)
                          : isNear(atU - fx, atV - fy) || isNear(atU + fx, atV + fy);
   };
+  const auto isRowInReach = [&](double atV) {
+    const double least = std::min(std::abs(atV - fy), std::abs(atV + fy));
+    return kernel.isRing || kernel.stretch[1] * least < spectrum.reach();
+  };
   double density = 0.0;
   if (slopes != nullptr)
     *slopes = {};
   // The nearest aliases: kernels are wider than half a texel, so those beyond are weak.
-  for (const double atU : {u - texels[0], u, u + texels[0]})
-    for (const double atV : {v - texels[1], v, v + texels[1]}) {
+  for (const double atV : {v - texels[1], v, v + texels[1]}) {
+    if (!isRowInReach(atV))
+      continue;
+    for (const double atU : {u - texels[0], u, u + texels[0]}) {
       if (!isInReach(atU, atV))
         continue;
       KernelSlopes own{};
@@ -160,6 +166,7 @@ double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
         for (std::size_t p = 0; p < own.size(); ++p)
           (*slopes)[p] += own[p];
     }
+  }
   return density;
 }
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -18,18 +19,18 @@ namespace {
 
 constexpr int kSide = 64;
 
-/// One bundle for all tests of this file, with colours, normals, roughness and metallic, a height
-/// and opacity.
+/// One bundle for all tests of this file, with colours, normals, roughness and metallic, a smaller
+/// height, and opacity.
 struct Made {
   Made() {
     const std::string folder = "set";
     makeFolder(workplace, folder);
-    for (const auto& [name, channels] : {std::pair{"base_color.png", 3},
-                                         {"roughness.png", 1},
-                                         {"metallic.png", 1},
-                                         {"height.png", 1},
-                                         {"opacity.png", 1}})
-      workplace.write(folder + "/" + name, speckled(kSide, kSide, channels));
+    for (const auto& [name, channels, side] : {std::tuple{"base_color.png", 3, kSide},
+                                               {"roughness.png", 1, kSide},
+                                               {"metallic.png", 1, kSide},
+                                               {"height.png", 1, kSide / 2},
+                                               {"opacity.png", 1, kSide}})
+      workplace.write(folder + "/" + name, speckled(side, side, channels));
     SrgbImage normal(kSide, kSide, 3);
     for (std::size_t i = 0; i < normal.pixelCount(); ++i)
       std::copy_n((i / 8 % 2 == 0 ? kNormal : kNormalDown).begin(), 3, &normal.values[3 * i]);
@@ -61,9 +62,10 @@ SrgbImage pngOf(const Workplace& workplace, const std::string& name) {
   return std::get<SrgbImage>(image.value().pixels);
 }
 
-/// The map alone, as `synth` writes it.
+/// The map alone, as `synth` writes it, on tiles of the size of the largest map's.
 SrgbImage alone(const std::string& map) {
-  return synth(made().workplace, made().bundle, {"--map", map, "--size", "64", "--tileable"});
+  return synth(made().workplace, made().bundle,
+               {"--map", map, "--size", "64", "--tileable", "--texels-per-tile", "64"});
 }
 
 } // namespace
