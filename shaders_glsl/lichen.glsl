@@ -46,7 +46,9 @@ layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
 #define LICHEN_LAYERS 1
 #endif
 #if LICHEN_LAYERS > 1
+#ifndef LICHEN_OMIT_SURFACE
 #define LICHEN_OMIT_SURFACE
+#endif
 #include "interface/layer_images.glsl"
 #else
 #define LICHEN_IMAGE_2D texture2D

@@ -10,12 +10,12 @@
 #include <lichen/core_texture.h>
 #include <lichen/files.h>
 #include <lichen/image_io.h>
+#include <lichen/shader_parameters.h>
 #include <lichen/synthesize.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <system_error>
@@ -80,6 +80,8 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   SynthesisOptions& synthesis = arguments.synthesis;
   synthesis.map = chosen.maps[map.value()].target;
   synthesis.material = materialOf(bundle, noise.value());
+  if (arguments.allMaps && synthesis.texelsPerTile == 0.0) // alike for all maps
+    synthesis.texelsPerTile = double(shaderNoise(bundle, noise.value()).tileTexelsX);
   MaterialNoise& material = synthesis.material;
   material.seed = arguments.seed.value_or(material.seed);
   material.contrast = arguments.contrast.value_or(material.contrast);
@@ -110,8 +112,9 @@ std::vector<std::string> notesOf(const Bundle& bundle, const SynthesisOptions& s
   if (!synthesis.tileable)
     return {};
   const Noise& noise = bundle.noises[synthesis.material.noise];
-  const auto [across, down] = pixelsPerTile(
-      bundle, noise, noise.maps[*findMap(noise, synthesis.map)], synthesis.texelsPerTile);
+  const auto [across, down] =
+      pixelsPerTile(bundle, synthesis.material.noise, noise.maps[*findMap(noise, synthesis.map)],
+                    synthesis.texelsPerTile);
   return commandOf(noise.method())
       .periodNotes(noise, synthesis.width / across, synthesis.height / down);
 }
@@ -128,23 +131,29 @@ Result<std::vector<std::string>> writeAllMaps(const Arguments& arguments, const 
   const TextureStyle style{arguments.importer.value_or(Importer::blender), arguments.green,
                            arguments.format.value_or(TextureFormat::png)};
   const Noise& noise = bundle.noises[arguments.synthesis.material.noise];
-  // All maps show the same tiles, one texel of the largest in a pixel.
-  double texelsPerTile = arguments.synthesis.texelsPerTile;
-  if (texelsPerTile == 0.0)
-    for (const NoiseMap& map : noise.maps)
-      texelsPerTile = std::max(texelsPerTile, pixelsPerTile(bundle, noise, map, 0.0)[0]);
   const auto count = double(noise.maps.size());
   std::vector<std::string> names;
-  for (std::size_t m = 0; m < noise.maps.size(); ++m) {
-    const NoiseMap& map = noise.maps[m];
+  double done = 0.0; // maps
+  const auto valuesOf = [&](MapTarget target) {
     SynthesisOptions synthesis = arguments.synthesis;
-    synthesis.map = map.target;
-    synthesis.texelsPerTile = texelsPerTile;
-    synthesis.progress =
-        partOf(arguments.synthesis.progress, double(m) / count, double(m + 1) / count);
-    Result<LinearImage> values = synthesize(bundle, synthesis);
+    synthesis.map = target;
+    synthesis.progress = partOf(arguments.synthesis.progress, done / count, (done + 1.0) / count);
+    done += 1.0;
+    return synthesize(bundle, synthesis);
+  };
+  const bool packsOpacity = opacityIsAlpha(style.importer) && findMap(noise, MapTarget::baseColor);
+  for (const NoiseMap& map : noise.maps) {
+    if (map.target == MapTarget::opacity && packsOpacity)
+      continue;
+    Result<LinearImage> values = valuesOf(map.target);
     if (!values)
       return values.error();
+    if (map.target == MapTarget::baseColor && packsOpacity && findMap(noise, MapTarget::opacity)) {
+      const Result<LinearImage> opacity = valuesOf(MapTarget::opacity);
+      if (!opacity)
+        return opacity.error();
+      values = withAlpha(values.value(), opacity.value());
+    }
     const Result<std::vector<TextureFile>> files =
         texturesOf(noise.name, map, std::move(values).value(), style);
     if (!files)
@@ -163,11 +172,16 @@ Result<void> checkOptions(const Arguments& arguments) {
   if (!arguments.allMaps) {
     const bool isOfAll = arguments.importer || arguments.green || arguments.format;
     if (isOfAll)
-      return Error{ErrorKind::usage, "--for, --green and --format: belong to --all-maps"};
+      return Error{ErrorKind::usage, "--for, --green and --format: need --all-maps"};
     return checkOutput(arguments.output, {".png", ".exr"});
   }
+  const std::filesystem::path extension = std::filesystem::path(arguments.output).extension();
+  if (extension == ".png" || extension == ".exr")
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: --all-maps writes a folder; give its name, without {}",
+                             arguments.output, extension.string())};
   if (!arguments.map.empty())
-    return Error{ErrorKind::usage, "--map: not with --all-maps, which writes every map"};
+    return Error{ErrorKind::usage, "--map: --all-maps writes every map; leave out one of the two"};
   return {};
 }
 
@@ -201,7 +215,7 @@ Result<int> run(Arguments& arguments) {
   progress.erase();
   std::vector<std::string> notes = notesOf(bundle.value(), arguments.synthesis);
   if (arguments.allMaps && !arguments.synthesis.tileable)
-    notes.emplace_back("the textures do not repeat; --tileable makes them");
+    notes.emplace_back("the textures do not repeat at their borders; add --tileable");
   for (const std::string& line : notes)
     note(arguments.shared, line);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Names are those of Adobe Substance's export templates, which the programs' importers and add-ons
-// know: Blender's Node Wrangler reads its slots from the words of a name; Unreal and Godot pack
-// occlusion, roughness and metallic as glTF does; Unity's mask map has smoothness in alpha.
+// Blender's add-on Node Wrangler finds its slots by the words of a name. Unreal and Godot pack
+// occlusion, roughness and metallic as glTF does; Unity's mask map is that of its HDRP.
 #include "texture_files.h"
 
 #include <lichen/core_texture.h>
 #include <lichen/image_io.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <string_view>
 #include <utility>
@@ -19,8 +19,6 @@ namespace {
 struct Texture {
   std::string_view suffix;
   LinearImage pixels;
-  bool isLight = false;
-  int bits = 8; ///< of a PNG
 };
 
 LinearImage channelOf(const LinearImage& image, std::size_t channel) {
@@ -73,7 +71,7 @@ std::vector<Texture> texturesBefore(const NoiseMap& map, LinearImage values,
   LinearImage pixels = coreTexture(map, std::move(values));
   switch (map.target) {
   case MapTarget::baseColor:
-    return {{"BaseColor", std::move(pixels), true}};
+    return {{"BaseColor", std::move(pixels)}};
   case MapTarget::normal:
     if (style.green.value_or(greenAxisOf(style.importer)) == GreenAxis::down)
       for (std::size_t i = 0; i < pixels.pixelCount(); ++i)
@@ -82,20 +80,13 @@ std::vector<Texture> texturesBefore(const NoiseMap& map, LinearImage values,
   case MapTarget::occlusionRoughnessMetallic:
     return packedTextures(map, std::move(pixels), style.importer);
   case MapTarget::emissive:
-    return {{"Emissive", std::move(pixels), true}};
+    return {{"Emissive", std::move(pixels)}};
   case MapTarget::height:
-    return {{"Height", std::move(pixels), false, 16}}; // displacement shows steps of 1 / 255
+    return {{"Height", std::move(pixels)}};
   case MapTarget::opacity:
     return {{"Opacity", std::move(pixels)}};
   }
   return {};
-}
-
-Result<std::vector<std::byte>> encoded(Texture texture, TextureFormat format) {
-  if (format == TextureFormat::exr)
-    return encodeExr(texture.pixels);
-  return texture.isLight ? encodePng(toSrgb(std::move(texture.pixels)), texture.bits)
-                         : encodePng(texture.pixels, texture.bits);
 }
 
 std::string fileStem(std::string material, Importer importer) {
@@ -113,13 +104,29 @@ GreenAxis greenAxisOf(Importer importer) {
   return importer == Importer::unreal ? GreenAxis::down : GreenAxis::up;
 }
 
+bool opacityIsAlpha(Importer importer) {
+  return importer == Importer::godot || importer == Importer::unity;
+}
+
+LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
+  LinearImage result(color.width, color.height, 4);
+  for (std::size_t i = 0; i < result.pixelCount(); ++i) {
+    std::copy_n(&color.values[3 * i], 3, &result.values[4 * i]);
+    result.values[4 * i + 3] = opacity.values[i];
+  }
+  return result;
+}
+
 Result<std::vector<TextureFile>> texturesOf(const std::string& material, const NoiseMap& map,
                                             LinearImage values, const TextureStyle& style) {
   std::vector<TextureFile> files;
   for (Texture& texture : texturesBefore(map, std::move(values), style)) {
     std::string name = fileStem(material, style.importer) + "_" + std::string(texture.suffix) +
                        (style.format == TextureFormat::exr ? ".exr" : ".png");
-    Result<std::vector<std::byte>> bytes = encoded(std::move(texture), style.format);
+    Result<std::vector<std::byte>> bytes =
+        style.format == TextureFormat::exr
+            ? encodeExr(texture.pixels)
+            : encodeCoreTexture(map.target, std::move(texture.pixels));
     if (!bytes)
       return bytes.error();
     files.push_back({std::move(name), std::move(bytes).value()});

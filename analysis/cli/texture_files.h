@@ -22,6 +22,11 @@ enum class TextureFormat { png, exr };
 
 /// That of a program's own normal maps.
 [[nodiscard]] GreenAxis greenAxisOf(Importer importer);
+/// Whether a program takes opacity from the base colour's alpha.
+[[nodiscard]] bool opacityIsAlpha(Importer importer);
+
+/// Colours with an opacity of the same size as their alpha.
+[[nodiscard]] LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity);
 
 /// What all textures of a material share.
 struct TextureStyle {
@@ -37,7 +42,8 @@ struct TextureFile {
 };
 
 /// The files of one map. `material` begins their names; characters that file systems or importers
-/// may not take are replaced. `values` are those of synthesize(). Errors: as encodePng().
+/// may not take are replaced. `values` are those of synthesize(), of colours also withAlpha().
+/// Errors: as encodePng().
 [[nodiscard]] Result<std::vector<TextureFile>> texturesOf(const std::string& material,
                                                           const NoiseMap& map, LinearImage values,
                                                           const TextureStyle& style);

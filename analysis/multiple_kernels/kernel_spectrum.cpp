@@ -51,8 +51,8 @@ double WindowSpectrum::Profile::at(double square, double& slope) const {
     return 0.0;
   }
   const double step = values[entry + 1] - values[entry];
-  constexpr double kSide = kFarthest / double(kEntries);
-  slope = step / (kSide * kSide * double(2 * entry + 1)); // by the square
+  const double low = entryFrequency(entry), high = entryFrequency(entry + 1);
+  slope = step / (high * high - low * low);
   return values[entry] + (place - double(entry)) * step;
 }
 
@@ -89,8 +89,6 @@ double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u,
   for (const double side : {1.0, -1.0}) {
     const double du = u - side * kernel.frequency[0], dv = v - side * kernel.frequency[1];
     const double x = across * du + kernel.shear * dv, y = down * dv;
-    if (x * x + y * y > spectrum.reach() * spectrum.reach())
-      continue; // mostly one of the two
     std::array<double, 2> own{};
     const double value = spectrum.at(x, y, own);
     const double power = scale * value * value;
@@ -117,13 +115,13 @@ double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel, doubl
   const double radius = kernel.frequency[0], stretch = kernel.stretch[0];
   const int directions =
       std::clamp(int(kStepsPerWidth * radius * stretch), 16, 2048); // half a turn
-  // From the direction of the frequency to both sides alike, until the spectrum is out of reach.
+  // From the direction of the frequency to both sides alike, to where the table ends.
   double sum = 0.0;
   for (int k = 0; k < directions; ++k) {
     const double angle = pi * (k + 0.5) / directions;
     const double x = stretch * (frequency - radius * std::cos(angle)),
                  y = stretch * radius * std::sin(angle);
-    if (x * x + y * y > spectrum.reach() * spectrum.reach())
+    if (x * x + y * y > kFarthest * kFarthest)
       break;
     std::array<double, 2> slopes{};
     const double value = spectrum.at(x, y, slopes);

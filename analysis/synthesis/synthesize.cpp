@@ -3,6 +3,7 @@
 #include "progress_part.h"
 
 #include <lichen/image_io.h>
+#include <lichen/shader_parameters.h>
 #include <lichen/synthesize.h>
 
 #include <tbb/parallel_for.h>
@@ -150,11 +151,14 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
 
 } // namespace
 
-std::array<double, 2> pixelsPerTile(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+std::array<double, 2> pixelsPerTile(const Bundle& bundle, std::size_t noise, const NoiseMap& map,
                                     double texelsPerTile) {
-  const auto [width, height] = exemplarSize(bundle, noise, map);
-  const double pixels = texelsPerTile > 0.0 ? texelsPerTile : width;
-  return {pixels, pixels * height / width};
+  if (texelsPerTile == 0.0) {
+    const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
+    return {double(width), double(height)};
+  }
+  const shader::LichenNoise tile = shaderNoise(bundle, noise);
+  return {texelsPerTile, texelsPerTile * double(tile.tileTexelsY) / double(tile.tileTexelsX)};
 }
 
 Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& options) {
@@ -172,7 +176,7 @@ Result<LinearImage> synthesize(const Bundle& bundle, const SynthesisOptions& opt
                    std::string(nameOf(options.map)));
     const Noise& noise = bundle.noises[options.material.noise];
     const std::array<double, 2> perTile =
-        pixelsPerTile(bundle, noise, noise.maps[*map], options.texelsPerTile);
+        pixelsPerTile(bundle, options.material.noise, noise.maps[*map], options.texelsPerTile);
     const double tiles = std::min(options.width / perTile[0], options.height / perTile[1]);
     const double largest = perTile[0] * tiles / kLeastPeriodTiles;
     if (options.tileable && tiles < kLeastPeriodTiles)

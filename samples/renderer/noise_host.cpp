@@ -84,6 +84,7 @@ void NoiseHost::readNoises() {
     noises_.push_back(noise);
     names_.emplace_back(noise.name);
   }
+  // No material shows an index map.
   for (const LichenNoiseProperties& noise : noises_)
     for (const std::uint32_t index : noise.indices)
       if (index != LICHEN_NO_NOISE)

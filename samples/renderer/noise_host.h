@@ -87,7 +87,8 @@ public:
   [[nodiscard]] std::uint32_t dynamicOffset(std::uint32_t slot, std::size_t material) const {
     return blocks_.offset(slot, material);
   }
-  /// Names of the bundle's noises as stored in the file; may be empty strings.
+  /// Names of the bundle's noises as stored in the file, which may be empty; nothing for index
+  /// maps.
   [[nodiscard]] const std::vector<std::optional<std::string>>& names() const { return names_; }
   [[nodiscard]] const NoiseUse& use(std::size_t material) const { return materials_[material].use; }
   /// Side of the tiles for all mappings but uv, in the units of the noise's space; 0

@@ -33,8 +33,9 @@ LichenSurfaceCubes lichenKernelCubes(LichenKernelRow row, LichenSurfaceKernelsPo
 /// The sums over the impacts of a kernel that reach the point, of their four waves.
 vec4 lichenSurfaceKernelSums(LichenKernelRow row, LichenSurfaceKernelsPoint point, float aspect,
                              uint seed, uint window) {
-  // As thick a layer as textons of the same area see, and the amplitude of their proposition 3: as
-  // many impacts as in the plane would reach the point if they lay in a third of it.
+  // The layer is as thick as the square root of the support's area. Over it the squared weight is a
+  // third on average ([GLM17] proposition 3), and the amplitude makes up for that and for the
+  // density.
   float perWidth = abs(determinant(row.toWindow)) * aspect; // of the area [1 / tile width^2]
   float supportArea = (lichenIsOnDisk(window) ? 3.14159265 : 4.0) / perWidth;
   float thickness = sqrt(supportArea);

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <string>
 #include <tuple>
 #include <variant>
@@ -85,9 +86,9 @@ TEST_CASE("each program gets the textures of all maps under the names that it kn
   };
   expected("blender", {"BaseColor", "Normal", "Roughness", "Metallic", "Height", "Opacity"});
   const Arguments packed{"BaseColor", "Normal", "OcclusionRoughnessMetallic", "Height", "Opacity"};
-  expected("godot", packed);
   expected("unreal", packed);
-  expected("unity", {"BaseColor", "Normal", "MaskMap", "Height", "Opacity"});
+  expected("godot", {"BaseColor", "Normal", "OcclusionRoughnessMetallic", "Height"});
+  expected("unity", {"BaseColor", "Normal", "MaskMap", "Height"});
 }
 
 TEST_CASE("channels of the textures are those of the maps, packed as each program has them") {
@@ -119,6 +120,40 @@ TEST_CASE("channels of the textures are those of the maps, packed as each progra
             Approx(1.0 - double(normal.values[3 * i + 1])).margin(kHalfCode));
   }
   CHECK(pngOf(up, "T_old_wall_1_Normal.png").values == normal.values);
+  // Colours with opacity, for programs that take it from there.
+  const SrgbImage color = pngOf(unity, "old_wall_1_BaseColor.png");
+  const SrgbImage plain = alone("baseColor"), opacity = alone("opacity");
+  REQUIRE(color.channels == 4);
+  for (std::size_t i = 0; i < plain.pixelCount(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      REQUIRE(color.values[4 * i + c] == plain.values[3 * i + c]);
+    REQUIRE(color.values[4 * i + 3] == opacity.values[i]);
+  }
+}
+
+TEST_CASE("a material without metal is not metal in packed textures, and has its occlusion") {
+  const Workplace workplace;
+  makeFolder(workplace, "set");
+  for (const char* name : {"base_color.png", "ao.png", "roughness.png"})
+    workplace.write(std::string("set/") + name, speckled(kSide, kSide, name[0] == 'b' ? 3 : 1));
+  const std::string bundle = bake(workplace, workplace.path("set"), "noise.glb", {"--name", "mud"});
+  const auto texture = [&](const std::string& program, const std::string& name) {
+    const std::string folder = workplace.path(program);
+    REQUIRE(runLichen({"synth", bundle, "--all-maps", "-o", folder, "--size", "64", "--tileable",
+                       "--for", program})
+                .code == 0);
+    return std::get<SrgbImage>(readImage(folder + "/" + name).value().pixels);
+  };
+  const SrgbImage orm = texture("godot", "mud_OcclusionRoughnessMetallic.png"),
+                  mask = texture("unity", "mud_MaskMap.png"),
+                  occlusion = texture("blender", "mud_AmbientOcclusion.png");
+  for (std::size_t i = 0; i < orm.pixelCount(); ++i) {
+    REQUIRE(orm.values[3 * i + 2] == 0.0f);
+    REQUIRE(mask.values[4 * i] == 0.0f);
+    REQUIRE(mask.values[4 * i + 1] == orm.values[3 * i]);
+    REQUIRE(occlusion.values[i] == orm.values[3 * i]);
+  }
+  CHECK(!std::filesystem::exists(workplace.path("blender") + "/mud_Metallic.png"));
 }
 
 TEST_CASE("textures as EXR hold linear light") {
@@ -129,6 +164,7 @@ TEST_CASE("textures as EXR hold linear light") {
   REQUIRE(image);
   const LinearImage light = std::get<LinearImage>(image.value().pixels);
   const LinearImage expected = toLinear(alone("baseColor"));
+  REQUIRE(light.values.size() == expected.values.size());
   for (std::size_t i = 0; i < light.values.size(); ++i) // half a code of 8 bits of sRGB
     REQUIRE(double(light.values[i]) == Approx(double(expected.values[i])).margin(0.005));
 }
@@ -144,6 +180,8 @@ TEST_CASE("options of all maps need --all-maps, and those of one map exclude it"
                kUsage, {"--map", "--all-maps"});
   checkRefusal({"synth", bundle, "-o", workplace.path("x"), "--all-maps", "--for", "maya"}, kUsage,
                {"maya", "blender", "unreal"});
+  checkRefusal({"synth", bundle, "-o", workplace.path("x.png"), "--all-maps"}, kUsage,
+               {"x.png", "folder"});
   checkRefusal({"synth", bundle, "-o", file + "/textures", "--all-maps"}, kEnvironment,
                {file, "folder"});
   const Ended ended =

@@ -181,10 +181,15 @@ void checkKernels(const NoiseMap& map, const MultipleKernelsNoise& shared, const
           "shape of an image of kernels");
   for (const KernelRow& row : kernelRows(image, shared)) {
     require(isWithin(row.columns, 1, kMostKernelCells) && isWithin(row.rows, 1, kMostKernelCells) &&
+                isWithin(row.cubes, 1, kMostKernelCells) &&
                 isWithin(row.layers, 1, kMostKernelCells) && row.toWindowZ >= kLeastToWindowZ,
             "cells of a kernel");
     const auto& q = row.toWindow;
-    require(std::abs(q[0] * q[3] - q[1] * q[2]) >= kLeastKernelDeterminant, "matrix of a kernel");
+    const double determinant = std::abs(double(q[0]) * q[3] - double(q[1]) * q[2]);
+    require(determinant >= double(kLeastKernelDeterminant), "matrix of a kernel");
+    require(3.0 * row.columns * row.rows / (determinant * kKernelTiles * kKernelTiles) <=
+                kMostKernelImpacts,
+            "impacts of a kernel");
   }
   for (const PatternCosine& cosine : patternCosines(image, shared))
     for (const float cycles : cosine.frequency)
@@ -226,10 +231,8 @@ void checkContract(const Bundle& bundle) {
   require(bundle.materials.size() == bundle.materialNames.size(), "number of material names");
   for (const std::optional<MaterialNoise>& use : bundle.materials) {
     require(!use || use->noise < bundle.noises.size(), "index of a material's noise");
-    require(!use || mappingFits(bundle.noises[use->noise].method(), use->mapping),
-            "a mapping that the noise has not");
-    require(!use || mappingObstacle(bundle.noises[use->noise], use->mapping).empty(),
-            "a solid of a structure");
+    require(!use || mappingObstacle(bundle, use->noise, use->mapping).empty(),
+            "a mapping that the noise does not support");
     require(!use || (use->impacts >= kImpactsRange.least && use->impacts <= kImpactsRange.most),
             "number of impacts");
     require(!use || use->mix.source != MixSource::direction ||

@@ -94,8 +94,8 @@ public:
   [[nodiscard]] virtual std::unique_ptr<const UseOptions> addSynthOptions(CLI::App& verb) const = 0;
   [[nodiscard]] virtual std::unique_ptr<const UseOptions> addApplyOptions(CLI::App& verb) const = 0;
 
-  /// How a noise is baked for a mapping that not all noises of the method have: the end of "bake
-  /// it".
+  /// How to bake a noise that supports a mapping, of a method not all of whose noises do:
+  /// completes the message "bake it ...".
   [[nodiscard]] virtual std::string optionsFor(Mapping) const { return {}; }
 
   /// What `inspect` reports about a noise: JSON members, and lines indented by two spaces.

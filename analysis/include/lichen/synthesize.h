@@ -9,6 +9,7 @@
 #include <lichen/result.h>
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 namespace lichen {
@@ -58,9 +59,9 @@ struct SynthesisOptions {
 [[nodiscard]] Result<LinearImage>
 synthesizePreview(const Bundle& bundle, const MaterialNoise& material, MapTarget map, int tiles);
 
-/// The pixels of a result along x and y of a tile. `texelsPerTile` as in SynthesisOptions. As
-/// exemplarSize().
-[[nodiscard]] std::array<double, 2> pixelsPerTile(const Bundle& bundle, const Noise& noise,
+/// The pixels of a result along x and y of a tile of noise `noise`: those of one of its maps' own
+/// exemplar if `texelsPerTile` is 0, otherwise alike for all its maps. As exemplarSize().
+[[nodiscard]] std::array<double, 2> pixelsPerTile(const Bundle& bundle, std::size_t noise,
                                                   const NoiseMap& map, double texelsPerTile);
 
 } // namespace lichen

@@ -17,7 +17,7 @@ inline constexpr int kMostKernels = 64;
 inline constexpr int kMostPatternCosines = 96;
 /// The number of tiles that hold whole columns and rows of each kernel's grid.
 inline constexpr int kKernelTiles = 8;
-inline constexpr int kMostKernelCells = 1 << 15; ///< columns or rows in kKernelTiles tiles
+inline constexpr int kMostKernelCells = 1 << 15; ///< columns, rows, cubes or layers in those
 
 /// The windows of kernels, which are 0 outside the unit disk, or outside the square [-1, 1]^2.
 enum class KernelWindow {
@@ -48,12 +48,10 @@ struct MultipleKernelsNoise {
 /// - column 1: the matrix Q, row by row [1 / tile]: at the offset d from an impact [tiles] the
 ///   kernel is cos(2 pi f.d) w(Q d);
 /// - column 2: the amplitude of the kernel, with which the squares over all impacts sum to 1 in the
-///   mean; the mean square frequency of w along each of its axes [cycles^2]; in a solid the layers
-///   of cells in kKernelTiles tile widths, a whole number in [1, kMostKernelCells], and Q along z
-///   [1 / tile width], above 0;
+///   mean; on a surface the cubes of its grid in kKernelTiles tile widths, and in a solid the
+///   layers, whole numbers in [1, kMostKernelCells]; and Q along z [1 / tile width], above 0;
 /// - columns 3, 4 and 5: of the first, second and third channel, the deviation that each of the
-/// four
-///   waves of an impact adds [Gaussian values].
+///   four waves of an impact adds [Gaussian values].
 /// Columns 0 to 2 are the same for all maps.
 /// Below the kernels lies the pattern, three cosines in a row, each in two texels: its frequency
 /// along x and y [whole cycles / tile], then for the first, second and third channel the amplitudes
@@ -112,9 +110,12 @@ inline constexpr std::uint32_t kRowPatternCosines = 3;
                                 const std::vector<PatternCosine>& pattern = {});
 
 /// The largest magnitudes in the image: of frequencies, of Q, whose determinant is at least
-/// kLeastKernelDeterminant in magnitude, and of amplitudes, spreads and colours.
+/// kLeastKernelDeterminant in magnitude, and of amplitudes and colours.
 inline constexpr float kMostKernelFrequency = 16384.0f, kMostToWindow = 65536.0f,
                        kLeastToWindowZ = 1e-3f, kLeastKernelDeterminant = 1e-3f,
                        kMostKernelValue = 1024.0f;
+/// The most impacts of all kernels that may reach a point, of each mapping, on average, and cells
+/// that a support may reach along any axis. The largest bake has a quarter of that.
+inline constexpr double kMostKernelImpacts = 16384.0, kMostKernelReach = 256.0;
 
 } // namespace lichen

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace lichen {
 namespace {
@@ -32,17 +33,26 @@ std::optional<KernelWindow> readWindow(ObjectReader& reader) {
   return window;
 }
 
-/// Whether the support of a kernel reaches so many cells of one of its grids that a shader would
-/// not come to an end. Bakes of 1000 impacts reach less than half as far.
-bool reachesTooFar(const float* own, const MultipleKernelsNoise& shared) {
-  constexpr double kMostReach = 256.0, kMostLayers = 8.0; // [cells]
+/// How much a shader visits for a kernel.
+struct KernelCost {
+  double impacts = 0.0; ///< that reach a point, of the mapping that has the most
+  double reach = 0.0;   ///< of the support along any axis of a grid [cells]
+};
+
+KernelCost costOf(const float* own, const MultipleKernelsNoise& shared) {
   const std::array<double, 4> q{own[4], own[5], own[6], own[7]};
   const double determinant = std::abs(q[0] * q[3] - q[1] * q[2]);
+  const double aspect = double(shared.texelsPerTileX) / shared.texelsPerTileY;
   const double x = std::hypot(q[1], q[3]) / determinant, y = std::hypot(q[0], q[2]) / determinant;
-  const double widths = std::hypot(x, y * shared.texelsPerTileY / shared.texelsPerTileX);
-  const double cells = std::max({x * own[2], y * own[3], widths * own[9]});
-  return cells > kMostReach * kKernelTiles ||
-         double(own[10]) / double(own[11]) > kMostLayers * kKernelTiles;
+  const double area = (shared.window == KernelWindow::gabor ? std::numbers::pi : 4.0) / determinant;
+  const auto perTile = [&](std::size_t column) { return double(own[column]) / kKernelTiles; };
+  const double inPlane = area * perTile(2) * perTile(3);
+  const double onSurface = std::pow(area / aspect, 1.5) * std::pow(perTile(9), 3.0);
+  const double inSolid = inPlane * perTile(10) / double(own[11]); // within a factor of 4 / 3
+  const double longest = std::hypot(x, y / aspect);               // [tile widths], at most
+  return {std::max({inPlane, onSurface, inSolid}),
+          std::max({x * perTile(2), y * perTile(3), longest * perTile(9),
+                    perTile(10) / double(own[11])})};
 }
 
 /// Checks the numbers, beyond which cells could not be counted and values could be infinite.
@@ -52,6 +62,7 @@ void checkTexels(ObjectReader& reader, const MultipleKernelsNoise& shared, const
     reader.error("kernels-texels", "kernels", "kernel " + std::to_string(kernel) + ": " + message);
   };
   const auto isWithin = [](float value, float most) { return std::abs(value) <= most; };
+  double impacts = 0.0; // of all kernels
   for (std::size_t k = 0; k < std::size_t(shared.kernels); ++k) {
     const float* own = &texels[4 * kKernelTexels * k];
     if (!isWithin(own[0], kMostKernelFrequency) || !isWithin(own[1], kMostKernelFrequency))
@@ -70,8 +81,10 @@ void checkTexels(ObjectReader& reader, const MultipleKernelsNoise& shared, const
     if (!(own[11] >= kLeastToWindowZ && own[11] <= kMostToWindow))
       return error(k, json(double(own[11])).dump() + " along z; expected " +
                           json(kLeastToWindowZ).dump() + " to " + json(kMostToWindow).dump());
-    if (reachesTooFar(own, shared))
-      return error(k, "a support that spans too many cells, cubes or layers of its grids");
+    const KernelCost cost = costOf(own, shared);
+    impacts += cost.impacts;
+    if (impacts > kMostKernelImpacts || cost.reach > kMostKernelReach)
+      return error(k, "more impacts, or a support of more cells, than a shader could visit");
     const bool isOnSquare = shared.window != KernelWindow::gabor;
     if (isOnSquare && (window[1] != 0.0f || window[2] != 0.0f))
       return error(k, "a matrix that is not diagonal, which only gabor may have");
