@@ -82,7 +82,7 @@ TEST_CASE("on any tangent plane the covariance of kernels is that of the plane")
     const MultipleKernelsEvaluator twin = MultipleKernelsEvaluator::create(bundle, 0).value();
     const shader::LichenMaterial material =
         shaderMaterial(bundle, *bundle.materials[0], {}).material;
-    // Distances in texels, of which the exemplar's materials are some wide.
+    // In texels. The exemplar's features are several texels wide.
     const std::array<std::array<double, 2>, 4> distances{
         {{0.0, 0.0}, {3.0, 0.0}, {0.0, 4.0}, {-5.0, 7.0}}};
     std::array<double, 4> sums{}, squares{};
