@@ -122,7 +122,7 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
   for (std::size_t m = 0; m < maps.size(); ++m)
     for (std::size_t c = 0; c < maps[m].luminance.size(); ++c)
       luminance[first[m] + Index(c)] = maps[m].luminance[c];
-  spectra::scaleToVariances(whole, maps);
+  spectra::setMapCovariances(whole, maps);
   const MatrixXd correction = transport::covarianceMap(fitted, whole);
   const double deviation = gaussian::kGaussianDeviation;
   tbb::parallel_for(std::size_t(0), cosines.size(), [&](std::size_t j) {

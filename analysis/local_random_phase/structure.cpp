@@ -19,6 +19,8 @@ namespace lichen::local_random_phase {
 namespace {
 
 using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
 
 /// The root mean square, over all places between samples, of the cubic B-splines of a wave's
 /// samples at `frequency` [cycles / sample], for an amplitude of root 2: of sums of squares of the
@@ -36,6 +38,20 @@ Complex meanWave(const std::vector<std::array<double, 2>>& offsets, int u, int v
   for (const std::array<double, 2>& offset : offsets)
     sum += std::polar(1.0, 2.0 * std::numbers::pi * (u * offset[0] + v * offset[1]));
   return sum / double(offsets.size());
+}
+
+MatrixXd covarianceOf(const std::vector<HalfSpectrum>& channels) {
+  const auto count = Index(channels.size());
+  MatrixXd covariance = MatrixXd::Zero(count, count);
+  for (Index c = 0; c < count; ++c)
+    for (Index d = 0; d < count; ++d) {
+      const HalfSpectrum &one = channels[std::size_t(c)], &other = channels[std::size_t(d)];
+      for (int row = 0; row < one.height; ++row)
+        for (int u = 0; u < one.columns(); ++u)
+          covariance(c, d) +=
+              one.multiplicity(u) * double((one.at(u, row) * std::conj(other.at(u, row))).real());
+    }
+  return covariance;
 }
 
 } // namespace
@@ -86,19 +102,16 @@ SplitSpectrum split(MapSpectrum spectrum, const FrequencySet& set) {
   SplitSpectrum result{spectrum, std::move(spectrum)};
   for (std::size_t c = 0; c < result.inside.channels.size(); ++c) {
     HalfSpectrum &inside = result.inside.channels[c], &outside = result.outside.channels[c];
-    double variance = 0.0;
     for (int row = 0; row < inside.height; ++row) {
       const int v = inside.signedRow(row);
       for (int u = 0; u < inside.columns(); ++u) {
         const bool isInside = u < set.columns() && std::abs(v) <= set.rows() / 2 && set.holds(u, v);
         (isInside ? outside : inside).at(u, row) = 0.0f;
-        if (isInside)
-          variance += inside.multiplicity(u) * double(std::norm(inside.at(u, row)));
       }
     }
-    result.outside.variances[c] = std::max(0.0, result.outside.variances[c] - variance);
-    result.inside.variances[c] = variance;
   }
+  result.inside.covariance = covarianceOf(result.inside.channels);
+  result.outside.covariance -= result.inside.covariance;
   return result;
 }
 

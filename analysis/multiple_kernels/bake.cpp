@@ -69,7 +69,7 @@ double bestCellHeight(const Kernel& kernel, Window window, double cellArea) {
   };
   const double start = std::sqrt(cellArea * reachY / reachX); // as the support is
   double best = start;
-  constexpr int kSteps = 8, kStepsOfOctave = 4;
+  constexpr int kSteps = 32, kStepsOfOctave = 16;
   for (int step = -kSteps; step <= kSteps; ++step)
     if (const double height = start * std::exp2(double(step) / kStepsOfOctave);
         cells(height) < cells(best))
@@ -195,15 +195,16 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
   shared.hasGivenSpectrum |= options.perturbation && !options.perturbation->pattern.empty();
   const WindowSpectrum window(options.window);
   const spectra::PowerPlane power = spectra::powerPlane(spectra);
+  std::vector<std::size_t> counts;
+  for (const int most : {options.kernels / 4, options.kernels / 2, options.kernels})
+    if (most > 0)
+      counts.push_back(std::size_t(most));
   std::vector<Kernel> kernels;
-  for (const int most : {options.kernels / 4, options.kernels / 2, options.kernels}) {
-    if (most < 1)
-      continue;
-    std::vector<Kernel> fitted = fitKernels(power, window, std::size_t(most));
-    if (fitted.size() == kernels.size() && !bake.spectrumErrors.empty())
+  for (const KernelFit& fit : fitKernels(power, window, counts)) {
+    if (!bake.spectrumErrors.empty() && fit.kernels.size() == kernels.size())
       bake.spectrumErrors.pop_back();
-    bake.spectrumErrors.push_back({int(fitted.size()), spectrumErrorDb(power, window, fitted)});
-    kernels = std::move(fitted);
+    bake.spectrumErrors.push_back({int(fit.kernels.size()), fit.decibels});
+    kernels = fit.kernels;
   }
   if (kernels.empty()) // nothing varies
     kernels.push_back({1.0, {}, {1.0, 1.0}, 0.0, false});

@@ -126,12 +126,21 @@ private:
 
 FrequencyBlocks blocksOf(const spectra::PowerPlane& power) { return Splitter(power).blocks(); }
 
-FrequencyBlocks radialBlocks(const FrequencyBlocks& blocks) {
+namespace {
+
+/// A block's length, and the number of the ring it lies in, 24 an octave.
+std::pair<double, std::size_t> ringOf(const FrequencyBlock& block) {
   constexpr double kPerOctave = 24.0;
+  const double length = std::max(1.0, std::hypot(block.u, block.v));
+  return {length, std::size_t(std::floor(kPerOctave * std::log2(length)))};
+}
+
+} // namespace
+
+FrequencyBlocks radialBlocks(const FrequencyBlocks& blocks) {
   FrequencyBlocks rings;
   for (const FrequencyBlock& block : blocks) {
-    const double length = std::max(1.0, std::hypot(block.u, block.v));
-    const auto ring = std::size_t(std::floor(kPerOctave * std::log2(length)));
+    const auto [length, ring] = ringOf(block);
     if (rings.size() <= ring)
       rings.resize(ring + 1);
     FrequencyBlock& own = rings[ring];
@@ -147,6 +156,24 @@ FrequencyBlocks radialBlocks(const FrequencyBlocks& blocks) {
       kept.push_back(ring);
     }
   return kept;
+}
+
+double distanceOfRadialMeans(const FrequencyBlocks& blocks) {
+  std::vector<std::array<double, 2>> rings; // weights, and powers times weights
+  for (const FrequencyBlock& block : blocks) {
+    const std::size_t ring = ringOf(block).second;
+    if (rings.size() <= ring)
+      rings.resize(ring + 1);
+    rings[ring][0] += weightOf(block);
+    rings[ring][1] += weightOf(block) * block.power;
+  }
+  const double least = leastPower(blocks);
+  double distance = 0.0;
+  for (const FrequencyBlock& block : blocks) {
+    const auto [weight, power] = rings[ringOf(block).second];
+    distance += std::pow(residualOf(block, least, power / weight)[0], 2.0);
+  }
+  return distance;
 }
 
 std::array<double, 2> residualOf(const FrequencyBlock& block, double least, double modelled) {

@@ -38,4 +38,8 @@ inline constexpr double kLeastPower = 1e-3;
 [[nodiscard]] std::array<double, 2> residualOf(const FrequencyBlock& block, double least,
                                                double modelled);
 
+/// The sum of the squares of residualOf() when each block has the mean power of those as far from
+/// the frequency 0. Nothing that is alike in all directions comes much nearer.
+[[nodiscard]] double distanceOfRadialMeans(const FrequencyBlocks& blocks);
+
 } // namespace lichen::multiple_kernels

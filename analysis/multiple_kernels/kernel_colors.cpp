@@ -101,7 +101,7 @@ std::vector<MatrixXd> kernelColors(const std::vector<MapSpectrum>& maps,
       matrices[k] *= kernels[k].energy / energy;
     fitted += matrices[k];
   }
-  spectra::scaleToVariances(whole, maps);
+  spectra::setMapCovariances(whole, maps);
   const MatrixXd correction = transport::covarianceMap(fitted, whole);
   std::vector<MatrixXd> colors;
   for (const MatrixXd& matrix : matrices)

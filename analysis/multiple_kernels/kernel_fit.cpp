@@ -121,25 +121,24 @@ struct Parameters {
   }
 };
 
-/// The residuals of all blocks, and in `derivatives`, unless null, theirs by the parameters.
-VectorXd residualsOf(const Target& target, double least, const std::vector<Kernel>& kernels,
-                     std::size_t free, MatrixXd* derivatives) {
-  VectorXd residuals(Index(target.blocks.size()));
+/// The residuals of all blocks.
+Residuals residualsOf(const Target& target, double least, const std::vector<Kernel>& kernels,
+                      std::size_t free) {
+  Residuals residuals{VectorXd(Index(target.blocks.size())),
+                      MatrixXd(Index(target.blocks.size()), Index(kernels.size() * free))};
   tbb::parallel_for(std::size_t(0), target.blocks.size(), [&](std::size_t b) {
     const FrequencyBlock& block = target.blocks[b];
     double modelled = 0.0;
     for (std::size_t k = 0; k < kernels.size(); ++k) {
       KernelSlopes slopes{};
-      modelled += sampledDensityAt(target.spectrum, kernels[k], target.texels, block.u, block.v,
-                                   derivatives == nullptr ? nullptr : &slopes);
-      if (derivatives != nullptr)
-        for (std::size_t p = 0; p < free; ++p)
-          (*derivatives)(Index(b), Index(k * free + p)) = slopes[p];
+      modelled +=
+          sampledDensityAt(target.spectrum, kernels[k], target.texels, block.u, block.v, &slopes);
+      for (std::size_t p = 0; p < free; ++p)
+        residuals.derivatives(Index(b), Index(k * free + p)) = slopes[p];
     }
     const auto [residual, slope] = residualOf(block, least, modelled);
-    residuals[Index(b)] = residual;
-    if (derivatives != nullptr)
-      derivatives->row(Index(b)) *= slope;
+    residuals.values[Index(b)] = residual;
+    residuals.derivatives.row(Index(b)) *= slope;
   });
   return residuals;
 }
@@ -185,13 +184,13 @@ std::vector<Kernel> fitted(const Target& target, std::vector<Kernel> kernels) {
                               target};
   if (parameters.kernels.empty())
     return {};
-  // First what is strong, then more and more of what is weak.
+  // First what is strong, then more and more of what is weak, and only then closely.
   VectorXd values = parameters.values();
   for (const double share : {1.0, 0.1, 0.01, kLeastPower})
     values = minimized(
-        values, Index(target.blocks.size()),
-        [&, least = leastPower(target.blocks, share)](const VectorXd& at, MatrixXd* derivatives) {
-          return residualsOf(target, least, parameters.with(at), free, derivatives);
+        values, share > kLeastPower ? 10.0 * kLeastGain : kLeastGain,
+        [&, least = leastPower(target.blocks, share)](const VectorXd& at) {
+          return residualsOf(target, least, parameters.with(at), free);
         },
         [&](const VectorXd& at, const VectorXd& step) { return parameters.limited(at, step); });
   return parameters.with(values);
@@ -223,31 +222,60 @@ Target targetOf(const PowerPlane& power, const WindowSpectrum& spectrum) {
   return target;
 }
 
-/// Rings that follow a spectrum nearly as closely as `gabors`, as few as do; empty if none do.
-/// Fewer cells are visited for them.
-std::vector<Kernel> sufficientRings(const Target& target, const PowerPlane& power,
-                                    const std::vector<Kernel>& gabors, std::size_t most) {
-  // By the root of the mean square a third of a decibel more; or as close as the middles of blocks
-  // are to their means, where no chance hides that.
-  constexpr double kMoreDb = 0.35, kCloseDb = 0.6, kDbOfLogarithm = 4.343;
-  double weights = 0.0;
-  for (const FrequencyBlock& block : target.blocks)
-    weights += weightOf(block);
-  const auto distanceOfDb = [&](double db) { return weights * std::pow(db / kDbOfLogarithm, 2.0); };
-  const double limit =
-      std::max(distanceOf(target, gabors) + distanceOfDb(kMoreDb), distanceOfDb(kCloseDb));
-  for (std::size_t count = 1; count <= std::min<std::size_t>(most, 4); ++count)
-    if (std::vector<Kernel> rings = fittedRings(target.blocks, power, target.spectrum, count);
-        !rings.empty() && distanceOf(target, rings) < limit)
-      return rings;
-  return {};
+/// The fits of 1, 2, 3 and 4 rings to a spectrum, each when it is first asked for.
+class RingFits {
+public:
+  RingFits(const Target& target, const PowerPlane& power)
+      : target_(target), power_(power), least_(distanceOfRadialMeans(target.blocks)) {}
+
+  /// Rings that follow the spectrum nearly as closely as `gabors`, as few as do; empty if none do.
+  /// Fewer cells are visited for them.
+  std::vector<Kernel> sufficientFor(const std::vector<Kernel>& gabors, std::size_t most) {
+    // By the root of the mean square a third of a decibel more; or as close as the middles of
+    // blocks are to their means, where no chance hides that.
+    constexpr double kMoreDb = 0.35, kCloseDb = 0.6, kDbOfLogarithm = 4.343;
+    double weights = 0.0;
+    for (const FrequencyBlock& block : target_.blocks)
+      weights += weightOf(block);
+    const auto distanceOfDb = [&](double db) {
+      return weights * std::pow(db / kDbOfLogarithm, 2.0);
+    };
+    const double limit =
+        std::max(distanceOf(target_, gabors) + distanceOfDb(kMoreDb), distanceOfDb(kCloseDb));
+    constexpr double kCertain = 1.5; // as the means are those of rings a little wide
+    for (std::size_t count = 1; count <= std::min(most, kMost) && least_ < kCertain * limit;
+         ++count) {
+      if (fits_.size() < count)
+        fits_.push_back(fittedRings(target_.blocks, power_, target_.spectrum, count));
+      const std::vector<Kernel>& rings = fits_[count - 1];
+      if (!rings.empty() && distanceOf(target_, rings) < limit)
+        return rings;
+    }
+    return {};
+  }
+
+private:
+  static constexpr std::size_t kMost = 4;
+
+  const Target& target_;
+  const PowerPlane& power_;
+  double least_; ///< no rings come nearer
+  std::vector<std::vector<Kernel>> fits_;
+};
+
+/// What the kernels leave of the power, by blocks.
+PowerPlane remainderOf(const Target& target, const std::vector<Kernel>& kernels) {
+  const std::vector<double> modelled = modelOf(target, kernels);
+  PowerPlane left = target.numbers;
+  for (double& value : left.values) {
+    const auto block = std::size_t(value);
+    value = std::max(0.0, target.blocks[block].power - modelled[block]);
+  }
+  left.values[std::size_t(left.rows / 2 * left.columns)] = 0.0; // of frequency (0, 0)
+  return left;
 }
 
-} // namespace
-
-double spectrumErrorDb(const PowerPlane& power, const WindowSpectrum& spectrum,
-                       const std::vector<Kernel>& kernels) {
-  const Target target = targetOf(power, spectrum);
+double decibelsOf(const Target& target, const std::vector<Kernel>& kernels) {
   const std::vector<double> modelled = modelOf(target, kernels);
   const double least = leastPower(target.blocks);
   double sum = 0.0, count = 0.0;
@@ -260,22 +288,41 @@ double spectrumErrorDb(const PowerPlane& power, const WindowSpectrum& spectrum,
   return count > 0.0 ? std::sqrt(sum / count) : 0.0;
 }
 
-std::vector<Kernel> fitKernels(const PowerPlane& power, const WindowSpectrum& spectrum,
-                               std::size_t most) {
+} // namespace
+
+double spectrumErrorDb(const PowerPlane& power, const WindowSpectrum& spectrum,
+                       const std::vector<Kernel>& kernels) {
+  return decibelsOf(targetOf(power, spectrum), kernels);
+}
+
+std::vector<KernelFit> fitKernels(const PowerPlane& power, const WindowSpectrum& spectrum,
+                                  const std::vector<std::size_t>& counts) {
   const Target target = targetOf(power, spectrum);
-  // From rectangles of nearly constant power, and from those around half of the power and half of
-  // that: the one finds what is spread widely, the other lines and rings.
+  const PowerPlane smooth = spectra::smoothed(power);
+  const bool isGabor = spectrum.window() == Window::gabor;
+  RingFits rings(target, power);
+  std::vector<KernelFit> fits;
   std::vector<Kernel> kernels;
-  for (const auto& boxes : {spectra::boxesOfEqualPower(spectra::smoothed(power), most),
-                            boxesAroundPower(power, most)}) {
-    std::vector<Kernel> own = fitted(target, kernelsOfBoxes(power, spectrum, boxes));
-    if (kernels.empty() || distanceOf(target, own) < distanceOf(target, kernels))
-      kernels = std::move(own);
+  for (const std::size_t most : counts) {
+    // From rectangles of nearly constant power; and from the fewer kernels of before with more
+    // where power is left. The one finds what is spread widely, the other lines and rings.
+    std::vector<Kernel> start = isGabor ? std::move(kernels) : std::vector<Kernel>();
+    const PowerPlane left = start.empty() ? power : remainderOf(target, start);
+    for (const Kernel& more :
+         kernelsOfBoxes(left, spectrum, boxesAroundPower(left, most - start.size())))
+      start.push_back(more);
+    kernels = fitted(target, std::move(start));
+    std::vector<Kernel> other =
+        fitted(target, kernelsOfBoxes(power, spectrum, spectra::boxesOfEqualPower(smooth, most)));
+    if (distanceOf(target, other) < distanceOf(target, kernels))
+      kernels = std::move(other);
+    std::vector<Kernel> sufficient;
+    if (isGabor && !kernels.empty())
+      sufficient = rings.sufficientFor(kernels, most);
+    const std::vector<Kernel>& best = sufficient.empty() ? kernels : sufficient;
+    fits.push_back({best, decibelsOf(target, best)});
   }
-  if (kernels.empty() || spectrum.window() != Window::gabor)
-    return kernels;
-  std::vector<Kernel> rings = sufficientRings(target, power, kernels, most);
-  return rings.empty() ? kernels : rings;
+  return fits;
 }
 
 } // namespace lichen::multiple_kernels

@@ -9,13 +9,20 @@
 
 namespace lichen::multiple_kernels {
 
-/// Fits at most `most` kernels to a power plane whose values, each counted for its frequency and
-/// for the mirror, sum to the variance. Rings if few of them have the spectrum nearly as closely;
-/// otherwise kernels at rectangles of nearly constant power, whose parameters are then fitted
-/// together (Gabor) or whose energies alone are (on the square). Deterministic. Throws
-/// std::bad_alloc. Empty for a plane without power.
-[[nodiscard]] std::vector<Kernel> fitKernels(const spectra::PowerPlane& power,
-                                             const WindowSpectrum& spectrum, std::size_t most);
+/// Kernels that follow a power plane, and spectrumErrorDb() of them.
+struct KernelFit {
+  std::vector<Kernel> kernels;
+  double decibels = 0.0;
+};
+
+/// Fits kernels to a power plane whose values, each counted for its frequency and for the mirror,
+/// sum to the variance: at most as many as each of the growing `counts` says. Rings if few of them
+/// have the spectrum nearly as closely; otherwise kernels at rectangles of nearly constant power,
+/// whose parameters are then fitted together (Gabor) or whose energies alone are (on the square).
+/// Deterministic. Throws std::bad_alloc. Without kernels for a plane without power.
+[[nodiscard]] std::vector<KernelFit> fitKernels(const spectra::PowerPlane& power,
+                                                const WindowSpectrum& spectrum,
+                                                const std::vector<std::size_t>& counts);
 
 /// The root mean square of the difference of a power plane and the kernels' power in decibels, over
 /// blocks of frequencies that grow with the frequency.

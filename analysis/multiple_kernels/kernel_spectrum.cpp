@@ -14,13 +14,6 @@ namespace {
 
 using std::numbers::pi;
 
-/// Tables reach this far [cycles per unit], where less than 1e-4 of any window's energy is left but
-/// for the sinc's.
-constexpr double kFarthest = 12.0;
-constexpr std::size_t kEntries = 1u << 14; // evenly in the square root of the square
-
-double entryFrequency(std::size_t entry) { return kFarthest * double(entry) / double(kEntries); }
-
 /// The transform of (1 - r^2)^order over the unit disk at the frequency z.
 double diskTransform(int order, double z) {
   // Sonine's first integral.
@@ -30,83 +23,96 @@ double diskTransform(int order, double z) {
   return factor * std::cyl_bessel_j(order + 1.0, 2.0 * pi * z) / std::pow(z, order + 1.0);
 }
 
-/// The transform of a power of one factor of a window on the square.
-double axisTransform(Window window, int power, double z) {
+/// The integral of a power of one factor of a window on the square times `wave` over -1 to 1.
+template <class Wave>
+double axisIntegral(Window window, int power, const Wave& wave) {
   constexpr int kSteps = 512;
   double sum = 0.0;
   for (int k = 0; k < kSteps; ++k) {
     const double p = (k + 0.5) / kSteps;
-    sum += std::pow(windowAt(window, p, 0.0), power) * std::cos(2.0 * pi * z * p);
+    sum += std::pow(windowAt(window, p, 0.0), power) * wave(p);
   }
   return 2.0 * sum / kSteps;
 }
 
 } // namespace
 
-double WindowSpectrum::Profile::at(double square, double& slope) const {
-  const double place = std::sqrt(std::max(square, 0.0)) / kFarthest * double(values.size() - 1);
-  const auto entry = std::size_t(place);
-  if (entry + 1 >= values.size()) {
-    slope = 0.0;
-    return 0.0;
-  }
-  const double step = values[entry + 1] - values[entry];
-  const double low = entryFrequency(entry), high = entryFrequency(entry + 1);
-  slope = step / (high * high - low * low);
-  return values[entry] + (place - double(entry)) * step;
-}
-
-WindowSpectrum::WindowSpectrum(Window window) : window_(window) {
-  spectrum_.values.resize(kEntries + 1);
+WindowSpectrum::WindowSpectrum(Window window) : window_(window), table_(kEntries + 1) {
   const bool isDisk = window == Window::gabor;
-  const double energy = isDisk ? diskTransform(6, 0.0) : axisTransform(window, 2, 0.0);
+  const auto one = [](double) { return 1.0; };
+  const double energy = isDisk ? diskTransform(6, 0.0) : axisIntegral(window, 2, one);
   for (std::size_t k = 0; k <= kEntries; ++k) {
-    const double z = entryFrequency(k);
-    spectrum_.values[k] =
-        (isDisk ? diskTransform(3, z) : axisTransform(window, 1, z)) / std::sqrt(energy);
+    const double z = std::max(std::sqrt(double(k) * kStep), 1e-6);
+    const double turn = 2.0 * pi * z;
+    auto& [value, slope] = table_[k];
+    if (isDisk) {
+      value = diskTransform(3, z);
+      slope = -0.25 * pi * pi * diskTransform(4, z); // of Sonine's integral by the square of z
+    } else {
+      value = axisIntegral(window, 1, [&](double p) { return std::cos(turn * p); });
+      slope = axisIntegral(window, 1, [&](double p) { return -pi * p * std::sin(turn * p) / z; });
+    }
+    value /= std::sqrt(energy);
+    slope /= std::sqrt(energy);
   }
 }
 
-double WindowSpectrum::valueAt(const Profile& profile, double x, double y,
-                               std::array<double, 2>& slopes) const {
-  if (window_ == Window::gabor) {
-    const double value = profile.at(x * x + y * y, slopes[0]);
-    slopes = {2.0 * x * slopes[0], 2.0 * y * slopes[0]};
-    return value;
+namespace {
+
+/// The power of one kernel, and its derivatives, summed over frequencies.
+class DensitySum {
+public:
+  DensitySum(const WindowSpectrum& spectrum, const Kernel& kernel)
+      : spectrum_(spectrum), kernel_(kernel) {}
+
+  /// Adds that of the wave (`side` 1) or of its mirror (-1), unless it is beyond `reach`.
+  void add(double u, double v, double side, double reach) {
+    const double dv = v - side * kernel_.frequency[1], y = kernel_.stretch[1] * dv;
+    const double du = u - side * kernel_.frequency[0];
+    const double x = kernel_.stretch[0] * du + kernel_.shear * dv;
+    if (x * x + y * y > reach * reach)
+      return;
+    std::array<double, 2> slopes{};
+    const double value = spectrum_.at(x, y, slopes);
+    const double byX = value * slopes[0], byY = value * slopes[1];
+    power_ += value * value;
+    byFrequency_[0] -= side * byX;
+    byFrequency_[1] -= side * byY;
+    byStretch_[0] += byX * du;
+    byStretch_[1] += byY * dv;
+    byShear_ += byX * dv;
   }
-  std::array<double, 2> own{};
-  const double across = profile.at(x * x, own[0]), down = profile.at(y * y, own[1]);
-  slopes = {2.0 * x * own[0] * down, 2.0 * y * across * own[1]};
-  return across * down;
-}
+
+  /// The power, and in `slopes`, unless null, its derivatives.
+  double result(KernelSlopes* slopes) const {
+    const auto [across, down] = kernel_.stretch;
+    const double scale = 0.5 * kernel_.energy * across * down, power = scale * power_;
+    if (slopes != nullptr)
+      *slopes = {power,
+                 2.0 * scale * across * byFrequency_[0],
+                 2.0 * scale * (kernel_.shear * byFrequency_[0] + down * byFrequency_[1]),
+                 power + 2.0 * scale * across * byStretch_[0],
+                 power + 2.0 * scale * down * byStretch_[1],
+                 2.0 * scale * byShear_};
+    return power;
+  }
+
+private:
+  const WindowSpectrum& spectrum_;
+  const Kernel kernel_; // a copy, which no sum can change
+  double power_ = 0.0;
+  std::array<double, 2> byFrequency_{}, byStretch_{};
+  double byShear_ = 0.0;
+};
+
+} // namespace
 
 double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u, double v,
                  KernelSlopes* slopes) {
-  const auto [across, down] = kernel.stretch;
-  const double scale = 0.5 * kernel.energy * across * down;
-  double density = 0.0;
-  std::array<double, 5> derivatives{}; // by frequencies, logarithms of stretches, shear
-  for (const double side : {1.0, -1.0}) {
-    const double du = u - side * kernel.frequency[0], dv = v - side * kernel.frequency[1];
-    const double x = across * du + kernel.shear * dv, y = down * dv;
-    std::array<double, 2> own{};
-    const double value = spectrum.at(x, y, own);
-    const double power = scale * value * value;
-    density += power;
-    if (slopes == nullptr)
-      continue;
-    const double byX = 2.0 * scale * value * own[0], byY = 2.0 * scale * value * own[1];
-    derivatives[0] -= side * byX * across;
-    derivatives[1] -= side * (byX * kernel.shear + byY * down);
-    derivatives[2] += power + byX * across * du;
-    derivatives[3] += power + byY * y;
-    derivatives[4] += byX * dv;
-  }
-  if (slopes != nullptr) {
-    (*slopes)[0] = density;
-    std::copy(derivatives.begin(), derivatives.end(), slopes->begin() + 1);
-  }
-  return density;
+  DensitySum sum(spectrum, kernel);
+  for (const double side : {1.0, -1.0})
+    sum.add(u, v, side, 2.0 * WindowSpectrum::kFarthest);
+  return sum.result(slopes);
 }
 
 double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double frequency) {
@@ -116,16 +122,18 @@ double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel, doubl
   const int directions =
       std::clamp(int(kStepsPerWidth * radius * stretch), 16, 2048); // half a turn
   // From the direction of the frequency to both sides alike, to where the table ends.
-  double sum = 0.0;
+  const double step = pi / directions, cosine = std::cos(step), sine = std::sin(step);
+  double across = std::cos(0.5 * step), down = std::sin(0.5 * step), sum = 0.0;
   for (int k = 0; k < directions; ++k) {
-    const double angle = pi * (k + 0.5) / directions;
-    const double x = stretch * (frequency - radius * std::cos(angle)),
-                 y = stretch * radius * std::sin(angle);
-    if (x * x + y * y > kFarthest * kFarthest)
+    const double x = stretch * (frequency - radius * across), y = stretch * radius * down;
+    if (x * x + y * y > WindowSpectrum::kFarthest * WindowSpectrum::kFarthest)
       break;
     std::array<double, 2> slopes{};
     const double value = spectrum.at(x, y, slopes);
     sum += value * value;
+    const double turned = across * cosine - down * sine;
+    down = down * cosine + across * sine;
+    across = turned;
   }
   return kernel.energy * stretch * stretch * sum / directions;
 }
@@ -133,39 +141,27 @@ double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel, doubl
 double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
                         const std::array<double, 2>& texels, double u, double v,
                         KernelSlopes* slopes) {
-  const auto [fx, fy] = kernel.frequency;
-  const auto isNear = [&](double du, double dv) {
-    const double x = kernel.stretch[0] * du + kernel.shear * dv, y = kernel.stretch[1] * dv;
-    return x * x + y * y < spectrum.reach() * spectrum.reach();
-  };
-  const auto isInReach = [&](double atU, double atV) {
-    return kernel.isRing ? isNear(std::hypot(atU, atV) - fx, 0.0)
-                         : isNear(atU - fx, atV - fy) || isNear(atU + fx, atV + fy);
-  };
-  const auto isRowInReach = [&](double atV) {
-    const double least = std::min(std::abs(atV - fy), std::abs(atV + fy));
-    return kernel.isRing || kernel.stretch[1] * least < spectrum.reach();
-  };
-  double density = 0.0;
-  if (slopes != nullptr)
-    *slopes = {};
+  const double reach = spectrum.reach();
   // The nearest aliases: kernels are wider than half a texel, so those beyond are weak.
-  for (const double atV : {v - texels[1], v, v + texels[1]}) {
-    if (!isRowInReach(atV))
-      continue;
-    for (const double atU : {u - texels[0], u, u + texels[0]}) {
-      if (!isInReach(atU, atV))
-        continue;
-      KernelSlopes own{};
-      density += kernel.isRing
-                     ? ringDensityAt(spectrum, kernel, std::hypot(atU, atV))
-                     : densityAt(spectrum, kernel, atU, atV, slopes == nullptr ? nullptr : &own);
-      if (slopes != nullptr)
-        for (std::size_t p = 0; p < own.size(); ++p)
-          (*slopes)[p] += own[p];
-    }
+  if (kernel.isRing) {
+    double density = 0.0;
+    for (const double atV : {v - texels[1], v, v + texels[1]})
+      for (const double atU : {u - texels[0], u, u + texels[0]}) {
+        const double length = std::hypot(atU, atV);
+        if (kernel.stretch[0] * (length - kernel.frequency[0]) < reach)
+          density += ringDensityAt(spectrum, kernel, length);
+      }
+    return density;
   }
-  return density;
+  DensitySum sum(spectrum, kernel);
+  for (const double side : {1.0, -1.0})
+    for (const double atV : {v - texels[1], v, v + texels[1]}) {
+      if (kernel.stretch[1] * std::abs(atV - side * kernel.frequency[1]) > reach)
+        continue;
+      for (const double atU : {u - texels[0], u, u + texels[0]})
+        sum.add(atU, atV, side, reach);
+    }
+  return sum.result(slopes);
 }
 
 } // namespace lichen::multiple_kernels

@@ -9,6 +9,7 @@
 #include <complex>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <tuple>
 
 namespace lichen::multiple_kernels {
@@ -20,9 +21,11 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using spectra::MapSpectrum;
 
-VectorXcd channelsAt(const std::vector<MapSpectrum>& maps, int u, int v) {
-  VectorXcd values(spectra::firstChannels(maps).back());
-  Index row = 0;
+VectorXcd channelsAt(std::span<const MapSpectrum> maps, int u, int v) {
+  Index channels = 0, row = 0;
+  for (const MapSpectrum& map : maps)
+    channels += Index(map.channels.size());
+  VectorXcd values(channels);
   for (const MapSpectrum& map : maps)
     for (std::size_t c = 0; c < map.channels.size(); ++c)
       values[row++] = map.at(c, u, v);
@@ -33,17 +36,17 @@ VectorXcd channelsAt(const std::vector<MapSpectrum>& maps, int u, int v) {
 void remove(std::vector<MapSpectrum>& maps, int u, int v) {
   if (u < 0)
     return remove(maps, -u, -v);
-  for (MapSpectrum& map : maps)
-    for (std::size_t c = 0; c < map.channels.size(); ++c) {
-      const std::complex<double> value = map.at(c, u, v);
-      if (value == 0.0)
+  for (MapSpectrum& map : maps) {
+    const VectorXcd values = channelsAt({&map, 1}, u, v);
+    map.covariance -= 2.0 * (values * values.adjoint()).real();
+    for (HalfSpectrum& own : map.channels) {
+      if (2 * u >= own.width || 2 * std::abs(v) >= own.height)
         continue;
-      map.variances[c] = std::max(0.0, map.variances[c] - 2.0 * std::norm(value));
-      HalfSpectrum& own = map.channels[c];
       own.at(u, v < 0 ? v + own.height : v) = 0.0f;
       if (u == 0)
         own.at(0, v > 0 ? own.height - v : -v) = 0.0f;
     }
+  }
 }
 
 /// The frequencies of the largest powers.
@@ -87,7 +90,7 @@ MatrixXd covarianceOf(const std::vector<MapSpectrum>& maps) {
         const VectorXcd values = channelsAt(maps, u, v);
         covariance += ((u == 0 ? 1.0 : 2.0) * values * values.adjoint()).real();
       }
-  spectra::scaleToVariances(covariance, maps);
+  spectra::setMapCovariances(covariance, maps);
   return covariance;
 }
 

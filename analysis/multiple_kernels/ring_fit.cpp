@@ -7,6 +7,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lichen::multiple_kernels {
@@ -56,32 +57,39 @@ std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks, const spectra::Po
     }
     return kernels;
   };
+  const double least = leastPower(radial);
   const auto residualsAt = [&](const VectorXd& from) {
+    constexpr double kStep = 1e-4;
     const std::vector<Kernel> kernels = kernelsOf(from);
-    const double least = leastPower(radial);
-    VectorXd residuals(Index(radial.size()));
+    std::array<std::vector<Kernel>, kFree> moved; // along one parameter of each
+    for (std::size_t p = 0; p < kFree; ++p) {
+      VectorXd others = from;
+      for (std::size_t k = 0; k < count; ++k)
+        others[Index(k * kFree + p)] += kStep;
+      moved[p] = kernelsOf(others);
+    }
+    Residuals residuals{VectorXd(Index(radial.size())),
+                        MatrixXd(Index(radial.size()), from.size())};
     tbb::parallel_for(std::size_t(0), radial.size(), [&](std::size_t b) {
+      const auto densityOf = [&](const Kernel& kernel) {
+        return ringDensityAt(spectrum, kernel, radial[b].u);
+      };
       double modelled = 0.0;
-      for (const Kernel& kernel : kernels)
-        modelled += ringDensityAt(spectrum, kernel, radial[b].u);
-      residuals[Index(b)] = residualOf(radial[b], least, modelled)[0];
+      for (std::size_t k = 0; k < count; ++k) {
+        const double own = densityOf(kernels[k]);
+        modelled += own;
+        for (std::size_t p = 0; p < kFree; ++p)
+          residuals.derivatives(Index(b), Index(k * kFree + p)) =
+              (densityOf(moved[p][k]) - own) / kStep;
+      }
+      const auto [residual, slope] = residualOf(radial[b], least, modelled);
+      residuals.values[Index(b)] = residual;
+      residuals.derivatives.row(Index(b)) *= slope;
     });
     return residuals;
   };
-  return kernelsOf(minimized(
-      values, Index(radial.size()),
-      [&](const VectorXd& from, MatrixXd* derivatives) {
-        const VectorXd residuals = residualsAt(from);
-        constexpr double kStep = 1e-4;
-        if (derivatives != nullptr)
-          for (Index p = 0; p < from.size(); ++p) {
-            VectorXd moved = from;
-            moved[p] += kStep;
-            derivatives->col(p) = (residualsAt(moved) - residuals) / kStep;
-          }
-        return residuals;
-      },
-      [](const VectorXd&, const VectorXd& step) {
+  return kernelsOf(
+      minimized(values, kLeastGain, residualsAt, [](const VectorXd&, const VectorXd& step) {
         constexpr double kMost = 0.7;
         return (std::min(1.0, kMost / std::max(step.cwiseAbs().maxCoeff(), 1e-300)) * step).eval();
       }));

@@ -79,8 +79,8 @@ double sumOf(const SpectrumPicture& picture, int channel, const HalfSpectrum& sp
 }
 
 /// Replaces the channels of a colour map by what makes its stored values follow the channels of the
-/// picture. The channels are uncorrelated, with the variances that they had; returns false as
-/// replaceChannel().
+/// picture. The channels are uncorrelated on average, with the covariance that they had; returns
+/// false as replaceChannel().
 bool replaceColors(const SpectrumPicture& picture, std::uint32_t seed, MapSpectrum& map) {
   const auto count = Eigen::Index(map.channels.size());
   std::vector<HalfSpectrum> stored = map.channels;
@@ -89,14 +89,12 @@ bool replaceColors(const SpectrumPicture& picture, std::uint32_t seed, MapSpectr
                         stored[c]))
       return false;
   const Eigen::MatrixXd fromStored = map.toStored.inverse();
-  Eigen::MatrixXd ofStored = Eigen::MatrixXd::Zero(count, count), wanted = ofStored;
-  for (Eigen::Index c = 0; c < count; ++c) {
+  Eigen::MatrixXd ofStored = Eigen::MatrixXd::Zero(count, count);
+  for (Eigen::Index c = 0; c < count; ++c)
     ofStored(c, c) = sumOf(picture, int(c), stored[std::size_t(c)]); // they are independent
-    wanted(c, c) = map.variances[std::size_t(c)];
-  }
   const Eigen::MatrixXd own = fromStored * ofStored * fromStored.transpose();
   const Eigen::MatrixXf factors =
-      (transport::covarianceMap<Eigen::MatrixXd>(own, wanted) * fromStored).cast<float>();
+      (transport::covarianceMap<Eigen::MatrixXd>(own, map.covariance) * fromStored).cast<float>();
   for (std::size_t i = 0; i < stored[0].values.size(); ++i) {
     Eigen::VectorXcf values(count);
     for (Eigen::Index c = 0; c < count; ++c)
@@ -113,7 +111,8 @@ bool replaceMap(const SpectrumPicture& picture, std::uint32_t seed, MapSpectrum&
   if (picture.channels == int(kColors) && map.channels.size() == kColors && !map.luminance.empty())
     return replaceColors(picture, seed, map);
   for (std::size_t c = 0; c < map.channels.size(); ++c)
-    if (!replaceChannel(picture, kAll, map.variances[c], seed + std::uint32_t(c), map.channels[c]))
+    if (const auto own = Eigen::Index(c); !replaceChannel(picture, kAll, map.covariance(own, own),
+                                                          seed + std::uint32_t(c), map.channels[c]))
       return false;
   return true;
 }

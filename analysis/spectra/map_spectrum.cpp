@@ -37,17 +37,21 @@ MapSpectrum transformsOf(const gaussianization::Gaussianized& image) {
   for (int channel = 0; channel < image.dimensions; ++channel) {
     std::vector<float> plane;
     plane.reserve(pixels);
-    double squares = 0.0;
-    for (const Point& point : image.image) {
+    for (const Point& point : image.image)
       plane.push_back(scale * ((channel == 0   ? point.x
                                 : channel == 1 ? point.y
                                                : point.z) -
                                kMean));
-      squares += double(plane.back()) * double(plane.back());
-    }
-    result.variances.push_back(squares * double(pixels));
     result.channels.push_back(forwardFft(plane, image.width, image.height));
   }
+  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  for (const Point& point : image.image) {
+    const Eigen::Vector3d value =
+        double(kPerDeviation) *
+        (Eigen::Vector3f(point.x, point.y, point.z).array() - kMean).matrix().cast<double>();
+    squares += value * value.transpose();
+  }
+  result.covariance = squares.topLeftCorner(image.dimensions, image.dimensions) / double(pixels);
   return result;
 }
 
@@ -116,16 +120,17 @@ Eigen::MatrixXd powerWeights(const std::vector<MapSpectrum>& maps) {
   return weights;
 }
 
-void scaleToVariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps) {
-  Index channel = 0;
-  for (const MapSpectrum& map : maps)
-    for (const double variance : map.variances) {
-      if (const double own = covariance(channel, channel); own > 0.0) {
-        covariance.row(channel) *= std::sqrt(variance / own);
-        covariance.col(channel) *= std::sqrt(variance / own);
-      }
-      ++channel;
-    }
+void setMapCovariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps) {
+  const std::vector<Index> first = firstChannels(maps);
+  for (std::size_t m = 0; m < maps.size(); ++m) {
+    const Index count = first[m + 1] - first[m];
+    if (count == 0)
+      continue;
+    const Eigen::MatrixXd own = covariance.block(first[m], first[m], count, count);
+    const Eigen::MatrixXd map = transport::covarianceMap<Eigen::MatrixXd>(own, maps[m].covariance);
+    covariance.middleRows(first[m], count) = (map * covariance.middleRows(first[m], count)).eval();
+    covariance.middleCols(first[m], count) = (covariance.middleCols(first[m], count) * map).eval();
+  }
 }
 
 PowerPlane powerPlane(const std::vector<MapSpectrum>& maps) {

@@ -19,7 +19,7 @@ namespace lichen::spectra {
 /// the standard deviation of a Gaussian value. Empty for a map that does not vary.
 struct MapSpectrum {
   std::vector<HalfSpectrum> channels;
-  std::vector<double> variances; ///< of each channel, in squared standard deviations
+  Eigen::MatrixXd covariance; ///< of the channels, in squared standard deviations
   /// How the stored values follow the channels, to the first order: a square matrix whose squares
   /// sum to the number of channels.
   Eigen::MatrixXd toStored;
@@ -40,10 +40,10 @@ struct MapSpectrum {
 /// the sum is its power as powerPlane() has it.
 [[nodiscard]] Eigen::MatrixXd powerWeights(const std::vector<MapSpectrum>& maps);
 
-/// Scales rows and columns of a sum over the plane's frequencies so that it has the maps'
-/// variances: the highest frequencies of even sizes have no mirror and are not in the plane, but
-/// belong to the variance all the same.
-void scaleToVariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps);
+/// Gives a covariance of all channels, a sum over the plane's frequencies, that of each map within
+/// the map. The highest frequencies of even sizes have no mirror and are not in the plane, and the
+/// channels of a given spectrum are uncorrelated on average only.
+void setMapCovariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps);
 
 /// The sum of the power of all stored values of all maps: a channel counts as much as it changes
 /// them. Columns and rows are those of the largest maps, without the highest frequencies of even

@@ -30,7 +30,7 @@ struct Moments {
 Moments momentsOf(const Bundle& bundle) {
   constexpr std::uint32_t kMany = 16;
   constexpr int kPoints = 160; // a side, far enough apart to be nearly independent
-  constexpr float kStep = 0.713f;
+  constexpr float kStep = 7.13f; // tiles
   constexpr double kDeviation = 1.0 / 6.0;
   const MultipleKernelsEvaluator evaluator = require(MultipleKernelsEvaluator::create(bundle, 0));
   const auto dimensions =
@@ -68,8 +68,9 @@ std::vector<Row> multipleKernelsRows() {
   constexpr int kRuns = 3;
   Measured beyond, spectrum, color, kurtosis, covariance, cells;
   for (const Exemplar& exemplar : exemplars256()) {
-    beyond.note(medianSeconds(kRuns, [&] { return multipleKernelsBundle(exemplar.image); }) -
-                    medianSeconds(kRuns, [&] { return bakedBundle(exemplar.image); }),
+    beyond.note(medianSecondsBeyond(
+                    kRuns, [&] { return multipleKernelsBundle(exemplar.image); },
+                    [&] { return bakedBundle(exemplar.image); }),
                 exemplar.name);
     const Bundle noise = multipleKernelsBundle(exemplar.image);
     const std::vector<SrgbImage> versions = gaussianVersions(exemplar.image);

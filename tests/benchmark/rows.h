@@ -39,6 +39,11 @@ struct Row {
 template <class Work>
 [[nodiscard]] double medianSeconds(int runs, Work&& work);
 
+/// Median of how much longer `work` takes than `base` right after it, over `runs` pairs of runs, in
+/// seconds: the two see the same load.
+template <class Work, class Base>
+[[nodiscard]] double medianSecondsBeyond(int runs, const Work& work, const Base& base);
+
 [[nodiscard]] double secondsNow();
 
 /// Peak resident memory of this process so far, in MB (VmHWM of /proc/self/status).
@@ -76,6 +81,14 @@ double medianSeconds(int runs, Work&& work) {
     std::forward<Work>(work)();
     seconds.push_back(secondsNow() - start);
   }
+  return median(std::move(seconds));
+}
+
+template <class Work, class Base>
+double medianSecondsBeyond(int runs, const Work& work, const Base& base) {
+  std::vector<double> seconds;
+  for (int run = 0; run < runs; ++run)
+    seconds.push_back(medianSeconds(1, work) - medianSeconds(1, base));
   return median(std::move(seconds));
 }
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <multiple_kernels/frequency_blocks.h>
+#include <multiple_kernels/kernel_colors.h>
 #include <multiple_kernels/kernel_fit.h>
 #include <multiple_kernels/kernel_impacts.h>
 #include <multiple_kernels/kernel_spectrum.h>
@@ -223,11 +224,11 @@ TEST_CASE("fitted kernels find the kernels that a spectrum was made of") {
     for (int u = 0; u < kHalf; ++u)
       power.values.push_back(sampledDensityAt(spectrum, made[0], texelsOf(power), u, v) +
                              sampledDensityAt(spectrum, made[1], texelsOf(power), u, v));
-  const std::vector<Kernel> found = fitKernels(power, spectrum, 4);
+  const std::vector<Kernel> found = fitKernels(power, spectrum, {4}).back().kernels;
   CHECK(spectrumErrorDb(power, spectrum, found) < 0.3);
   // Rectangles alone are far from it.
   const WindowSpectrum sincs(KernelWindow::sinc);
-  CHECK(spectrumErrorDb(power, sincs, fitKernels(power, sincs, 4)) > 1.0);
+  CHECK(spectrumErrorDb(power, sincs, fitKernels(power, sincs, {4}).back().kernels) > 1.0);
 }
 
 TEST_CASE("a spectrum without a direction becomes rings, and one with a direction does not") {
@@ -238,7 +239,7 @@ TEST_CASE("a spectrum without a direction becomes rings, and one with a directio
     for (int v = 1 - kHalf; v < kHalf; ++v)
       for (int u = 0; u < kHalf; ++u)
         power.values.push_back(densityOf(spectrum, kernel, u, v));
-    return fitKernels(power, spectrum, 10);
+    return fitKernels(power, spectrum, {10}).back().kernels;
   };
   const std::vector<Kernel> rings = fittedTo({1.0, {20.0, 0.0}, {0.08, 0.08}, 0.0, true});
   REQUIRE(rings.size() == 1);
@@ -319,7 +320,7 @@ TEST_CASE("a spectrum of any width is followed, with all its energy") {
     for (int u = 0; u < kHalf; ++u)
       power.values.push_back(0.2 + 40.0 / (1.0 + 0.01 * (u * u + v * v)) +
                              20.0 * std::exp(-0.5 * (v - 30.0) * (v - 30.0)));
-  const std::vector<Kernel> kernels = fitKernels(power, spectrum, 8);
+  const std::vector<Kernel> kernels = fitKernels(power, spectrum, {8}).back().kernels;
   CHECK(spectrumErrorDb(power, spectrum, kernels) < 0.8);
   double energy = 0.0, wanted = 0.0;
   for (const Kernel& kernel : kernels)
@@ -353,6 +354,39 @@ TEST_CASE("the noise of an exemplar has the covariance of its Gaussian values") 
   covariance /= double(kSeeds * kSide * kSide);
   // 204,800 points, some of them related: a standard error below 1 %.
   CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.03);
+}
+
+TEST_CASE("kernels have the covariance of what their spectra lack") {
+  MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
+  MultipleKernelsOptions options;
+  SECTION("channels that correlate at the highest frequency, which has no kernel") {
+    for (int y = 0; y < kTexels; ++y)
+      for (int x = 0; x < kTexels; ++x)
+        for (std::size_t c = 1; c < 3; ++c) {
+          float& value = map.values[std::size_t(y * kTexels + x) * 3 + c];
+          value = 0.2f + 0.6f * value + ((x + y) % 2 == 0 ? 0.1f : -0.1f);
+        }
+  }
+  SECTION("a given spectrum of a few frequencies, whose random phases are related by chance") {
+    constexpr int kSide = 33;
+    SpectrumPicture picture{kSide, kSide, std::vector<float>(kSide * kSide, 0.0f), 1};
+    picture.amplitudes[kSide * (kSide / 2 - 3) + kSide / 2 + 4] = 1.0f;
+    picture.amplitudes[kSide * (kSide / 2 + 2) + kSide / 2 + 5] = 0.5f;
+    options.spectrum = picture;
+  }
+  const Bundle bundle = test::bundleOf(bakeMultipleKernels("example", {&map, 1}, options));
+  const Noise& noise = bundle.noises[0];
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const KernelRow& row :
+       kernelRows(bundle.tables[noise.maps[0].as<MultipleKernelsMap>().kernels],
+                  noise.as<MultipleKernelsNoise>()))
+    for (std::size_t wave = 0; wave < std::size_t(kWaves); ++wave) {
+      const Eigen::Vector3d color =
+          Eigen::Vector3f(row.colors[0][wave], row.colors[1][wave], row.colors[2][wave])
+              .cast<double>();
+      covariance += color * color.transpose() / (kDeviation * kDeviation);
+    }
+  CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.005);
 }
 
 TEST_CASE("the derivatives of kernels are those of their values") {

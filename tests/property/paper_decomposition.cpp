@@ -162,7 +162,7 @@ TEST_CASE("fitted kernels follow a spectrum better than the paper's rectangles, 
     for (std::size_t i = channel; i < map.values.size(); i += 3)
       plane.push_back(map.values[i]);
     const spectra::PowerPlane power = powerOf(plane, kWidth, kHeight);
-    const std::vector<Kernel> fitted = fitKernels(power, gabor, 8);
+    const std::vector<Kernel> fitted = fitKernels(power, gabor, {8}).back().kernels;
     const double error = spectrumErrorDb(power, gabor, fitted);
     for (const int classes : {2, 3, 5}) {
       const std::vector<Kernel> rectangles = PaperDecomposition(power, classes).kernels(sinc);

@@ -60,7 +60,7 @@ MapSpectrum spectrumOfWaves() {
   double variance = 0.0;
   for (const Wave& wave : kWaves)
     variance += 0.5 * wave.amplitude * wave.amplitude;
-  spectrum.variances.push_back(variance);
+  spectrum.covariance = Eigen::MatrixXd::Constant(1, 1, variance);
   return spectrum;
 }
 
@@ -146,8 +146,8 @@ TEST_CASE("a structure takes the strongest frequencies, and no more than its sha
   CHECK(held(0.95) == std::array{true, true, true, false});
   CHECK(held(0.99) == std::array{true, true, true, true});
   const SplitSpectrum parts = split(spectrum, strongestFrequencies(power, 0.7));
-  CHECK(parts.inside.variances[0] == Approx(0.5 * (0.64 + 0.25)).epsilon(1e-4));
-  CHECK(parts.outside.variances[0] == Approx(0.5 * (0.09 + 0.04)).epsilon(1e-3));
+  CHECK(parts.inside.covariance(0, 0) == Approx(0.5 * (0.64 + 0.25)).epsilon(1e-4));
+  CHECK(parts.outside.covariance(0, 0) == Approx(0.5 * (0.09 + 0.04)).epsilon(1e-3));
 }
 
 TEST_CASE("the structure of a grey exemplar has its share of the variance") {
