@@ -23,7 +23,8 @@ panels=()
 for spectrum in ring ellipse lobes cross colors; do
   convert "$work/$spectrum.png" -filter point -resize "${panel}x$panel" "$work/panel-${#panels[@]}.png"
   panels+=("$work/panel-${#panels[@]}.png")
-  for options in '--kernel gabor' '--kernel sinc --max-kernels 25' '--kernel gaussian-sinc --max-kernels 25' \
+  for options in '--kernel gabor' '--kernel sinc --max-kernels 25 --kernel-impacts 150' \
+    '--kernel gaussian-sinc --max-kernels 25 --kernel-impacts 150' \
     '--method local-random-phase'; do
     method=--method=multiple-kernels
     [[ $options == *--method* ]] && method=

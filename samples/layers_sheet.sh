@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Makes a contact sheet of layers, one row an exemplar: the exemplar, one noise of it by tiling, two
-# layers by tiling, and two layers of multiple kernels in a solid, on a torus that has no texture
-# coordinates.
+# layers by tiling, two layers of multiple kernels that perturb the exemplar's waves, and two layers of
+# multiple kernels in a solid, on a torus that has no texture coordinates.
 #   samples/layers_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build, a Vulkan device, Python 3 and ImageMagick (Debian package imagemagick).
 set -euo pipefail
@@ -10,7 +10,7 @@ source "$(dirname "$0")/begin_sheet.sh"
 begin_sheet 'OUTPUT.jpg EXEMPLAR.png...' 2 99 "$@"
 command -v python3 >/dev/null || { echo "layers_sheet: install Python: apt-get install python3" >&2; exit 4; }
 
-panel=440
+panel=360
 tile=1.6 # metres; the torus is 2 wide
 
 output=$1
@@ -61,13 +61,15 @@ for exemplar in "$@"; do
   "$bin/lichen" bake "$exemplar" -o "$file-one.glb" --preview none --quiet
   "$bin/lichen" bake "$exemplar" -o "$file-two.glb" --layers 2 --preview none --quiet
   "$bin/lichen" bake "$exemplar" -o "$file-solid.glb" --layers 2 --method multiple-kernels --preview none --quiet
-  for noise in one two; do
+  "$bin/lichen" bake "$exemplar" -o "$file-perturbed.glb" --layers 2 --method multiple-kernels \
+    --pattern cosines:60 --perturb 0.5 --preview none --quiet
+  for noise in one two perturbed; do
     "$bin/lichen" synth "$file-$noise.glb" -o "$file-$noise.png" --size "$panel" --texels-per-tile "$panel" --quiet
   done
   "$bin/lichen" apply "$work/torus.gltf" --noise "$file-solid.glb" --material all --mapping solid --scale "$tile" \
     -o "$file-scene.glb" --quiet
   "$bin/lichen-render" "$file-scene.glb" --size "${panel}x${panel}" --frames 8 -o "$file-torus.png" --quiet
-  panels+=("$file-exemplar.png" "$file-one.png" "$file-two.png" "$file-torus.png")
+  panels+=("$file-exemplar.png" "$file-one.png" "$file-two.png" "$file-perturbed.png" "$file-torus.png")
 done
-montage "${panels[@]}" -tile 4x -geometry +4+4 -background white -quality 85 "$output"
+montage "${panels[@]}" -tile 5x -geometry +4+4 -background white -quality 82 "$output"
 echo "$output"

@@ -29,18 +29,24 @@ struct Target {
   std::array<double, 2> texels{}; ///< of the tile
   const WindowSpectrum& spectrum;
   spectra::PowerPlane numbers; ///< at each frequency the number of the block
+  double energy = 0.0;         ///< of all powers
+  double energyWeight = 0.0;   ///< of its logarithm, in the unit of weightOf()
 
-  /// The stretches of a kernel at a frequency whose spectrum is about as wide and high as the block
-  /// there: its power could not be seen between narrower ones.
-  [[nodiscard]] std::array<double, 2> longestStretches(std::array<double, 2> frequency) const {
-    constexpr double kDeviationOfSide = 0.5;
-    static const double deviation = std::sqrt(windowSpread(Window::gabor));
+  [[nodiscard]] const FrequencyBlock& blockAt(std::array<double, 2> frequency) const {
     if (frequency[0] < 0.0)
       frequency = {-frequency[0], -frequency[1]};
     const int half = numbers.rows / 2;
     const int u = std::min(int(std::lround(frequency[0])), numbers.columns - 1);
     const int v = std::clamp(int(std::lround(frequency[1])), -half, half);
-    const FrequencyBlock& block = blocks[std::size_t(numbers.at(u, v))];
+    return blocks[std::size_t(numbers.at(u, v))];
+  }
+
+  /// The stretches of a kernel at a frequency whose spectrum is about as wide and high as the block
+  /// there: the power of narrower ones could not be seen between the middles of blocks.
+  [[nodiscard]] std::array<double, 2> longestStretches(std::array<double, 2> frequency) const {
+    constexpr double kDeviationOfSide = 0.5;
+    static const double deviation = std::sqrt(windowSpread(Window::gabor));
+    const FrequencyBlock& block = blockAt(frequency);
     return {deviation / (kDeviationOfSide * block.width),
             deviation / (kDeviationOfSide * block.height)};
   }
@@ -57,23 +63,22 @@ std::vector<double> modelOf(const Target& target, const std::vector<Kernel>& ker
   return modelled;
 }
 
-/// The parameters that are fitted: the first `free` of each kernel, in the order of KernelSlopes.
+/// The parameters of kernels, each with its own in the order of KernelSlopes.
 struct Parameters {
-  std::vector<Kernel> kernels; ///< those of the others
-  std::size_t free = kKernelParameters;
+  std::vector<Kernel> kernels;     ///< at the start
   std::array<double, 2> highest{}; ///< frequencies of the plane
   double finest = 0.0;             ///< logarithm of the least stretch
   const Target& target;
 
   [[nodiscard]] VectorXd values() const {
-    VectorXd all(Index(kernels.size() * free));
+    VectorXd all(Index(kernels.size() * kKernelParameters));
     for (std::size_t k = 0; k < kernels.size(); ++k) {
       const Kernel& kernel = kernels[k];
       const std::array own{std::log(kernel.energy),     kernel.frequency[0],
                            kernel.frequency[1],         std::log(kernel.stretch[0]),
                            std::log(kernel.stretch[1]), kernel.shear};
-      for (std::size_t p = 0; p < free; ++p)
-        all[Index(k * free + p)] = own[p];
+      for (std::size_t p = 0; p < kKernelParameters; ++p)
+        all[Index(k * kKernelParameters + p)] = own[p];
     }
     return all;
   }
@@ -84,13 +89,11 @@ struct Parameters {
     constexpr double kMost = 0.7;
     const std::vector<Kernel> here = with(values);
     for (std::size_t k = 0; k < here.size(); ++k) {
-      auto own = step.segment(Index(k * free), Index(free));
+      auto own = step.segment<Index(kKernelParameters)>(Index(k * kKernelParameters));
       double longest = std::abs(own[0]);
-      if (free == kKernelParameters) {
-        const auto [across, down] = here[k].stretch;
-        for (const double part : {across * own[1], down * own[2], own[3], own[4], own[5] / across})
-          longest = std::max(longest, std::abs(part));
-      }
+      const auto [across, down] = here[k].stretch;
+      for (const double part : {across * own[1], down * own[2], own[3], own[4], own[5] / across})
+        longest = std::max(longest, std::abs(part));
       own *= std::min(1.0, kMost / std::max(longest, 1e-300));
     }
     return step;
@@ -99,12 +102,10 @@ struct Parameters {
   [[nodiscard]] std::vector<Kernel> with(const VectorXd& values) const {
     std::vector<Kernel> result = kernels;
     for (std::size_t k = 0; k < result.size(); ++k) {
-      const double* own = values.data() + k * free;
+      const double* own = values.data() + k * kKernelParameters;
       // A step of the solver may go anywhere.
       constexpr double kMostLog = 30.0;
       result[k].energy = std::exp(std::clamp(own[0], -kMostLog, kMostLog));
-      if (free < kKernelParameters)
-        continue;
       result[k].frequency = {std::clamp(own[1], -highest[0], highest[0]),
                              std::clamp(own[2], -highest[1], highest[1])};
       const auto [across, down] = target.longestStretches(result[k].frequency);
@@ -121,11 +122,24 @@ struct Parameters {
   }
 };
 
-/// The residuals of all blocks.
-Residuals residualsOf(const Target& target, double least, const std::vector<Kernel>& kernels,
-                      std::size_t free) {
-  Residuals residuals{VectorXd(Index(target.blocks.size())),
-                      MatrixXd(Index(target.blocks.size()), Index(kernels.size() * free))};
+double energyOf(const std::vector<Kernel>& kernels) {
+  double energy = 0.0;
+  for (const Kernel& kernel : kernels)
+    energy += kernel.energy;
+  return energy;
+}
+
+/// The residuals of all blocks, and that of the sum of the energies, which has to be that of the
+/// powers: energy in the far tails of a spectrum would count for nothing, but be seen.
+Residuals residualsOf(const Target& target, double least, const std::vector<Kernel>& kernels) {
+  const auto blocks = Index(target.blocks.size());
+  Residuals residuals{VectorXd(blocks + 1),
+                      MatrixXd::Zero(blocks + 1, Index(kernels.size() * kKernelParameters))};
+  const double energy = energyOf(kernels), weight = std::sqrt(target.energyWeight);
+  residuals.values[blocks] = weight * std::log(energy / target.energy);
+  for (std::size_t k = 0; k < kernels.size(); ++k)
+    residuals.derivatives(blocks, Index(k * kKernelParameters)) =
+        weight * kernels[k].energy / energy;
   tbb::parallel_for(std::size_t(0), target.blocks.size(), [&](std::size_t b) {
     const FrequencyBlock& block = target.blocks[b];
     double modelled = 0.0;
@@ -133,8 +147,8 @@ Residuals residualsOf(const Target& target, double least, const std::vector<Kern
       KernelSlopes slopes{};
       modelled +=
           sampledDensityAt(target.spectrum, kernels[k], target.texels, block.u, block.v, &slopes);
-      for (std::size_t p = 0; p < free; ++p)
-        residuals.derivatives(Index(b), Index(k * free + p)) = slopes[p];
+      for (std::size_t p = 0; p < kKernelParameters; ++p)
+        residuals.derivatives(Index(b), Index(k * kKernelParameters + p)) = slopes[p];
     }
     const auto [residual, slope] = residualOf(block, least, modelled);
     residuals.values[Index(b)] = residual;
@@ -147,14 +161,16 @@ Residuals residualsOf(const Target& target, double least, const std::vector<Kern
 /// come closest.
 constexpr double kDeviationOfWidth = 0.32;
 
-std::vector<Kernel> kernelsOfBoxes(const PowerPlane& power, const WindowSpectrum& spectrum,
+/// `power`: of the energy.
+std::vector<Kernel> kernelsOfBoxes(const PowerPlane& power, const Target& target,
                                    const std::vector<FrequencyBox>& boxes) {
   // The support at which the window's spectrum has the deviation 1, or the first zero of a sinc's
   // rectangle.
-  const double deviation = std::sqrt(windowSpread(spectrum.window()));
+  const Window window = target.spectrum.window();
+  const double deviation = std::sqrt(windowSpread(window));
   const auto stretchOf = [&](double width) {
-    return spectrum.window() == Window::gabor ? deviation / (kDeviationOfWidth * width)
-                                              : 2.0 / width; // sinc(width p)
+    return window == Window::gabor ? deviation / (kDeviationOfWidth * width)
+                                   : 2.0 / width; // sinc(width p)
   };
   std::vector<Kernel> kernels;
   for (const FrequencyBox& box : boxes) {
@@ -165,32 +181,32 @@ std::vector<Kernel> kernelsOfBoxes(const PowerPlane& power, const WindowSpectrum
     if (!(kernel.energy > 0.0))
       continue;
     kernel.frequency = {0.5 * (box.low() + box.high()), 0.5 * (box.lowRow() + box.highRow())};
-    kernel.stretch = {stretchOf(box.width()), stretchOf(box.height())};
+    const FrequencyBlock& block = target.blockAt(kernel.frequency); // as in longestStretches()
+    kernel.stretch = {stretchOf(std::max(box.width(), block.width)),
+                      stretchOf(std::max(box.height(), block.height))};
     kernels.push_back(kernel);
   }
   return kernels;
 }
 
-/// Minimises the distance over all parameters of Gabors, and over the energies of others, whose
-/// rectangles stay as they are.
+/// Minimises the distance over all parameters of Gabors. Others stay as they are: with energies
+/// that are free, the far tails of a few stand for much that is not near them.
 std::vector<Kernel> fitted(const Target& target, std::vector<Kernel> kernels) {
-  const std::size_t free = target.spectrum.window() == Window::gabor ? kKernelParameters : 1;
+  if (kernels.empty() || target.spectrum.window() != Window::gabor)
+    return kernels;
   constexpr double kFinestTexels = 0.75; // the radius of a support
   const auto [across, down] = target.texels;
   const Parameters parameters{std::move(kernels),
-                              free,
                               {0.5 * across, 0.5 * down},
                               std::log(kFinestTexels / std::max(across, down)),
                               target};
-  if (parameters.kernels.empty())
-    return {};
   // First what is strong, then more and more of what is weak, and only then closely.
   VectorXd values = parameters.values();
   for (const double share : {1.0, 0.1, 0.01, kLeastPower})
     values = minimized(
         values, share > kLeastPower ? 10.0 * kLeastGain : kLeastGain,
         [&, least = leastPower(target.blocks, share)](const VectorXd& at) {
-          return residualsOf(target, least, parameters.with(at), free);
+          return residualsOf(target, least, parameters.with(at));
         },
         [&](const VectorXd& at, const VectorXd& step) { return parameters.limited(at, step); });
   return parameters.with(values);
@@ -200,7 +216,9 @@ std::vector<Kernel> fitted(const Target& target, std::vector<Kernel> kernels) {
 double distanceOf(const Target& target, const std::vector<Kernel>& kernels) {
   const std::vector<double> modelled = modelOf(target, kernels);
   const double least = leastPower(target.blocks);
-  double sum = 0.0;
+  double sum = kernels.empty() ? 0.0
+                               : target.energyWeight *
+                                     std::pow(std::log(energyOf(kernels) / target.energy), 2.0);
   for (std::size_t b = 0; b < modelled.size(); ++b) {
     const double residual = residualOf(target.blocks[b], least, modelled[b])[0];
     sum += residual * residual;
@@ -209,9 +227,12 @@ double distanceOf(const Target& target, const std::vector<Kernel>& kernels) {
 }
 
 Target targetOf(const PowerPlane& power, const WindowSpectrum& spectrum) {
-  Target target{blocksOf(power), texelsOf(power), spectrum, power};
+  Target target{blocksOf(power), texelsOf(power), spectrum, power, 0.0, 0.0};
+  constexpr double kEnergyShare = 0.1; // of the weights of all blocks
   for (std::size_t b = 0; b < target.blocks.size(); ++b) {
     const FrequencyBlock& block = target.blocks[b];
+    target.energy += 2.0 * block.count * block.power;
+    target.energyWeight += kEnergyShare * weightOf(block);
     const int left = int(std::lround(block.u - 0.5 * (block.width - 1.0)));
     const int top = int(std::lround(block.v - 0.5 * (block.height - 1.0))) + power.rows / 2;
     for (int y = top; y < top + int(block.height); ++y)
@@ -309,11 +330,11 @@ std::vector<KernelFit> fitKernels(const PowerPlane& power, const WindowSpectrum&
     std::vector<Kernel> start = isGabor ? std::move(kernels) : std::vector<Kernel>();
     const PowerPlane left = start.empty() ? power : remainderOf(target, start);
     for (const Kernel& more :
-         kernelsOfBoxes(left, spectrum, boxesAroundPower(left, most - start.size())))
+         kernelsOfBoxes(left, target, boxesAroundPower(left, most - start.size())))
       start.push_back(more);
     kernels = fitted(target, std::move(start));
     std::vector<Kernel> other =
-        fitted(target, kernelsOfBoxes(power, spectrum, spectra::boxesOfEqualPower(smooth, most)));
+        fitted(target, kernelsOfBoxes(power, target, spectra::boxesOfEqualPower(smooth, most)));
     if (distanceOf(target, other) < distanceOf(target, kernels))
       kernels = std::move(other);
     std::vector<Kernel> sufficient;

@@ -18,7 +18,7 @@ struct KernelFit {
 /// Fits kernels to a power plane whose values, each counted for its frequency and for the mirror,
 /// sum to the variance: at most as many as each of the growing `counts` says. Rings if few of them
 /// have the spectrum nearly as closely; otherwise kernels at rectangles of nearly constant power,
-/// whose parameters are then fitted together (Gabor) or whose energies alone are (on the square).
+/// with the energy there, which for the Gabor are then fitted together in all their parameters.
 /// Deterministic. Throws std::bad_alloc. Without kernels for a plane without power.
 [[nodiscard]] std::vector<KernelFit> fitKernels(const spectra::PowerPlane& power,
                                                 const WindowSpectrum& spectrum,

@@ -334,6 +334,41 @@ TEST_CASE("a spectrum of any width is followed, with all its energy") {
   CHECK(energy == Approx(wanted).epsilon(0.05));
 }
 
+TEST_CASE("lobes of equal power have kernels of equal energy, whatever the window") {
+  constexpr int kHalf = 48;
+  const std::array<std::array<int, 2>, 3> lobes{{{20, 0}, {10, 18}, {10, -18}}};
+  spectra::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+  for (int v = 1 - kHalf; v < kHalf; ++v)
+    for (int u = 0; u < kHalf; ++u) {
+      double sum = 0.0;
+      for (const auto& [x, y] : lobes)
+        sum += std::exp(-((u - x) * (u - x) + (v - y) * (v - y)) / 12.0);
+      power.values.push_back(sum > 1e-3 ? sum : 0.0); // as a picture has it
+    }
+  for (const KernelWindow window : kWindows) {
+    const WindowSpectrum spectrum(window);
+    std::array<double, 3> energies{};
+    double all = 0.0;
+    const std::vector<Kernel> kernels = fitKernels(power, spectrum, {25}).back().kernels;
+    for (const Kernel& kernel : kernels) {
+      std::size_t nearest = 0;
+      const auto distance = [&](std::size_t lobe) {
+        // A frequency stands for its mirror too.
+        const double u = lobes[lobe][0], v = lobes[lobe][1];
+        return std::min(std::hypot(kernel.frequency[0] - u, kernel.frequency[1] - v),
+                        std::hypot(kernel.frequency[0] + u, kernel.frequency[1] + v));
+      };
+      for (std::size_t lobe = 1; lobe < lobes.size(); ++lobe)
+        if (distance(lobe) < distance(nearest))
+          nearest = lobe;
+      energies[nearest] += kernel.energy;
+      all += kernel.energy;
+    }
+    for (const double energy : energies)
+      CHECK(energy / all == Approx(1.0 / 3.0).margin(0.07));
+  }
+}
+
 TEST_CASE("the noise of an exemplar has the covariance of its Gaussian values") {
   const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(example(), 0).value();
   constexpr std::uint32_t kSeeds = 8;
