@@ -29,20 +29,15 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-/// Sums f f^H over the frequencies of a box, column 0 half; f holds all channels.
+/// Sums crossPower() over the frequencies of a box, column 0 half.
 MatrixXcd crossSpectra(const std::vector<MapSpectrum>& maps, const FrequencyBox& box,
                        Index channels) {
   MatrixXcd sum = MatrixXcd::Zero(channels, channels);
-  VectorXcd values(channels);
   for (int v = box.top; v < box.bottom; ++v)
     for (int u = box.left; u < box.right; ++u) {
       if (u == 0 && v == 0)
         continue;
-      Index row = 0;
-      for (const MapSpectrum& map : maps)
-        for (std::size_t c = 0; c < map.channels.size(); ++c)
-          values[row++] = map.at(c, u, v);
-      sum += (u == 0 ? 0.5 : 1.0) * values * values.adjoint();
+      sum += (u == 0 ? 0.5 : 1.0) * spectra::crossPower(maps, u, v);
     }
   return sum;
 }

@@ -18,11 +18,10 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXcd;
 using spectra::MapSpectrum;
 
-/// The real part of the sum over frequencies of f f^H times the kernel's share of the power there.
-/// f holds all channels.
+/// The real part of the sum over frequencies of crossPower() times the kernel's share of the power
+/// there.
 std::vector<MatrixXd> sharedSpectra(const std::vector<MapSpectrum>& maps,
                                     const WindowSpectrum& spectrum,
                                     const std::vector<Kernel>& kernels, Index channels) {
@@ -38,7 +37,6 @@ std::vector<MatrixXd> sharedSpectra(const std::vector<MapSpectrum>& maps,
         rings[k].push_back(ringDensityAt(spectrum, kernels[k], f));
   tbb::parallel_for(-half, half + 1, [&](int v) {
     std::vector<MatrixXd> sums(kernels.size(), MatrixXd::Zero(channels, channels));
-    VectorXcd values(channels);
     std::vector<double> powers(kernels.size());
     for (int u = 0; u < plane.columns; ++u) {
       if (u == 0 && v == 0)
@@ -52,11 +50,7 @@ std::vector<MatrixXd> sharedSpectra(const std::vector<MapSpectrum>& maps,
       }
       if (!(all > 0.0))
         continue;
-      Index row = 0;
-      for (const MapSpectrum& map : maps)
-        for (std::size_t c = 0; c < map.channels.size(); ++c)
-          values[row++] = map.at(c, u, v);
-      const MatrixXd own = ((u == 0 ? 1.0 : 2.0) * values * values.adjoint()).real();
+      const MatrixXd own = (u == 0 ? 1.0 : 2.0) * spectra::crossPower(maps, u, v).real();
       for (std::size_t k = 0; k < kernels.size(); ++k)
         sums[k] += powers[k] / all * own;
     }

@@ -12,6 +12,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace lichen::multiple_kernels {
@@ -22,6 +23,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using spectra::FrequencyBox;
 using spectra::PowerPlane;
+
+/// Times the width of its rectangle, the stretch of a window on the square: its sinc has two zeros
+/// on each side.
+constexpr double kStretchTimesWidth = 2.0;
 
 /// What kernels are fitted to.
 struct Target {
@@ -46,9 +51,10 @@ struct Target {
   [[nodiscard]] std::array<double, 2> longestStretches(std::array<double, 2> frequency) const {
     constexpr double kDeviationOfSide = 0.5;
     static const double deviation = std::sqrt(windowSpread(Window::gabor));
+    const double perSide =
+        spectrum.window() == Window::gabor ? deviation / kDeviationOfSide : kStretchTimesWidth;
     const FrequencyBlock& block = blockAt(frequency);
-    return {deviation / (kDeviationOfSide * block.width),
-            deviation / (kDeviationOfSide * block.height)};
+    return {perSide / block.width, perSide / block.height};
   }
 };
 
@@ -63,7 +69,7 @@ std::vector<double> modelOf(const Target& target, const std::vector<Kernel>& ker
   return modelled;
 }
 
-/// The parameters of kernels, each with its own in the order of KernelSlopes.
+/// The parameters of kernels, six for each in the order of KernelSlopes.
 struct Parameters {
   std::vector<Kernel> kernels;     ///< at the start
   std::array<double, 2> highest{}; ///< frequencies of the plane
@@ -161,16 +167,14 @@ Residuals residualsOf(const Target& target, double least, const std::vector<Kern
 /// come closest.
 constexpr double kDeviationOfWidth = 0.32;
 
-/// `power`: of the energy.
+/// A kernel for each box, with the energy that `power` has there.
 std::vector<Kernel> kernelsOfBoxes(const PowerPlane& power, const Target& target,
                                    const std::vector<FrequencyBox>& boxes) {
-  // The support at which the window's spectrum has the deviation 1, or the first zero of a sinc's
-  // rectangle.
   const Window window = target.spectrum.window();
   const double deviation = std::sqrt(windowSpread(window));
   const auto stretchOf = [&](double width) {
     return window == Window::gabor ? deviation / (kDeviationOfWidth * width)
-                                   : 2.0 / width; // sinc(width p)
+                                   : kStretchTimesWidth / width;
   };
   std::vector<Kernel> kernels;
   for (const FrequencyBox& box : boxes) {
@@ -181,9 +185,9 @@ std::vector<Kernel> kernelsOfBoxes(const PowerPlane& power, const Target& target
     if (!(kernel.energy > 0.0))
       continue;
     kernel.frequency = {0.5 * (box.low() + box.high()), 0.5 * (box.lowRow() + box.highRow())};
-    const FrequencyBlock& block = target.blockAt(kernel.frequency); // as in longestStretches()
-    kernel.stretch = {stretchOf(std::max(box.width(), block.width)),
-                      stretchOf(std::max(box.height(), block.height))};
+    const auto [across, down] = target.longestStretches(kernel.frequency);
+    kernel.stretch = {std::min(stretchOf(box.width()), across),
+                      std::min(stretchOf(box.height()), down)};
     kernels.push_back(kernel);
   }
   return kernels;
@@ -212,13 +216,11 @@ std::vector<Kernel> fitted(const Target& target, std::vector<Kernel> kernels) {
   return parameters.with(values);
 }
 
-/// The sum that fitted() minimises.
+/// The sum that fitted() minimises, of at least one kernel.
 double distanceOf(const Target& target, const std::vector<Kernel>& kernels) {
   const std::vector<double> modelled = modelOf(target, kernels);
   const double least = leastPower(target.blocks);
-  double sum = kernels.empty() ? 0.0
-                               : target.energyWeight *
-                                     std::pow(std::log(energyOf(kernels) / target.energy), 2.0);
+  double sum = target.energyWeight * std::pow(std::log(energyOf(kernels) / target.energy), 2.0);
   for (std::size_t b = 0; b < modelled.size(); ++b) {
     const double residual = residualOf(target.blocks[b], least, modelled[b])[0];
     sum += residual * residual;
@@ -228,7 +230,8 @@ double distanceOf(const Target& target, const std::vector<Kernel>& kernels) {
 
 Target targetOf(const PowerPlane& power, const WindowSpectrum& spectrum) {
   Target target{blocksOf(power), texelsOf(power), spectrum, power, 0.0, 0.0};
-  constexpr double kEnergyShare = 0.1; // of the weights of all blocks
+  // Of the weights of all blocks. With 0.05 and with 0.3 kernels were farther from 24 spectra.
+  constexpr double kEnergyShare = 0.1;
   for (std::size_t b = 0; b < target.blocks.size(); ++b) {
     const FrequencyBlock& block = target.blocks[b];
     target.energy += 2.0 * block.count * block.power;
@@ -239,7 +242,11 @@ Target targetOf(const PowerPlane& power, const WindowSpectrum& spectrum) {
       for (int x = left; x < left + int(block.width); ++x)
         target.numbers.values[std::size_t(y * power.columns + x)] = double(b);
   }
-  target.numbers.values[std::size_t(power.rows / 2 * power.columns)] = 0.0; // of frequency (0, 0)
+  // The frequency (0, 0) belongs to no block; take one beside it.
+  const auto zero = std::size_t(power.rows / 2 * power.columns);
+  const std::size_t beside = zero + (power.columns > 1 ? 1u : std::size_t(power.columns));
+  target.numbers.values[zero] =
+      beside < target.numbers.values.size() ? target.numbers.values[beside] : 0.0;
   return target;
 }
 
@@ -263,7 +270,7 @@ public:
     };
     const double limit =
         std::max(distanceOf(target_, gabors) + distanceOfDb(kMoreDb), distanceOfDb(kCloseDb));
-    constexpr double kCertain = 1.5; // as the means are those of rings a little wide
+    constexpr double kCertain = 1.5; // a margin, as the means are over rings of 1/24 octave
     for (std::size_t count = 1; count <= std::min(most, kMost) && least_ < kCertain * limit;
          ++count) {
       if (fits_.size() < count)
@@ -280,7 +287,7 @@ private:
 
   const Target& target_;
   const PowerPlane& power_;
-  double least_; ///< no rings come nearer
+  double least_; ///< rings hardly come nearer
   std::vector<std::vector<Kernel>> fits_;
 };
 
@@ -325,6 +332,7 @@ std::vector<KernelFit> fitKernels(const PowerPlane& power, const WindowSpectrum&
   std::vector<KernelFit> fits;
   std::vector<Kernel> kernels;
   for (const std::size_t most : counts) {
+    assert(most > kernels.size());
     // From rectangles of nearly constant power; and from the fewer kernels of before with more
     // where power is left. The one finds what is spread widely, the other lines and rings.
     std::vector<Kernel> start = isGabor ? std::move(kernels) : std::vector<Kernel>();
@@ -335,7 +343,7 @@ std::vector<KernelFit> fitKernels(const PowerPlane& power, const WindowSpectrum&
     kernels = fitted(target, std::move(start));
     std::vector<Kernel> other =
         fitted(target, kernelsOfBoxes(power, target, spectra::boxesOfEqualPower(smooth, most)));
-    if (distanceOf(target, other) < distanceOf(target, kernels))
+    if (kernels.empty() || distanceOf(target, other) < distanceOf(target, kernels))
       kernels = std::move(other);
     std::vector<Kernel> sufficient;
     if (isGabor && !kernels.empty())

@@ -16,9 +16,10 @@ struct KernelFit {
 };
 
 /// Fits kernels to a power plane whose values, each counted for its frequency and for the mirror,
-/// sum to the variance: at most as many as each of the growing `counts` says. Rings if few of them
-/// have the spectrum nearly as closely; otherwise kernels at rectangles of nearly constant power,
-/// with the energy there, which for the Gabor are then fitted together in all their parameters.
+/// sum to the variance: at most as many as each of `counts` says, which grow. Of windows on the
+/// square, kernels have rectangles of the plane and the energy there. Gabors are fitted together in
+/// all their parameters, from such rectangles and from the fewer kernels of the count before; rings
+/// take their place where few of them have the spectrum nearly as closely.
 /// Deterministic. Throws std::bad_alloc. Without kernels for a plane without power.
 [[nodiscard]] std::vector<KernelFit> fitKernels(const spectra::PowerPlane& power,
                                                 const WindowSpectrum& spectrum,

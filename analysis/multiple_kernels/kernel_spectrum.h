@@ -25,7 +25,7 @@ public:
 
   /// The power at frequencies beyond this length is below a millionth of the highest, but for the
   /// windows on the square.
-  [[nodiscard]] double reach() const { return window_ == Window::gabor ? 3.0 : 12.0; }
+  [[nodiscard]] double reach() const { return window_ == Window::gabor ? 3.0 : kFarthest; }
 
   /// The value at the frequency (x, y), and in `slopes` its derivatives.
   double at(double x, double y, std::array<double, 2>& slopes) const {

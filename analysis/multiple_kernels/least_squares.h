@@ -53,7 +53,8 @@ Eigen::VectorXd minimized(Eigen::VectorXd values, double leastGain, const Residu
     } else {
       damping *= growth;
       growth *= 2.0;
-      if (growth > 2048.0)
+      constexpr double kMostGrowth = 2048.0; // eleven steps in a row that gain nothing
+      if (growth > kMostGrowth)
         break;
     }
   }

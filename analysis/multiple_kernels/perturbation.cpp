@@ -87,8 +87,7 @@ MatrixXd covarianceOf(const std::vector<MapSpectrum>& maps) {
   for (int v = -(plane.rows / 2); v <= plane.rows / 2; ++v)
     for (int u = 0; u < plane.columns; ++u)
       if (u > 0 || v != 0) {
-        const VectorXcd values = channelsAt(maps, u, v);
-        covariance += ((u == 0 ? 1.0 : 2.0) * values * values.adjoint()).real();
+        covariance += (u == 0 ? 1.0 : 2.0) * spectra::crossPower(maps, u, v).real();
       }
   spectra::setMapCovariances(covariance, maps);
   return covariance;

@@ -79,8 +79,8 @@ double sumOf(const SpectrumPicture& picture, int channel, const HalfSpectrum& sp
 }
 
 /// Replaces the channels of a colour map by what makes its stored values follow the channels of the
-/// picture. The channels are uncorrelated on average, with the covariance that they had; returns
-/// false as replaceChannel().
+/// picture, with the covariance that they had in the mean over phases. Returns false as
+/// replaceChannel().
 bool replaceColors(const SpectrumPicture& picture, std::uint32_t seed, MapSpectrum& map) {
   const auto count = Eigen::Index(map.channels.size());
   std::vector<HalfSpectrum> stored = map.channels;
@@ -95,6 +95,8 @@ bool replaceColors(const SpectrumPicture& picture, std::uint32_t seed, MapSpectr
   const Eigen::MatrixXd own = fromStored * ofStored * fromStored.transpose();
   const Eigen::MatrixXf factors =
       (transport::covarianceMap<Eigen::MatrixXd>(own, map.covariance) * fromStored).cast<float>();
+  map.fromIndependent = factors.cast<double>();
+  map.toIndependent = map.fromIndependent.inverse();
   for (std::size_t i = 0; i < stored[0].values.size(); ++i) {
     Eigen::VectorXcf values(count);
     for (Eigen::Index c = 0; c < count; ++c)
@@ -110,10 +112,12 @@ bool replaceMap(const SpectrumPicture& picture, std::uint32_t seed, MapSpectrum&
   constexpr std::size_t kColors = 3;
   if (picture.channels == int(kColors) && map.channels.size() == kColors && !map.luminance.empty())
     return replaceColors(picture, seed, map);
-  for (std::size_t c = 0; c < map.channels.size(); ++c)
-    if (const auto own = Eigen::Index(c); !replaceChannel(picture, kAll, map.covariance(own, own),
-                                                          seed + std::uint32_t(c), map.channels[c]))
+  const auto count = Eigen::Index(map.channels.size());
+  for (Eigen::Index c = 0; c < count; ++c)
+    if (!replaceChannel(picture, kAll, map.covariance(c, c), seed + std::uint32_t(c),
+                        map.channels[std::size_t(c)]))
       return false;
+  map.fromIndependent = map.toIndependent = Eigen::MatrixXd::Identity(count, count);
   return true;
 }
 

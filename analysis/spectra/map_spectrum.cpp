@@ -120,6 +120,27 @@ Eigen::MatrixXd powerWeights(const std::vector<MapSpectrum>& maps) {
   return weights;
 }
 
+Eigen::MatrixXcd crossPower(const std::vector<MapSpectrum>& maps, int u, int v) {
+  const std::vector<Index> first = firstChannels(maps);
+  VectorXcd values(first.back());
+  Index row = 0;
+  for (const MapSpectrum& map : maps)
+    for (std::size_t c = 0; c < map.channels.size(); ++c)
+      values[row++] = map.at(c, u, v);
+  Eigen::MatrixXcd products = values * values.adjoint();
+  for (std::size_t m = 0; m < maps.size(); ++m)
+    if (const Eigen::MatrixXd& mixing = maps[m].fromIndependent; mixing.size() > 0) {
+      const Index count = first[m + 1] - first[m];
+      const Eigen::VectorXd powers =
+          (maps[m].toIndependent * values.segment(first[m], count)).cwiseAbs2();
+      products.middleRows(first[m], count).setZero();
+      products.middleCols(first[m], count).setZero();
+      products.block(first[m], first[m], count, count) =
+          (mixing * powers.asDiagonal() * mixing.transpose()).cast<Complex>();
+    }
+  return products;
+}
+
 void setMapCovariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps) {
   const std::vector<Index> first = firstChannels(maps);
   for (std::size_t m = 0; m < maps.size(); ++m) {
@@ -147,11 +168,16 @@ PowerPlane powerPlane(const std::vector<MapSpectrum>& maps) {
   tbb::parallel_for(0, power.rows, [&](int row) {
     for (const MapSpectrum& map : maps) {
       VectorXcd values(Index(map.channels.size()));
+      const bool isGiven = map.fromIndependent.size() > 0;
+      const Eigen::MatrixXd storedOfIndependent =
+          isGiven ? Eigen::MatrixXd(map.toStored * map.fromIndependent) : Eigen::MatrixXd();
       for (int u = 0; u < power.columns; ++u) {
         for (Index c = 0; c < values.size(); ++c)
           values[c] = map.at(std::size_t(c), u, row - power.rows / 2);
         power.values[std::size_t(row) * std::size_t(power.columns) + std::size_t(u)] +=
-            (map.toStored * values).squaredNorm();
+            isGiven ? (storedOfIndependent * VectorXcd(map.toIndependent * values).asDiagonal())
+                          .squaredNorm() // as crossPower()
+                    : (map.toStored * values).squaredNorm();
       }
     }
   });

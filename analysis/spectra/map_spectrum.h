@@ -19,7 +19,12 @@ namespace lichen::spectra {
 /// the standard deviation of a Gaussian value. Empty for a map that does not vary.
 struct MapSpectrum {
   std::vector<HalfSpectrum> channels;
-  Eigen::MatrixXd covariance; ///< of the channels, in squared standard deviations
+  /// Of the channels, in squared standard deviations. What is taken from it may leave eigenvalues
+  /// that are negative by rounding.
+  Eigen::MatrixXd covariance;
+  /// Of a given spectrum: the channels are `fromIndependent` times channels with phases of their
+  /// own, and `toIndependent` is its inverse. Empty for an exemplar's.
+  Eigen::MatrixXd fromIndependent, toIndependent;
   /// How the stored values follow the channels, to the first order: a square matrix whose squares
   /// sum to the number of channels.
   Eigen::MatrixXd toStored;
@@ -36,13 +41,18 @@ struct MapSpectrum {
 /// The first channel of each map among those of all, and their number.
 [[nodiscard]] std::vector<Eigen::Index> firstChannels(const std::vector<MapSpectrum>& maps);
 
-/// What the product with its own transpose of a vector of all channels is multiplied with, so that
-/// the sum is its power as powerPlane() has it.
+/// The products of all channels with the conjugates of all at a frequency: those of an exemplar as
+/// they are, those of a given spectrum in the mean over its random phases, of which a few
+/// frequencies would be no sample.
+[[nodiscard]] Eigen::MatrixXcd crossPower(const std::vector<MapSpectrum>& maps, int u, int v);
+
+/// What the real part of crossPower() is multiplied with, so that the sum is the power as
+/// powerPlane() has it.
 [[nodiscard]] Eigen::MatrixXd powerWeights(const std::vector<MapSpectrum>& maps);
 
 /// Gives a covariance of all channels, a sum over the plane's frequencies, that of each map within
-/// the map. The highest frequencies of even sizes have no mirror and are not in the plane, and the
-/// channels of a given spectrum are uncorrelated on average only.
+/// the map: the highest frequencies of even sizes have no mirror and are not in the plane, but
+/// belong to the covariance all the same.
 void setMapCovariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps);
 
 /// The sum of the power of all stored values of all maps: a channel counts as much as it changes

@@ -152,8 +152,8 @@ TEST_CASE("a camera moving over a floor shimmers hardly more than supersampled f
   // 1.2 is wanted, and the exemplars of lichen-bench have 0.9 to 1.05. Here pixels of the floor are
   // up to eight times as long as wide, in texels as large as the exemplar's grain, and one square
   // fetch keeps more of it than their average does: measured 1.14, 1.23, 1.39 and 1.57, to 0.02.
-  // Kernels keep their size when they fade (1.56), and few of them are the index of layers: weights
-  // of the energy in their fit of 0.05 to 0.3 give other kernels, and 1.22 to 1.29.
+  // Kernels keep their size when they fade (1.56). The index of layered noise has few kernels: with
+  // other weights of the energy in their fit, 0.05 to 0.3, 1.22 to 1.29 were measured.
   const std::array<double, 9> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5, 1.25, 1.6, 1.3};
   for (std::size_t k = 0; k < planes().size(); ++k) {
     const NamedPlane& one = planes()[k];
