@@ -14,8 +14,8 @@ namespace lichen::multiple_kernels {
 /// cycles per unit of the window's coordinates.
 class WindowSpectrum {
 public:
-  /// The length of a frequency beyond which it is taken for 0: less than 1e-4 of any window's
-  /// energy lies there but for the sinc's.
+  /// The spectrum is 0 beyond this frequency. Less than 1e-4 of a window's energy lies there; of a
+  /// sinc's, more.
   static constexpr double kFarthest = 12.0;
 
   /// Throws std::bad_alloc. About 10 ms.

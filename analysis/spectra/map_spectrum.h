@@ -41,9 +41,9 @@ struct MapSpectrum {
 /// The first channel of each map among those of all, and their number.
 [[nodiscard]] std::vector<Eigen::Index> firstChannels(const std::vector<MapSpectrum>& maps);
 
-/// The products of all channels with the conjugates of all at a frequency: those of an exemplar as
-/// they are, those of a given spectrum in the mean over its random phases, of which a few
-/// frequencies would be no sample.
+/// The cross-power of all channels at a frequency: f f^H, where f holds the channels. Channels of a
+/// given spectrum have random phases, and their cross-power is its mean over these: a spectrum of
+/// few frequencies has too few phases to average.
 [[nodiscard]] Eigen::MatrixXcd crossPower(const std::vector<MapSpectrum>& maps, int u, int v);
 
 /// What the real part of crossPower() is multiplied with, so that the sum is the power as
