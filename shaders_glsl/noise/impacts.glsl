@@ -263,7 +263,8 @@ void lichenNextCellOf(inout LichenWalk walk, LichenImpacts impacts, LichenMateri
   walk.corner = endsRow ? vec2(impacts.start.x, walk.corner.y - impacts.cellTexels.y) : walk.corner;
 }
 
-/// One step of a walk.
+/// One step of a walk, to the next impact. Not to the next in reach: of pixels that are computed
+/// together, all would wait for the one that finds its own last.
 void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material,
                 LichenNoise noise) {
   bool isPoisson = bool(LICHEN_POISSON_POINTS) &&
@@ -285,15 +286,6 @@ void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial mat
 /// Whether a walk has not come to the end of its cells.
 bool lichenHasImpact(LichenWalk walk, LichenImpacts impacts) {
   return walk.corner.y > impacts.end.y;
-}
-
-/// Advances to the next impact in reach, skipping at most one. A loop would run until the slowest
-/// pixel of a group finds one.
-void lichenNextImpact(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material,
-                      LichenNoise noise) {
-  lichenStep(walk, impacts, material, noise);
-  if (!walk.isReached && lichenHasImpact(walk, impacts))
-    lichenStep(walk, impacts, material, noise);
 }
 
 #endif

@@ -111,12 +111,14 @@ void lichenNextColumn(inout LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
 
 /// Where an impact lies in its cube, [0, 1).
 vec3 lichenImpactInCube(uint word) {
-  // 10 bits each, below the sign, and the middle of what they tell apart.
-  const float kStep = 1.0 / 1024.0;
-  return (vec3(ivec3(uvec3(word >> 21u, word >> 11u, word >> 1u) & 1023u)) + 0.5) * kStep;
+  // As lichenImpactInCell, with 10 bits for each axis.
+  const uint kFractionBits = 0x7fe000u;
+  const uint kOneAndHalfAStep = 0x3f801000u;
+  uvec3 bits = uvec3(word >> 8u, word << 2u, word << 12u) & kFractionBits;
+  return uintBitsToFloat(bits | kOneAndHalfAStep) - 1.0;
 }
 
-/// One step of a walk.
+/// One step of a walk, to the next impact; see lichenStep.
 void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
   uint cell = cubes.cell.z + uint(int(walk.cube));
   walk.cell = uvec3(cubes.cell.xy + uvec2(ivec2(walk.column)), cell);
@@ -146,15 +148,6 @@ void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
 /// Whether a walk has not come to the end of its cubes.
 bool lichenHasImpact(LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
   return walk.column.y <= cubes.lastColumn.y;
-}
-
-/// Advances to the next impact in reach, or to the end. Pixels that are computed together mostly
-/// agree on it, so few fetches are wasted.
-void lichenNextSurfaceImpact(inout LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
-  // No do-while: Mesa 22.3's lavapipe runs one wrong that is inside another loop.
-  walk.isReached = false;
-  while (!walk.isReached && lichenHasImpact(walk, cubes))
-    lichenSurfaceStep(walk, cubes);
 }
 
 #endif

@@ -51,15 +51,16 @@ vec4 lichenSurfaceKernelSums(LichenKernelRow row, LichenSurfaceKernelsPoint poin
   vec4 sums = vec4(0.0);
   LichenSurfaceWalk walk = lichenFirstSurfaceImpact(cubes);
   while (lichenHasImpact(walk, cubes)) {
-    lichenNextSurfaceImpact(walk, cubes);
+    lichenSurfaceStep(walk, cubes);
+    if (!walk.isReached)
+      continue;
     uint word = lichenPcg(~walk.word);
     if (row.isRing) {
       uint turns = lichenRingTurns(walk.cell.x, walk.cell.y, seed + walk.cell.z * 0xABC98389u);
       frequency = row.frequency.x * lichenRingDirection(turns) * toTiles;
     }
     float phase = dot(frequency, walk.offset) + lichenKernelPhase(word);
-    float weight = walk.isReached ? walk.weight : 0.0;
-    sums += lichenKernelWaves(weight * lichenKernelWindow(walk.offset, window) *
+    sums += lichenKernelWaves(walk.weight * lichenKernelWindow(walk.offset, window) *
                                   lichenCosineOfTurns(vec4(phase)).x,
                               word);
   }

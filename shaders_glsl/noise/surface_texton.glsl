@@ -23,9 +23,9 @@ vec3 lichenSurfaceTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, Lichen
   vec3 sum = vec3(0.0);
   LichenSurfaceWalk walk = lichenFirstSurfaceImpact(cubes);
   while (lichenHasImpact(walk, cubes)) {
-    lichenNextSurfaceImpact(walk, cubes);
-    float weight = walk.isReached ? walk.weight : 0.0;
-    sum += weight * lichenTextonAt(image, walk.offset + impacts.middle, impacts, noise);
+    lichenSurfaceStep(walk, cubes);
+    if (walk.isReached)
+      sum += walk.weight * lichenTextonAt(image, walk.offset + impacts.middle, impacts, noise);
   }
   return lichenTextonMaterial(material).amplitude * sum;
 }
@@ -35,7 +35,7 @@ int lichenSurfaceImpactCount(LichenSurfaceCubes cubes) {
   int count = 0;
   LichenSurfaceWalk walk = lichenFirstSurfaceImpact(cubes);
   while (lichenHasImpact(walk, cubes)) {
-    lichenNextSurfaceImpact(walk, cubes);
+    lichenSurfaceStep(walk, cubes);
     count += walk.isReached ? 1 : 0;
   }
   return count;

@@ -91,9 +91,9 @@ vec3 lichenTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenMateria
   vec3 sum = vec3(0.0);
   LichenWalk walk = lichenFirstImpact(impacts, material);
   while (lichenHasImpact(walk, impacts)) {
-    lichenNextImpact(walk, impacts, material, noise);
-    float sign = walk.isReached ? walk.sign : 0.0;
-    sum += sign * lichenTextonAt(image, walk.offset + impacts.middle, impacts, noise);
+    lichenStep(walk, impacts, material, noise);
+    if (walk.isReached)
+      sum += walk.sign * lichenTextonAt(image, walk.offset + impacts.middle, impacts, noise);
   }
   return lichenTextonMaterial(material).amplitude * sum;
 }
@@ -103,7 +103,7 @@ int lichenImpactCount(LichenImpacts impacts, LichenMaterial material, LichenNois
   int count = 0;
   LichenWalk walk = lichenFirstImpact(impacts, material);
   while (lichenHasImpact(walk, impacts)) {
-    lichenNextImpact(walk, impacts, material, noise);
+    lichenStep(walk, impacts, material, noise);
     count += walk.isReached ? 1 : 0;
   }
   return count;

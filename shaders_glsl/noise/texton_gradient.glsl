@@ -109,9 +109,10 @@ vec3 lichenTextonGradient(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenIm
   vec3 sum = vec3(0.0);
   LichenWalk walk = lichenFirstImpact(impacts, material);
   while (gain > 0.0 && lichenHasImpact(walk, impacts)) {
-    lichenNextImpact(walk, impacts, material, noise);
-    float sign = walk.isReached ? walk.sign : 0.0;
-    sum += sign * lichenTextonGradientAt(image, walk.offset + impacts.middle, impacts, noise);
+    lichenStep(walk, impacts, material, noise);
+    if (walk.isReached)
+      sum +=
+          walk.sign * lichenTextonGradientAt(image, walk.offset + impacts.middle, impacts, noise);
   }
   vec3 gradient = here.row0.x * here.sumFactor.x * lichenTextonMaterial(material).amplitude * gain *
                   sum * vec3(1.0, noise.tileTexelsX, noise.tileTexelsY);

@@ -18,7 +18,7 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 16> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 17> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
@@ -33,6 +33,7 @@ constexpr std::array<Family, 16> kFamilies{{{"bake", bakeRows},
                                             {"methods", methodRows},
                                             {"load", loadRows},
                                             {"shader", shaderRows},
+                                            {"options", optionRows},
                                             {"code", codeRows}}};
 
 const char* verdict(const Row& row) {

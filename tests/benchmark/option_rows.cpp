@@ -2,9 +2,9 @@
 // Ratios of a shader with an option to one without it: surfaces, solids and triplanar tiling to
 // those on texture coordinates, layers to one tiling, tiling's quality levels to the highest,
 // rotated tiles to unrotated ones.
-#include "option_rows.h"
-
 #include "benchmark_noises.h"
+#include "rows.h"
+#include "shader_frames.h"
 
 #include <array>
 #include <cstdio>
@@ -14,6 +14,7 @@
 #include <solid.frag.cosines.h>
 #include <solid.frag.kernels.h>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <surface.frag.kernels.h>
 #include <surface.frag.textons.h>
@@ -153,15 +154,26 @@ void appendRotationRows(std::vector<Row>& rows, const Glb& colorGlb, const Scree
   row("slopes, tiles rotated freely", kSlopeTarget, slopes, kMostTileRotation);
 }
 
-} // namespace
-
-void appendOptionRows(std::vector<Row>& rows, const Screen& screen) {
+std::vector<Row> measureOptions() {
+  const Screen screen;
   const Glb colors = tilingGlb(GaussianOnly::no);
+  std::vector<Row> rows;
   appendMappings(rows, screen);
   appendLayerRows(rows, colors, screen);
   appendTriplanarRow(rows, colors, screen);
   appendLevelRows(rows, colors, screen);
   appendRotationRows(rows, colors, screen);
+  return rows;
+}
+
+} // namespace
+
+std::vector<Row> optionRows() {
+  try {
+    return measureOptions();
+  } catch (const std::exception& problem) {
+    return {{"options of the shaders", 0.0, kNoTarget, "", problem.what(), true}};
+  }
 }
 
 } // namespace lichen::bench

@@ -3,7 +3,6 @@
 #include "screen_pass.h"
 
 #include <array>
-#include <chrono>
 #include <stdexcept>
 
 namespace lichen::bench {
@@ -121,6 +120,17 @@ ScreenPipeline::~ScreenPipeline() {
   vkDestroyPipelineLayout(device_, layout_, nullptr);
 }
 
+ScreenPass::ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vertex,
+                       std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout)
+    : device_(device), pipeline_(device.device(), vertex, fragment, layout) {
+  VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
+  info.queryType = VK_QUERY_TYPE_TIMESTAMP;
+  info.queryCount = kTimestamps;
+  require(vkCreateQueryPool(device.device(), &info, nullptr, &timestamps_), "a query pool");
+}
+
+ScreenPass::~ScreenPass() { vkDestroyQueryPool(device_.device(), timestamps_, nullptr); }
+
 double ScreenPass::draw(const DeviceImage& target, VkDescriptorSet set, const ScreenView& view) {
   const VkExtent2D extent{target.info.extent.width, target.info.extent.height};
   VkRenderingAttachmentInfo attachment{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
@@ -134,9 +144,10 @@ double ScreenPass::draw(const DeviceImage& target, VkDescriptorSet set, const Sc
   rendering.colorAttachmentCount = 1;
   rendering.pColorAttachments = &attachment;
   const VkViewport viewport{0.0f, 0.0f, float(extent.width), float(extent.height), 0.0f, 1.0f};
-  const auto start = std::chrono::steady_clock::now();
   const Result<void> drawn = device_.submit([&](VkCommandBuffer commands) {
+    vkCmdResetQueryPool(commands, timestamps_, 0, kTimestamps);
     toColorAttachment(commands, target);
+    vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, timestamps_, 0);
     vkCmdBeginRendering(commands, &rendering);
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.handle());
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.layout(), 0, 1,
@@ -147,10 +158,15 @@ double ScreenPass::draw(const DeviceImage& target, VkDescriptorSet set, const Sc
                        &view);
     vkCmdDraw(commands, 4, 1, 0, 0);
     vkCmdEndRendering(commands);
+    vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, timestamps_, 1);
   });
   if (!drawn)
     throw std::runtime_error(drawn.error().message);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::array<std::uint64_t, kTimestamps> ticks{};
+  require(vkGetQueryPoolResults(device_.device(), timestamps_, 0, kTimestamps, sizeof ticks,
+                                ticks.data(), sizeof ticks[0], VK_QUERY_RESULT_64_BIT),
+          "timestamps");
+  return 1e-9 * double(device_.properties().limits.timestampPeriod) * double(ticks[1] - ticks[0]);
 }
 
 } // namespace lichen::bench

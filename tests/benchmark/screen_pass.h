@@ -42,16 +42,21 @@ class ScreenPass {
 public:
   /// `layout` is the layout of set 0. Throws std::runtime_error with the device's message.
   ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vertex,
-             std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout)
-      : device_(device), pipeline_(device.device(), vertex, fragment, layout) {}
+             std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout);
+  ~ScreenPass();
+  ScreenPass(const ScreenPass&) = delete;
+  ScreenPass& operator=(const ScreenPass&) = delete;
 
-  /// Draws into `target` (kScreenFormat, a colour attachment) and waits. Returns the seconds from
-  /// submission to completion.
+  /// Draws into `target` (kScreenFormat, a colour attachment) and waits. Returns the seconds that
+  /// the device took, from its timestamps.
   [[nodiscard]] double draw(const DeviceImage& target, VkDescriptorSet set, const ScreenView& view);
 
 private:
+  static constexpr std::uint32_t kTimestamps = 2; ///< before and after the draw
+
   VulkanDevice& device_;
   ScreenPipeline pipeline_;
+  VkQueryPool timestamps_ = VK_NULL_HANDLE;
 };
 
 } // namespace lichen::bench

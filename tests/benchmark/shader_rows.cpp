@@ -2,7 +2,6 @@
 // Cost of the shaders and of their published peers, relative to one plain trilinear fetch and to
 // three bare ones. All of them draw in turn in one process.
 #include "benchmark_noises.h"
-#include "option_rows.h"
 #include "peer_images.h"
 #include "rows.h"
 #include "shader_frames.h"
@@ -127,7 +126,6 @@ std::vector<Row> measure() {
   std::vector<Row> rows;
   appendRows(rows, screen, shaders, kFlat, "flat", &Targets::flat);
   appendRows(rows, screen, shaders, kFloor, "perspective", &Targets::perspective);
-  appendOptionRows(rows, screen);
   return rows;
 }
 
