@@ -32,10 +32,10 @@ vec2 lichenBfloat16Pair(float pair) {
 /// Adds one cosine at three vertices: to the sum of Gaussian values, to the sum of the squared
 /// amplitudes of all channels under the windows, and in w to what the footprint takes of it.
 /// `box`: the cosine's half of a texel of column 0, the others those of the vertices' variants.
-/// Advances the vertices' random numbers.
+/// Advances the vertices' random numbers. `isFiltered`: whether the footprint exceeds a texel.
 void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
-                     LichenCosinesVertices vertices, vec3 footprint, vec2 box, vec2 variant0,
-                     vec2 variant1, vec2 variant2) {
+                     LichenCosinesVertices vertices, vec3 footprint, bool isFiltered, vec2 box,
+                     vec2 variant0, vec2 variant1, vec2 variant2) {
   vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
   vec4 amplitude0 = vec4(lichenBfloat16Pair(variant0.x), lichenBfloat16Pair(variant0.y));
   vec4 amplitude1 = vec4(lichenBfloat16Pair(variant1.x), lichenBfloat16Pair(variant1.y));
@@ -47,16 +47,19 @@ void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
   vec3 frequencyY = middle.y + size.y * kPerBit * vec3(ivec3(states << 11u));
   vec3 turns = frequencyX * vertices.offsetX + frequencyY * vertices.offsetY +
                kPerBit * vec3(ivec3(states)) + vec3(amplitude0.a, amplitude1.a, amplitude2.a);
-  vec3 cycles = dot(footprint.xy, vertices.spread) +
-                frequencyX * (footprint.x * frequencyX + footprint.z * frequencyY) +
-                footprint.y * frequencyY * frequencyY;
-  vec3 windows = vertices.windows * lichenCosineRetained(vec4(cycles, 0.0)).xyz;
-  vec3 values = windows * lichenCosineOfTurns(vec4(turns, 0.0)).xyz;
-  sum.rgb += values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb;
   vec3 own = vec3(dot(amplitude0.rgb, amplitude0.rgb), dot(amplitude1.rgb, amplitude1.rgb),
                   dot(amplitude2.rgb, amplitude2.rgb));
-  squares += dot(vertices.windows * vertices.windows, own);
-  sum.w += dot(vertices.windows * vertices.windows - windows * windows, own);
+  vec3 windows = vertices.windows;
+  squares += dot(windows * windows, own);
+  if (isFiltered) {
+    vec3 cycles = dot(footprint.xy, vertices.spread) +
+                  frequencyX * (footprint.x * frequencyX + footprint.z * frequencyY) +
+                  footprint.y * frequencyY * frequencyY;
+    windows *= lichenCosineRetained(vec4(cycles, 0.0)).xyz;
+    sum.w += dot(vertices.windows * vertices.windows - windows * windows, own);
+  }
+  vec3 values = windows * lichenCosineOfTurns(vec4(turns, 0.0)).xyz;
+  sum.rgb += values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb;
 }
 
 /// The Gaussian value, and in w the share of its variance that the footprint loses, averaged over
@@ -66,6 +69,7 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));
+  bool isFiltered = footprint != vec3(0.0);
   vec4 sum = vec4(0.0);
   float squares = 0.0;
   int row = 0;
@@ -81,10 +85,10 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
       vec4 variant0 = LICHEN_FETCH_2D(image, ivec2(variants.x, row));
       vec4 variant1 = LICHEN_FETCH_2D(image, ivec2(variants.y, row));
       vec4 variant2 = LICHEN_FETCH_2D(image, ivec2(variants.z, row));
-      lichenAddCosine(sum, squares, states, vertices, footprint, boxes.xy, variant0.xy,
-                      variant1.xy, variant2.xy);
-      lichenAddCosine(sum, squares, states, vertices, footprint, boxes.zw, variant0.zw,
-                      variant1.zw, variant2.zw);
+      lichenAddCosine(sum, squares, states, vertices, footprint, isFiltered, boxes.xy,
+                      variant0.xy, variant1.xy, variant2.xy);
+      lichenAddCosine(sum, squares, states, vertices, footprint, isFiltered, boxes.zw,
+                      variant0.zw, variant1.zw, variant2.zw);
     }
   }
   lichenAddStructure(sum, squares, image, point, material, noise, map);

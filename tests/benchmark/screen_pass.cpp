@@ -4,6 +4,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <vector>
 
 namespace lichen::bench {
 namespace {
@@ -123,6 +124,14 @@ ScreenPipeline::~ScreenPipeline() {
 ScreenPass::ScreenPass(VulkanDevice& device, std::span<const std::uint32_t> vertex,
                        std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout)
     : device_(device), pipeline_(device.device(), vertex, fragment, layout) {
+  std::uint32_t count = device.queueFamily() + 1;
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device.physicalDevice(), &count, families.data());
+  constexpr std::uint32_t kAllBits = 64;
+  const std::uint32_t bits = families.back().timestampValidBits;
+  if (bits == 0)
+    throw std::runtime_error("the device's queue has no timestamps");
+  ticks_ = ~std::uint64_t{0} >> (kAllBits - bits);
   VkQueryPoolCreateInfo info{VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = kTimestamps;
@@ -166,7 +175,8 @@ double ScreenPass::draw(const DeviceImage& target, VkDescriptorSet set, const Sc
   require(vkGetQueryPoolResults(device_.device(), timestamps_, 0, kTimestamps, sizeof ticks,
                                 ticks.data(), sizeof ticks[0], VK_QUERY_RESULT_64_BIT),
           "timestamps");
-  return 1e-9 * double(device_.properties().limits.timestampPeriod) * double(ticks[1] - ticks[0]);
+  return 1e-9 * double(device_.properties().limits.timestampPeriod) *
+         double((ticks[1] - ticks[0]) & ticks_);
 }
 
 } // namespace lichen::bench

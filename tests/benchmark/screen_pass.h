@@ -57,6 +57,7 @@ private:
   VulkanDevice& device_;
   ScreenPipeline pipeline_;
   VkQueryPool timestamps_ = VK_NULL_HANDLE;
+  std::uint64_t ticks_ = 0; ///< mask of the bits that timestamps have
 };
 
 } // namespace lichen::bench

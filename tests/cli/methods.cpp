@@ -62,8 +62,8 @@ TEST_CASE("a budget needs --method auto, a method that is cheap enough, and no g
 
 TEST_CASE("the budget that tries all methods does so") {
   const Arguments impacts{"--kernel-impacts", "60.1"};
-  CHECK_THAT(chosenFor(smoothGrey(64), impacts).notes, Catch::Contains("--budget 97 tries all"));
-  CHECK_THAT(chosenFor(smoothGrey(64), {"--kernel-impacts", "60.1", "--budget", "97"}).notes,
+  CHECK_THAT(chosenFor(smoothGrey(64), impacts).notes, Catch::Contains("--budget 104 tries all"));
+  CHECK_THAT(chosenFor(smoothGrey(64), {"--kernel-impacts", "60.1", "--budget", "104"}).notes,
              Catch::Contains("multiple-kernels"));
 }
 

@@ -7,13 +7,13 @@ namespace lichen {
 
 inline constexpr double kTilingFetches = 4.1;
 /// `impacts`: the mean number of them at a point.
-[[nodiscard]] constexpr double textonFetches(double impacts) { return 1.25 * impacts; }
+[[nodiscard]] constexpr double textonFetches(double impacts) { return 1.37 * impacts; }
 [[nodiscard]] constexpr double cosineFetches(int cosines, bool hasStructure) {
   return 1.04 * cosines + (hasStructure ? 27.6 : 0.0);
 }
 /// `cosines`: of a pattern, each at most as dear as one of cosineFetches().
 [[nodiscard]] constexpr double kernelFetches(double impacts, int cosines) {
-  return 1.6 * impacts + 1.04 * cosines;
+  return 1.72 * impacts + 1.04 * cosines;
 }
 
 } // namespace lichen
