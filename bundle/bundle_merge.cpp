@@ -149,13 +149,15 @@ std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
   placeTables(into, from, noise, name);
   if (into.tables.size() == tablesBefore) { // a noise with new tables cannot be a duplicate
     const auto same = std::find_if(into.noises.begin(), into.noises.end(), [&](const Noise& other) {
-      noise.name = other.name; // ignores the name in the comparison
+      noise.name = other.name; // ignores these two in the comparison
+      noise.preparation = other.preparation;
       return noise == other;
     });
     if (same != into.noises.end())
       return std::size_t(same - into.noises.begin());
   }
   noise.name = name;
+  noise.preparation = from.noises[index].preparation;
   into.noises.push_back(std::move(noise));
   return into.noises.size() - 1;
 }
@@ -203,6 +205,7 @@ Result<Bundle> layerNoises(const std::string& name, std::span<const BundledNoise
       placeTables(bundle, *input.bundle, noise, named);
       noise.name = std::move(named);
       noise.layers.reset();
+      noise.preparation = {};
       bundle.noises.push_back(std::move(noise));
       return bundle.noises.size() - 1;
     };

@@ -18,7 +18,6 @@ using nlohmann::json;
 constexpr std::size_t kMaxTables = 4096;
 constexpr std::size_t kMaxNoises = 1024;
 constexpr std::size_t kMaxMaterials = 65536;
-constexpr std::size_t kMaxMaps = 6; // one per target
 
 std::string elementPointer(const std::string& array, std::size_t index) {
   return array + "/" + std::to_string(index);
@@ -88,6 +87,7 @@ Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings
     reader.error("noise-revision", "revision",
                  std::to_string(*revision) + "; expected " + std::to_string(revisionOf(method)));
   noise.tileSizeMetres = reader.numberOr("tileSize", kTileSizeRange, noise.tileSizeMetres);
+  noise.preparation = readPreparation(reader, findings);
   noise.data = formatOf(method).readNoise(reader, findings);
   const json* maps = reader.array("maps", kMaxMaps);
   std::set<MapTarget> targets;

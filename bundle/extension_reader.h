@@ -35,6 +35,9 @@ struct MapMoments {
 readLayers(ObjectReader& noise, std::size_t own, std::span<const std::optional<std::size_t>> places,
            FindingList& findings);
 
+/// Reads the member `preparation` of a noise, if there is one.
+[[nodiscard]] Preparation readPreparation(ObjectReader& noise, FindingList& findings);
+
 /// Reads and checks the mix weight of a material. `textures` is the number of textures in the glTF
 /// document.
 [[nodiscard]] MixWeight readMixWeight(ObjectReader& material, std::size_t textures,
@@ -51,6 +54,7 @@ readLayers(ObjectReader& noise, std::size_t own, std::span<const std::optional<s
 
 /// Bound from the format's schema. bundle.h has the bounds of the parameters.
 inline constexpr std::uint64_t kMaxTexCoord = 15;
+inline constexpr std::size_t kMaxMaps = 6; ///< one per target
 /// Tolerance for rounding errors: for the eigenvalues of a covariance as a share of its trace, for
 /// its symmetry as a share of its largest value.
 inline constexpr double kCovarianceTolerance = 1e-9;

@@ -59,6 +59,28 @@ Json describeNode(const NoiseLayers& layers, std::size_t index, std::size_t own)
           {"above", noiseOrNode(node.above)}};
 }
 
+/// The members that differ from their defaults.
+Json describePreparation(const Preparation& preparation) {
+  Json json = Json::object();
+  if (preparation.isGreenDown)
+    json["normals"] = "directX";
+  if (preparation.usesAlpha)
+    json["alpha"] = "opacity";
+  if (preparation.crop)
+    json["crop"] = *preparation.crop;
+  if (preparation.periodic)
+    json["periodic"] = *preparation.periodic;
+  if (preparation.size)
+    json["size"] = *preparation.size;
+  if (!preparation.flattened.empty()) {
+    Json& flattened =
+        json["flattened"] = {{"period", preparation.flattenPeriod}, {"maps", Json::array()}};
+    for (const MapTarget map : preparation.flattened)
+      flattened["maps"].push_back(nameOf(map));
+  }
+  return json;
+}
+
 } // namespace
 
 Json describeNoise(const Noise& noise, std::size_t index) {
@@ -68,6 +90,8 @@ Json describeNoise(const Noise& noise, std::size_t index) {
                {"revision", format.revision()},
                {"tileSize", noise.tileSizeMetres}};
   format.writeNoise(noise, json);
+  if (noise.preparation != Preparation{})
+    json["preparation"] = describePreparation(noise.preparation);
   json["maps"] = Json::array();
   for (const NoiseMap& map : noise.maps)
     json["maps"].push_back(describeMap(map, format));

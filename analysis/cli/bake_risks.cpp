@@ -21,13 +21,22 @@ Accepted<Flattening> flattening() {
             if (text == "none")
               return Flattening{};
             if (text == "auto")
-              return Flattening{true, 0.0};
+              return Flattening{true, 0.0, {}};
             const std::optional<double> pixels = read(text);
-            return pixels ? std::optional(Flattening{false, *pixels}) : std::nullopt;
+            return pixels ? std::optional(Flattening{false, *pixels, {}}) : std::nullopt;
           }};
 }
 
 namespace {
+
+std::string flattenedNote(const Flattened& flattened, std::size_t maps) {
+  std::vector<std::string_view> names;
+  for (const MapTarget map : flattened.maps)
+    names.push_back(nameOf(map));
+  return fmt::format("--flatten removes variation slower than {:.0f} pixels{}",
+                     flattened.periodPixels,
+                     names.size() < maps ? fmt::format(" from {}", fmt::join(names, ", ")) : "");
+}
 
 /// Returns the note on the decision of --flatten auto.
 std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
@@ -43,12 +52,7 @@ std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
     return "--flatten auto removes nothing: even the shortest period leaves the risks; use a "
            "photograph in even light";
   }
-  std::vector<std::string_view> names;
-  for (const MapTarget map : choice.flattened)
-    names.push_back(nameOf(map));
-  return fmt::format("--flatten removes variation slower than {:.0f} pixels{}",
-                     *choice.periodPixels,
-                     maps > 1 ? fmt::format(" from {}", fmt::join(names, ", ")) : "");
+  return flattenedNote({choice.flattened, *choice.periodPixels}, maps);
 }
 
 } // namespace
@@ -62,15 +66,21 @@ Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps, const Flatteni
   ProgressLine line("flatten", options);
   const Progress progress = line.asProgress();
   if (!requested.automatic) {
+    const auto isWanted = [&](MapTarget map) { // flatten() does not change opacity
+      return requested.maps.empty() ? map != MapTarget::opacity
+                                    : std::ranges::count(requested.maps, map) > 0;
+    };
     Flattened flattened{{}, requested.periodPixels};
     for (const MapExemplar& map : maps)
-      if (map.target != MapTarget::opacity) // flatten() does not change opacity
+      if (isWanted(map.target))
         flattened.maps.push_back(map.target);
-    notes.push_back(flattened.maps.empty()
-                        ? std::string("--flatten removes nothing: it does not change opacity")
-                        : fmt::format("--flatten removes variation slower than {:.0f} pixels",
-                                      requested.periodPixels));
-    if (Result<void> done = flatten(maps, requested.periodPixels, fit, progress); !done)
+    if (flattened.maps.empty() && requested.maps.empty())
+      notes.emplace_back("--flatten removes nothing: it does not change opacity");
+    if (flattened.maps.empty())
+      return flattened;
+    notes.push_back(flattenedNote(flattened, maps.size()));
+    if (Result<void> done = flatten(maps, requested.periodPixels, fit, flattened.maps, progress);
+        !done)
       return done.error();
     return flattened;
   }

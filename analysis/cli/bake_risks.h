@@ -21,7 +21,8 @@ namespace lichen::cli {
 /// --flatten none|auto|PERIOD.
 struct Flattening {
   bool automatic = false;
-  double periodPixels = 0.0; ///< pixels of the first map; 0 for none
+  double periodPixels = 0.0;   ///< pixels of the first map; 0 for none
+  std::vector<MapTarget> maps; ///< that are flattened by it; empty: all but opacity
 
   [[nodiscard]] bool isWanted() const { return automatic || periodPixels > 0.0; }
 };

@@ -106,6 +106,7 @@ struct Judged {
   std::vector<std::vector<Risk>> assessed; ///< one per map
   std::vector<MapRisk> risks;              ///< leadingRisks()
   std::vector<ExemplarOrigin> origins;     ///< one per map
+  Preparation preparation;
 };
 
 /// Also chooses the method, if the user left that to it.
@@ -138,7 +139,8 @@ Result<Judged> readAndJudge(Arguments& arguments, Notes& notes) {
                 set.periodic,
                 std::move(assessed).value(),
                 std::move(risks),
-                std::move(read).value().origins};
+                std::move(read.value().origins),
+                std::move(read.value().preparation)};
 }
 
 /// The noise, noise 0 of the bundle, and what the method reports of it.
@@ -169,13 +171,15 @@ Result<LayeredBake> bakeNoise(const Arguments& arguments, const Judged& exemplar
   return result;
 }
 
-Result<BundleFile> makeBundleFile(const Arguments& arguments, LayeredBake& bake) {
+Result<BundleFile> makeBundleFile(const Arguments& arguments, const Judged& exemplar,
+                                  LayeredBake& bake) {
   BundleFile file;
   file.shape = arguments.preview;
   file.generator = "lichen " LICHEN_VERSION;
   file.bundle = std::move(bake.bundle);
   for (Noise& noise : file.bundle.noises)
     noise.tileSizeMetres = arguments.tileMetres;
+  file.bundle.noises.front().preparation = exemplar.preparation;
   MaterialNoise material = bake.about.material;
   material.seed = arguments.seed;
   file.bundle.materialNames = {file.bundle.noises.front().name};
@@ -236,7 +240,7 @@ Result<int> run(Arguments& arguments) {
     return baked.error();
   times.end("Baking the noise");
   MethodBake& bake = baked.value().about;
-  const Result<BundleFile> file = makeBundleFile(arguments, baked.value());
+  const Result<BundleFile> file = makeBundleFile(arguments, exemplar.value(), baked.value());
   if (!file)
     return file.error();
   const Bundle& bundle = file.value().bundle;

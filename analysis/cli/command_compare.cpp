@@ -34,6 +34,7 @@ struct Arguments {
   bool allMethods = false;
   std::string report;
   ExemplarOptions asBaked;
+  const CLI::App* verb = nullptr;
 };
 
 /// The measures of one map; for a texton, also its comparison with other kernels of the same
@@ -49,6 +50,29 @@ bool isBundle(const std::string& path) {
   for (char& letter : extension)
     letter = char(std::tolower(static_cast<unsigned char>(letter)));
   return extension == ".glb" || extension == ".gltf";
+}
+
+/// A bundle, and which of its noises to compare.
+struct BakedNoise {
+  Bundle bundle;
+  std::size_t index = 0;
+
+  [[nodiscard]] const Noise& noise() const { return bundle.noises[index]; }
+};
+
+Result<BakedNoise> readBaked(const Arguments& arguments) {
+  Result<Bundle> bundle = readBundle(arguments.result);
+  if (!bundle)
+    return bundle.error();
+  const Result<std::size_t> index = findNoise(bundle.value(), arguments.result, arguments.noise);
+  if (!index)
+    return index.error();
+  BakedNoise baked{std::move(bundle).value(), index.value()};
+  if (arguments.mix && !isMix(baked.noise()))
+    return Error{ErrorKind::usage,
+                 fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
+                             baked.noise().name)};
+  return baked;
 }
 
 /// The exemplar, read as the bake read it.
@@ -127,8 +151,8 @@ void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) 
     if (int(width) == hasWidth && int(height) == hasHeight)
       continue;
     exemplar.set.notes.push_back(
-        fmt::format("{}the exemplar is {} x {}, but was {} x {} when it was baked; give the --crop "
-                    "and --size of the bake",
+        fmt::format("{}the exemplar is {} x {}, but was {} x {} when it was baked; give the "
+                    "photograph that was baked, or the --crop and --size of the bake",
                     isEnlarged ? "" : std::string(nameOf(map.target)) + ": ", hasWidth, hasHeight,
                     width, height));
     if (isEnlarged)
@@ -136,28 +160,18 @@ void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) 
   }
 }
 
-Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, AsBaked& exemplar) {
-  const Result<Bundle> bundle = readBundle(arguments.result);
-  if (!bundle)
-    return bundle.error();
-  const Result<std::size_t> noise = findNoise(bundle.value(), arguments.result, arguments.noise);
-  if (!noise)
-    return noise.error();
-  const Noise& measured = bundle.value().noises[noise.value()];
-  if (arguments.mix && !isMix(measured))
-    return Error{ErrorKind::usage,
-                 fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
-                             measured.name)};
-  MaterialNoise material = materialOf(bundle.value(), noise.value());
+Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, const BakedNoise& baked,
+                                               AsBaked& exemplar) {
+  MaterialNoise material = materialOf(baked.bundle, baked.index);
   material.mix = {.weight = arguments.mix.value_or(0.0)};
-  noteOtherSize(exemplar, bundle.value(), measured);
+  noteOtherSize(exemplar, baked.bundle, baked.noise());
   ProgressLine progress("compare", arguments.shared);
   std::vector<MapMeasures> all;
   for (const MapExemplar& map : exemplar.set.maps) {
     const auto maps = double(exemplar.set.maps.size());
     const Progress part =
         partOf(progress.asProgress(), double(all.size()) / maps, double(all.size() + 1) / maps);
-    Result<NoiseComparison> comparison = compareNoise(bundle.value(), material, map, part);
+    Result<NoiseComparison> comparison = compareNoise(baked.bundle, material, map, part);
     if (!comparison)
       return Error{comparison.error().kind, arguments.result + ": " + comparison.error().message};
     all.push_back({map.target, std::move(comparison.value().measures), comparison.value().kernels});
@@ -260,16 +274,34 @@ Result<int> run(Arguments& arguments) {
     return Error{ErrorKind::usage,
                  fmt::format("{}: is a bundle; expected a photograph or a folder, then the result",
                              arguments.exemplar)};
+  std::optional<BakedNoise> baked;
+  std::string adopted;
+  if (isBundle(arguments.result)) {
+    Result<BakedNoise> read = readBaked(arguments);
+    if (!read)
+      return read.error();
+    baked = std::move(read).value();
+    adopted =
+        describe(adoptPreparation(baked->noise().preparation, *arguments.verb, arguments.asBaked));
+  }
   Result<AsBaked> exemplar = readAsBaked(arguments);
-  if (!exemplar)
+  if (!exemplar && adopted.empty())
     return exemplar.error();
+  if (!exemplar)
+    return Error{exemplar.error().kind,
+                 fmt::format("{}; {} was baked with {}: give the photograph that was baked, or "
+                             "other options",
+                             exemplar.error().message, arguments.result, adopted)};
+  if (!adopted.empty())
+    exemplar.value().set.notes.insert(exemplar.value().set.notes.begin(),
+                                      "as the bundle was baked: " + adopted);
   const MaterialSet& set = exemplar.value().set;
   if (arguments.allMethods)
     return compareMethods({arguments.exemplar, set.maps.front(), set.periodic, set.notes},
                           arguments.report, arguments.shared);
-  const Result<std::vector<MapMeasures>> maps = isBundle(arguments.result)
-                                                    ? compareBundle(arguments, exemplar.value())
-                                                    : compareImage(arguments, exemplar.value().set);
+  const Result<std::vector<MapMeasures>> maps =
+      baked ? compareBundle(arguments, *baked, exemplar.value())
+            : compareImage(arguments, exemplar.value().set);
   if (!maps)
     return maps.error();
   report(arguments, maps.value(), exemplar.value().set.notes);
@@ -301,6 +333,7 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
            "Weight of a mix at which to measure: 0 for the first input, 1 for the last [default: "
            "0]");
   addExemplarOptions(verb, arguments->asBaked);
+  arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }
 

@@ -6,7 +6,7 @@
 
 #include <lichen/image_io.h>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -43,7 +43,72 @@ std::optional<std::uint64_t> keptPixels(const ExemplarOptions& options) {
   return std::nullopt;
 }
 
+bool has(std::span<const MapExemplar> maps, MapTarget target) {
+  return std::ranges::count(maps, target, &MapExemplar::target) > 0;
+}
+
+Preparation preparationOf(const ExemplarOptions& options, const MaterialSet& set,
+                          const Flattened& flattened) {
+  Preparation made;
+  if (options.crop)
+    std::ranges::copy(*options.crop, made.crop.emplace().begin());
+  if (options.set.size)
+    std::ranges::copy(*options.set.size, made.size.emplace().begin());
+  made.isGreenDown =
+      options.set.normal == NormalConvention::directX && has(set.maps, MapTarget::normal);
+  made.usesAlpha = options.set.alpha == AlphaUse::opacity && has(set.maps, MapTarget::opacity);
+  if (set.periodic != Periodic::detect)
+    made.periodic = set.periodic == Periodic::yes;
+  if (!flattened.maps.empty())
+    made.flattenPeriod = flattened.periodPixels;
+  made.flattened = flattened.maps;
+  return made;
+}
+
 } // namespace
+
+Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, ExemplarOptions& options) {
+  if (isGiven(verb, "--crop"))
+    recorded.crop.reset();
+  if (isGiven(verb, "--size"))
+    recorded.size.reset();
+  recorded.isGreenDown = recorded.isGreenDown && !isGiven(verb, "--normal");
+  recorded.usesAlpha = recorded.usesAlpha && !isGiven(verb, "--alpha");
+  if (isGiven(verb, "--periodic"))
+    recorded.periodic.reset();
+  if (isGiven(verb, "--flatten"))
+    recorded.flattened.clear();
+  if (recorded.crop)
+    std::ranges::copy(*recorded.crop, options.crop.emplace().begin());
+  if (recorded.size)
+    std::ranges::copy(*recorded.size, options.set.size.emplace().begin());
+  if (recorded.isGreenDown)
+    options.set.normal = NormalConvention::directX;
+  if (recorded.usesAlpha)
+    options.set.alpha = AlphaUse::opacity;
+  if (recorded.periodic)
+    options.set.periodic = *recorded.periodic ? Periodic::yes : Periodic::no;
+  if (!recorded.flattened.empty())
+    options.flattening = {false, recorded.flattenPeriod, recorded.flattened};
+  return recorded;
+}
+
+std::string describe(const Preparation& preparation) {
+  std::vector<std::string> words;
+  if (preparation.crop)
+    words.push_back(fmt::format("--crop {}", fmt::join(*preparation.crop, ",")));
+  if (preparation.size)
+    words.push_back(fmt::format("--size {}", fmt::join(*preparation.size, "x")));
+  if (preparation.isGreenDown)
+    words.emplace_back("--normal dx");
+  if (preparation.usesAlpha)
+    words.emplace_back("--alpha opacity");
+  if (preparation.periodic)
+    words.emplace_back(*preparation.periodic ? "--periodic yes" : "--periodic no");
+  if (!preparation.flattened.empty())
+    words.push_back(fmt::format("--flatten {:.6g}", preparation.flattenPeriod));
+  return fmt::format("{}", fmt::join(words, " "));
+}
 
 void addExemplarOptions(CLI::App& verb, ExemplarOptions& options) {
   addValue(verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
@@ -89,7 +154,8 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
       applyFlattening(maps, options.flattening, set.value().periodic, shared, set.value().notes);
   if (!flattened)
     return flattened.error();
-  ReadExemplar read{std::move(set).value(), {}};
+  ReadExemplar read{std::move(set).value(), {}, {}};
+  read.preparation = preparationOf(options, read.set, flattened.value());
   for (std::size_t m = 0; m < read.set.maps.size(); ++m)
     read.origins.push_back(originOf(m, options, flattened.value(), read.set.maps, originals));
   return read;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files -> exemplars: the options that `bake` and `compare` share, so that a comparison reads
-// exactly the exemplar that was baked.
+// Files -> exemplars: the options that `bake`, `mix` and `compare` share, and their record in a
+// bundle, so that a comparison makes exactly the exemplar that was baked.
 #pragma once
 
 #include "bake_risks.h"
@@ -29,10 +29,17 @@ struct ExemplarOptions {
 struct ReadExemplar {
   MaterialSet set;
   std::vector<ExemplarOrigin> origins; ///< one per map
+  Preparation preparation;             ///< what the options came to
 };
 
 /// Declares --crop, --size, --normal, --alpha, --flatten and --periodic.
 void addExemplarOptions(CLI::App& verb, ExemplarOptions& options);
+
+/// Sets each option that the command line does not give to what a bundle recorded, and returns what
+/// was taken from the record.
+Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, ExemplarOptions& options);
+/// A preparation in the words of the options; empty if nothing was done.
+[[nodiscard]] std::string describe(const Preparation& preparation);
 
 /// Reads the files with readMaterialSet() and flattens the maps as the options ask. The notes of
 /// the set describe both.

@@ -233,6 +233,8 @@ std::optional<std::string> givenOf(const CLI::App& verb, const std::string& grou
   return std::nullopt;
 }
 
+bool isGiven(const CLI::App& verb, const std::string& name) { return verb.count(name) > 0; }
+
 std::shared_ptr<CLI::FormatterBase> helpFormatter() {
   auto formatter = std::make_shared<HelpFormatter>();
   formatter->column_width(kLeftColumn);

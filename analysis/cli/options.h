@@ -147,6 +147,9 @@ void addPreviewShape(CLI::App& verb, PreviewShape& shape);
 /// Returns the first option of this group that the user gave, or nothing.
 [[nodiscard]] std::optional<std::string> givenOf(const CLI::App& verb, const std::string& group);
 
+/// Whether the user gave an option of a verb.
+[[nodiscard]] bool isGiven(const CLI::App& verb, const std::string& name);
+
 /// Formats the help: placeholders in the left column, defaults and requirements in the right one.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();
 

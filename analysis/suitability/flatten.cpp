@@ -198,10 +198,9 @@ Result<void> checkMaps(std::span<const MapExemplar> maps) {
   return {};
 }
 
-} // namespace
-
-Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
-                     const Progress& progress) {
+template <class IsWanted>
+Result<void> flattenWanted(std::span<MapExemplar> maps, double periodPixels, bool periodic,
+                           const IsWanted& isWanted, const Progress& progress) {
   return withinMemory(exhausted, [&]() -> Result<void> {
     if (Result<void> checked = checkMaps(maps); !checked)
       return checked;
@@ -211,11 +210,26 @@ Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool peri
     return unlessInterrupted("flattening", [&]() -> Result<void> {
       const auto count = double(maps.size());
       for (std::size_t m = 0; m < maps.size(); ++m)
-        flattenMap(maps[m], periodOf(maps[m], maps.front(), periodPixels), periodic,
-                   ProgressPart(progress).part(double(m) / count, double(m + 1) / count));
+        if (isWanted(maps[m].target))
+          flattenMap(maps[m], periodOf(maps[m], maps.front(), periodPixels), periodic,
+                     ProgressPart(progress).part(double(m) / count, double(m + 1) / count));
       return {};
     });
   });
+}
+
+} // namespace
+
+Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
+                     const Progress& progress) {
+  return flattenWanted(
+      maps, periodPixels, periodic, [](MapTarget) { return true; }, progress);
+}
+
+Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
+                     std::span<const MapTarget> targets, const Progress& progress) {
+  const auto isNamed = [&](MapTarget target) { return std::ranges::count(targets, target) > 0; };
+  return flattenWanted(maps, periodPixels, periodic, isNamed, progress);
 }
 
 Result<FlatteningChoice> flattenAutomatically(std::span<MapExemplar> maps, bool periodic,

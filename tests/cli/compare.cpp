@@ -196,13 +196,13 @@ TEST_CASE("the note on an exemplar of another size names the options that correc
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(64));
   const std::string bundle = bake(workplace, image, "noise.glb", {"--size", "32"});
-  const Ended differs = runLichen({"compare", image, bundle});
+  const Ended differs = runLichen({"compare", image, bundle, "--size", "64"});
   CHECK_THAT(differs.errors, Catch::Contains("note: ") && Catch::Contains("64 x 64") &&
                                  Catch::Contains("32 x 32") && Catch::Contains("--size"));
   CHECK_THAT(runLichen({"compare", image, bundle, "--size", "32"}).errors,
              !Catch::Contains("64 x 64"));
   const nlohmann::json report =
-      nlohmann::json::parse(runLichen({"compare", image, bundle, "--json"}).output);
+      nlohmann::json::parse(runLichen({"compare", image, bundle, "--size", "64", "--json"}).output);
   CHECK_THAT(report.at("notes").dump(), Catch::Contains("64 x 64"));
 }
 

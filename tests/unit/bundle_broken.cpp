@@ -173,6 +173,20 @@ TEST_CASE("every fault of a noise is found") {
       {"method is a number", "type", [=](GlbParts& p) { noise(p)["method"] = 1; }},
       {"revision 0", "noise-revision", [=](GlbParts& p) { noise(p)["revision"] = 0; }},
       {"negative revision", "range", [=](GlbParts& p) { noise(p)["revision"] = -1; }},
+      {"a crop without height", "preparation-pixels",
+       [=](GlbParts& p) {
+         noise(p)["preparation"]["crop"] = {0, 0, 8, 0};
+       }},
+      {"a size of one number", "preparation-pixels",
+       [=](GlbParts& p) { noise(p)["preparation"]["size"] = {8}; }},
+      {"other normals", "preparation-choice",
+       [=](GlbParts& p) { noise(p)["preparation"]["normals"] = "openGL"; }},
+      {"periodic in text", "type",
+       [=](GlbParts& p) { noise(p)["preparation"]["periodic"] = "no"; }},
+      {"an unknown flattened map", "preparation-maps",
+       [=](GlbParts& p) {
+         noise(p)["preparation"]["flattened"] = {{"period", 8}, {"maps", {"h\u00f6he"}}};
+       }},
       {"no tile", "range", [=](GlbParts& p) { noise(p)["tileSize"] = 0; }},
       {"huge tile", "range", [=](GlbParts& p) { noise(p)["tileSize"] = 1e300; }},
       {"no maps", "count", [=](GlbParts& p) { noise(p)["maps"] = nlohmann::json::array(); }},

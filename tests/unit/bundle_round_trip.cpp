@@ -45,6 +45,7 @@ void checkSameBundle(const Bundle& a, const Bundle& b) {
     CHECK(a.noises[i].name == b.noises[i].name);
     CHECK(a.noises[i].tileSizeMetres == b.noises[i].tileSizeMetres);
     CHECK(a.noises[i].data == b.noises[i].data);
+    CHECK(a.noises[i].preparation == b.noises[i].preparation);
     REQUIRE(a.noises[i].maps.size() == b.noises[i].maps.size());
     for (std::size_t m = 0; m < a.noises[i].maps.size(); ++m)
       checkSameMap(a.noises[i].maps[m], b.noises[i].maps[m]);
@@ -98,6 +99,13 @@ TEST_CASE("a table of every format survives the round trip through KTX2") {
 TEST_CASE("a bundle survives the round trip through a GLB") {
   for (BundleFile file : {example::smallest(), example::everyMap(), example::smallestTexton(),
                           example::smallestCosines(), example::textonMix()}) {
+    file.bundle.noises[0].preparation = {.crop = {{1, 2, 3, 4}},
+                                         .size = {{5, 6}},
+                                         .isGreenDown = true,
+                                         .usesAlpha = true,
+                                         .periodic = false,
+                                         .flattenPeriod = 1.0 / 0.011,
+                                         .flattened = {MapTarget::height, MapTarget::baseColor}};
     const auto glb = encodeGlb(file);
     if (!glb.ok())
       FAIL(glb.error().message);

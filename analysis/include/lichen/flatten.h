@@ -13,9 +13,6 @@
 
 namespace lichen {
 
-/// Periods of the variation that can be removed, in pixels.
-inline constexpr NumberRange kFlattenPeriodRange{4.0, 16384.0};
-
 /// Removes from every map the variation slower than `periodPixels`, a period in pixels of the first
 /// map, in kFlattenPeriodRange. In maps of other sizes the period is the same share of their size.
 /// The filter halves waves of this period and reduces waves of half the period by 1/16. Beyond the
@@ -29,6 +26,12 @@ inline constexpr NumberRange kFlattenPeriodRange{4.0, 16384.0};
 /// environment if `progress` stops it. Thread-safe; same values for any number of threads.
 /// O(N log N) time; 64 bytes per pixel.
 [[nodiscard]] Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
+                                   const Progress& progress = {});
+
+/// As flatten(), but changes only maps with these targets. The period is in pixels of maps[0],
+/// which need not be one of them.
+[[nodiscard]] Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
+                                   std::span<const MapTarget> targets,
                                    const Progress& progress = {});
 
 /// What flattenAutomatically() did and why.

@@ -169,6 +169,23 @@ struct NoiseLayers {
   [[nodiscard]] bool operator==(const NoiseLayers&) const = default;
 };
 
+/// How the exemplar was made from its files, so that a comparison can make it again. Evaluation
+/// does not need it.
+struct Preparation {
+  /// Column, row, width and height of the part that was used, in pixels of the largest map.
+  std::optional<std::array<std::uint32_t, 4>> crop;
+  std::optional<std::array<std::uint32_t, 2>> size; ///< to which all maps were resampled
+  bool isGreenDown = false;     ///< normals whose files did not say were read as DirectX has them
+  bool usesAlpha = false;       ///< the base colour's alpha became the opacity
+  std::optional<bool> periodic; ///< whether borders fit, if that was given or measured
+  double flattenPeriod = 0.0;   ///< pixels of the first map; 0, or in kFlattenPeriodRange
+  std::vector<MapTarget> flattened; ///< the maps that lost their slower variation
+
+  [[nodiscard]] bool operator==(const Preparation&) const = default;
+};
+/// Periods of the variation that flattening removes, in pixels.
+inline constexpr NumberRange kFlattenPeriodRange{4.0, 16384.0};
+
 /// One noise. Its maps share the lattice, hash, seed and weights, or the impacts.
 struct Noise {
   std::string name;
@@ -177,6 +194,7 @@ struct Noise {
   std::vector<NoiseMap> maps;
   /// Of a layered noise. All above is then about its first layer.
   std::optional<NoiseLayers> layers;
+  Preparation preparation; ///< none if several exemplars made it
 
   [[nodiscard]] Method method() const { return Method(data.index()); }
   /// The noise's data. Precondition: Data belongs to the noise's method.
