@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Makes a contact sheet of exemplars that suit and that do not, one per column: the exemplar, its
-# noise, and its noise with --flatten auto.
+# noise with --flatten none, and by default.
 #   samples/suitability_sheet.sh OUTPUT.jpg
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail

@@ -38,21 +38,10 @@ std::string flattenedNote(const Flattened& flattened, std::size_t maps) {
                      names.size() < maps ? fmt::format(" from {}", fmt::join(names, ", ")) : "");
 }
 
-/// Returns the note on the decision of --flatten auto.
-std::string sentenceOn(const FlatteningChoice& choice, std::size_t maps) {
-  switch (choice.reason) {
-  case FlatteningChoice::Reason::flattened:
-    break;
-  case FlatteningChoice::Reason::noRisk:
-    return "--flatten auto removes nothing: there is no risk of cloudiness or low-frequency";
-  case FlatteningChoice::Reason::object:
-    return "--flatten auto removes nothing: the slow variation has an outline, like a large object "
-           "and unlike light; use --flatten PERIOD to remove it nevertheless";
-  case FlatteningChoice::Reason::unresolved:
-    return "--flatten auto removes nothing: even the shortest period leaves the risks; use a "
-           "photograph in even light";
-  }
-  return flattenedNote({choice.flattened, *choice.periodPixels}, maps);
+std::string sentenceOn(const RemovedLight& light) {
+  return fmt::format("uneven light, from {:.0f} to {:.0f} % of its mean, is removed from the base "
+                     "colour; --flatten none keeps it",
+                     100.0 * light.darkest, 100.0 * light.brightest);
 }
 
 } // namespace
@@ -84,11 +73,15 @@ Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps, const Flatteni
       return done.error();
     return flattened;
   }
-  const Result<FlatteningChoice> choice = flattenAutomatically(maps, fit, progress);
-  if (!choice)
-    return choice.error();
-  notes.push_back(sentenceOn(choice.value(), maps.size()));
-  return Flattened{choice.value().flattened, choice.value().periodPixels.value_or(0.0)};
+  if (maps.front().target != MapTarget::baseColor)
+    return Flattened{};
+  const Result<std::optional<RemovedLight>> light = removeUnevenLight(maps.front(), fit, progress);
+  if (!light)
+    return light.error();
+  if (!light.value())
+    return Flattened{};
+  notes.push_back(sentenceOn(*light.value()));
+  return Flattened{{MapTarget::baseColor}, light.value()->periodPixels};
 }
 
 Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> maps,

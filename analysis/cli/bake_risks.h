@@ -34,8 +34,8 @@ struct Flattened {
   double periodPixels = 0.0;
 };
 
-/// Flattens the maps as --flatten asks; `auto` calls flattenAutomatically(). Adds a sentence to
-/// `notes` that says what was flattened, or why nothing was.
+/// Flattens the maps as --flatten asks. `auto` calls removeUnevenLight() for the base colour. Adds
+/// a sentence to `notes` that says what was removed.
 [[nodiscard]] Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps,
                                                 const Flattening& requested, Periodic periodic,
                                                 const SharedOptions& options,
@@ -59,7 +59,7 @@ struct MapRisk {
 [[nodiscard]] std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,
                                                 std::span<const std::vector<Risk>> risks);
 
-/// An option of `lichen bake`: "--flatten auto".
+/// An option of `lichen bake`: "--flatten 128".
 [[nodiscard]] std::string optionOf(const BakeSetting& setting);
 
 /// One line for each risk above level none; names the map if `severalMaps`.

@@ -262,8 +262,11 @@ Result<void> checkMethods(const Arguments& arguments) {
 Result<int> run(Arguments& arguments) {
   if (Result<void> checked = checkMethods(arguments); !checked)
     return checked.error();
-  if (arguments.allMethods)
+  if (arguments.allMethods) {
     arguments.asBaked.bakeMemory = memoryOfMethods();
+    if (!isGiven(*arguments.verb, "--flatten"))
+      arguments.asBaked.flattening.automatic = true; // as in a bake
+  }
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
                                                arguments.noise, arguments.result)};
@@ -332,7 +335,8 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--mix", arguments->mix, optional(number(kMixWeightRange)), "",
            "Weight of a mix at which to measure: 0 for the first input, 1 for the last [default: "
            "0]");
-  addExemplarOptions(verb, arguments->asBaked);
+  addExemplarOptions(verb, arguments->asBaked, "",
+                     " [default: as the bundle says; none for an image, auto with --methods]");
   arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }

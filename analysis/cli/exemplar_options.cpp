@@ -78,6 +78,8 @@ Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, Exempla
     recorded.periodic.reset();
   if (isGiven(verb, "--flatten"))
     recorded.flattened.clear();
+  else
+    options.flattening = {false, recorded.flattenPeriod, recorded.flattened};
   if (recorded.crop)
     std::ranges::copy(*recorded.crop, options.crop.emplace().begin());
   if (recorded.size)
@@ -88,8 +90,6 @@ Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, Exempla
     options.set.alpha = AlphaUse::opacity;
   if (recorded.periodic)
     options.set.periodic = *recorded.periodic ? Periodic::yes : Periodic::no;
-  if (!recorded.flattened.empty())
-    options.flattening = {false, recorded.flattenPeriod, recorded.flattened};
   return recorded;
 }
 
@@ -110,7 +110,8 @@ std::string describe(const Preparation& preparation) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-void addExemplarOptions(CLI::App& verb, ExemplarOptions& options) {
+void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, const std::string& flattenPreset,
+                        const std::string& flattenDefault) {
   addValue(verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
            "Use only the W x H pixels from column X and row Y on, counted in the largest map");
   addValue(verb, "--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
@@ -122,9 +123,10 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options) {
   const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
   addValue(verb, "--alpha", options.set.alpha, oneOf(uses), "ignore",
            "Ignore the alpha of the base colour, or bake it as opacity");
-  addValue(
-      verb, "--flatten", options.flattening, flattening(), "none",
-      "Remove variation slower than PERIOD pixels; auto picks a period that improves the noise");
+  addValue(verb, "--flatten", options.flattening, flattening(), flattenPreset,
+           "Remove variation slower than PERIOD pixels; auto removes uneven light from the base "
+           "colour, if the noise would show it" +
+               flattenDefault);
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
   addValue(verb, "--periodic", options.set.periodic, oneOf(periodic), "auto",

@@ -32,8 +32,11 @@ struct ReadExemplar {
   Preparation preparation;             ///< what the options came to
 };
 
-/// Declares --crop, --size, --normal, --alpha, --flatten and --periodic.
-void addExemplarOptions(CLI::App& verb, ExemplarOptions& options);
+/// Declares --crop, --size, --normal, --alpha, --flatten and --periodic. An empty `flattenPreset`
+/// leaves --flatten to the verb, which says so in `flattenDefault`.
+void addExemplarOptions(CLI::App& verb, ExemplarOptions& options,
+                        const std::string& flattenPreset = "auto",
+                        const std::string& flattenDefault = "");
 
 /// Sets each option that the command line does not give to what a bundle recorded, and returns what
 /// was taken from the record.

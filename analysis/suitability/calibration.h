@@ -21,18 +21,20 @@ inline constexpr Calibration kColorSpacing{10.0, 20.0};
 inline constexpr Calibration kSlowVariation{0.03, 0.05};
 inline constexpr Calibration kClippedShare{0.02, 0.15};
 
-/// Above this, slow variation is an object with an outline, and --flatten auto does not remove it.
-/// The geometric mean of 3.3, the largest value of light and clouds, and 5.4, the smallest value of
-/// objects, in docs/decisions/013-suitability.md.
+/// Above this, slow variation is an object with an outline, not light. The geometric mean of 3.3,
+/// the largest value of light and clouds, and 5.4, the smallest value of objects, in
+/// docs/decisions/013-suitability.md.
 inline constexpr double kEdgeConcentration = 4.2;
 
-/// The share of patches from which they are visible: their deviation is then a tenth of the
-/// material's. --flatten auto leaves less. Measured by looking, docs/decisions/013-suitability.md.
-inline constexpr double kVisiblePatches = 0.01;
+/// The deviation from which patches of the exemplar's size are visible, in sRGB codes from 0 to 1,
+/// and their share of all deviation that shows from afar, which hides fainter ones. Measured by
+/// looking, docs/decisions/013-suitability.md.
+inline constexpr double kVisiblePatches = 0.004;
+inline constexpr double kVisiblePatchShare = 0.2;
 
-/// The shortest period that --flatten auto uses, as a share of the exemplar's longer side: faster
-/// variation is the material itself.
-inline constexpr double kShortestAutoPeriod = 1.0 / 8.0;
+/// The shortest period of uneven light, as a share of the exemplar's longer side: faster variation
+/// is the material itself.
+inline constexpr double kShortestLight = 1.0 / 8.0;
 
 /// 0 at 0, linear up to each threshold's score, then approaches 1.
 [[nodiscard]] inline double scoreOf(double measure, const Calibration& at) {

@@ -5,9 +5,7 @@
 
 #include "high_pass.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace lichen::suitability {
 namespace {
@@ -31,24 +29,6 @@ double cloudinessOf(const HalfSpectrum& spectrum, const GainAt& gainAt) {
 
 double cloudiness(const HalfSpectrum& spectrum) {
   return cloudinessOf(spectrum, [](int, int) { return 1.0; });
-}
-
-double patchShare(const HalfSpectrum& spectrum) {
-  constexpr int kSlowest = 1, kReference = 4; // cycles per side along the faster axis
-  double slowest = 0.0, reference = 0.0, sum = 0.0;
-  for (int v = 0; v < spectrum.height; ++v)
-    for (int u = 0; u < spectrum.columns(); ++u) {
-      const int cycles = std::max(u, std::abs(spectrum.signedRow(v)));
-      const double power = spectrum.multiplicity(u) * double(std::norm(spectrum.at(u, v)));
-      if (cycles > 0)
-        sum += power;
-      if (cycles == kSlowest)
-        slowest += power;
-      if (cycles == kReference)
-        reference += power;
-    }
-  // A ring of n cycles has 8 n waves.
-  return sum > 0.0 ? std::max(0.0, slowest - reference * kSlowest / kReference) / sum : 0.0;
 }
 
 double cloudinessAbove(const HalfSpectrum& spectrum, double periodPixels) {

@@ -16,12 +16,6 @@ namespace lichen::suitability {
 /// 0 for a plane without variance.
 [[nodiscard]] double cloudiness(const HalfSpectrum& spectrum);
 
-/// How much of the noise's variance is patches as large as the exemplar: a share, [0, 1]. It is the
-/// power of the eight waves of one cycle per side, (+-1, 0), (0, +-1) and (+-1, +-1), less that of
-/// eight average waves of four cycles per side, over the power of all waves. The second term is the
-/// material's own: clouds of a cloudy material are not patches. 0 for a plane without variance.
-[[nodiscard]] double patchShare(const HalfSpectrum& spectrum);
-
 /// The cloudiness after highPassGain() removes variation slower than `periodPixels`.
 [[nodiscard]] double cloudinessAbove(const HalfSpectrum& spectrum, double periodPixels);
 

@@ -5,15 +5,16 @@
 #include "calibration.h"
 #include "gaussian_plane.h"
 #include "low_pass.h"
+#include "trend.h"
 
 #include <algorithm>
 
 namespace lichen::suitability {
 
 double edgeConcentration(const MapExemplar& map, bool periodic) {
-  const double period = kShortestAutoPeriod * std::max(map.width, map.height);
-  const Plane slow = lowPassed({map.width, map.height, principalComponent(map).values},
-                               {period, period}, periodic);
+  const double period = kShortestLight * std::max(map.width, map.height);
+  const Plane plane{map.width, map.height, principalComponent(map).values};
+  const Plane slow = lowPassed(plane, trendOf(plane, periodic), {period, period}, periodic);
   const auto at = [&](int x, int y) {
     return double(slow.values[std::size_t(y) * std::size_t(slow.width) + std::size_t(x)]);
   };

@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Maps (height, width, channels each) -> the same maps without their slow variation.
-#include "as_seen.h"
-#include "calibration.h"
-#include "cloudiness.h"
-#include "edge_concentration.h"
 #include "exemplar/map_ranges.h"
 #include "exemplar/value_encoding.h"
-#include "gaussian_plane.h"
+#include "flatten_map.h"
 #include "low_pass.h"
 #include "progress_part.h"
-#include "slow_risks.h"
+#include "trend.h"
 
-#include <lichen/fft.h>
 #include <lichen/flatten.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace lichen {
@@ -33,15 +29,17 @@ float mean(const std::vector<float>& values) {
 }
 
 /// Divides light by its low-passed copy and preserves the mean.
-void evenOut(std::vector<float>& light, const std::vector<float>& slow) {
+LightRange evenOut(std::vector<float>& light, const std::vector<float>& slow) {
   const float before = mean(light);
   if (!(before > 0.0f))
-    return; // no light
+    return {}; // no light
   for (std::size_t i = 0; i < light.size(); ++i)
     light[i] *= before / std::max(slow[i], kDarkestShare * before);
   const float after = mean(light);
   for (float& value : light)
     value *= before / after;
+  const auto [least, most] = std::minmax_element(slow.begin(), slow.end());
+  return {double(std::max(*least / before, kDarkestShare)), double(*most / before)};
 }
 
 void subtract(std::vector<float>& values, const std::vector<float>& slow) {
@@ -71,120 +69,53 @@ std::pair<float, float> storedRange(const MapExemplar& map, std::size_t channel)
   return {std::min(least, 0.0f), std::max(most, white)};
 }
 
-void flattenChannel(MapExemplar& map, std::size_t channel, const Period& period, bool periodic) {
-  const std::size_t channels = map.channels.size();
+/// One channel, decoded.
+Plane planeOf(const MapExemplar& map, std::size_t channel) {
   Plane plane{map.width, map.height, {}};
-  plane.values.reserve(map.values.size() / channels);
-  for (std::size_t i = channel; i < map.values.size(); i += channels)
+  plane.values.reserve(map.values.size() / map.channels.size());
+  for (std::size_t i = channel; i < map.values.size(); i += map.channels.size())
     plane.values.push_back(exemplar::decoded(map.values[i], map.encoding));
-  const Plane slow = lowPassed(plane, period, periodic);
-  if (isLight(map))
-    evenOut(plane.values, slow.values);
-  else
-    subtract(plane.values, slow.values);
+  return plane;
+}
+
+/// The trend of the light that falls on all channels, of mean 1: each counts by its own mean.
+Plane lightTrend(const MapExemplar& map, bool periodic) {
+  Plane sum{map.width, map.height, std::vector<float>(map.values.size() / map.channels.size())};
+  for (std::size_t channel = 0; channel < map.channels.size(); ++channel) {
+    const Plane plane = planeOf(map, channel);
+    const float level = float(map.channels.size()) * mean(plane.values);
+    if (level > 0.0f)
+      for (std::size_t i = 0; i < sum.values.size(); ++i)
+        sum.values[i] += plane.values[i] / level;
+  }
+  return trendOf(sum, periodic);
+}
+
+/// Flattens a channel of light, of which `trend` times its mean is removed, or of another map.
+LightRange flattenChannel(MapExemplar& map, std::size_t channel, const std::optional<Plane>& trend,
+                          const Period& period, bool periodic) {
+  const std::size_t channels = map.channels.size();
+  Plane plane = planeOf(map, channel);
+  LightRange range;
+  if (trend) {
+    Plane own = *trend;
+    const float level = mean(plane.values);
+    for (float& value : own.values)
+      value *= level;
+    range = evenOut(plane.values, lowPassed(plane, std::move(own), period, periodic).values);
+  } else {
+    subtract(plane.values, lowPassed(plane, trendOf(plane, periodic), period, periodic).values);
+  }
   const auto [least, most] = storedRange(map, channel);
   for (std::size_t pixel = 0; pixel < plane.values.size(); ++pixel)
     map.values[pixel * channels + channel] =
         std::clamp(exemplar::encoded(plane.values[pixel], map.encoding), least, most);
-}
-
-/// Like flatten(), for one map with values in range and a period in its own pixels. Throws.
-void flattenMap(MapExemplar& map, const Period& period, bool periodic, ProgressPart progress) {
-  if (map.target == MapTarget::opacity)
-    return;
-  for (std::size_t channel = 0; channel < map.channels.size(); ++channel) {
-    progress.reach(double(channel) / double(map.channels.size()));
-    flattenChannel(map, channel, period, periodic);
-  }
+  return range;
 }
 
 /// The period that is the same share of the sides of `map` as `pixels` are of the sides of `first`.
 Period periodOf(const MapExemplar& map, const MapExemplar& first, double pixels) {
   return {pixels * map.width / first.width, pixels * map.height / first.height};
-}
-
-/// The slow variation in a map, as the eye sees it.
-struct SlowVariation {
-  bool isRisk = false;  ///< low-frequency or cloudiness
-  double patches = 0.0; ///< patchShare(); measured unless low-frequency is a risk
-
-  [[nodiscard]] bool showsPatches() const { return isRisk || patches >= kVisiblePatches; }
-};
-
-SlowVariation slowVariationOf(const MapExemplar& map, bool periodic, ProgressPart progress) {
-  const auto measured = [&](const MapExemplar& seen) {
-    SlowVariation slow;
-    slow.isRisk = !hasNoSlowRisk(seen, [&] {
-      const std::optional<GaussianPlane> plane = gaussianPlane(seen, periodic, progress);
-      if (!plane)
-        return 0.0;
-      const HalfSpectrum spectrum = forwardFft(plane->values, plane->width, plane->height);
-      slow.patches = patchShare(spectrum);
-      return cloudiness(spectrum);
-    });
-    return slow;
-  };
-  return map.target == MapTarget::height ? measured(slopesOfHeight(map, periodic)) : measured(map);
-}
-
-/// Share of the search's progress: one judgement of the unchanged map and at most five tries.
-constexpr double kJudgement = 1.0 / 6.0;
-
-/// The period for the map, if any, and the reason. Throws std::bad_alloc.
-FlatteningChoice choosePeriod(const MapExemplar& map, bool periodic, ProgressPart progress) {
-  if (!slowVariationOf(map, periodic, progress.part(0.0, kJudgement)).isRisk)
-    return {FlatteningChoice::Reason::noRisk, std::nullopt, {}};
-  progress.reach(kJudgement);
-  if (edgeConcentration(map, periodic) > kEdgeConcentration)
-    return {FlatteningChoice::Reason::object, std::nullopt, {}};
-  const double side = std::max(map.width, map.height);
-  const auto period = [&](int step) { return 2.0 * side * std::exp2(-0.5 * step); };
-  double begin = kJudgement;
-  const auto remaining = [&](int step) {
-    const double end = std::min(1.0, begin + kJudgement), middle = 0.5 * (begin + end);
-    MapExemplar flattened = map;
-    flattenMap(flattened, periodOf(map, map, period(step)), periodic, progress.part(begin, middle));
-    const SlowVariation slow = slowVariationOf(flattened, periodic, progress.part(middle, end));
-    begin = end;
-    return slow;
-  };
-  int last = 0;
-  while (period(last + 1) >= std::max(kShortestAutoPeriod * side, kFlattenPeriodRange.least))
-    ++last;
-  if (period(last) < kFlattenPeriodRange.least || remaining(last).isRisk)
-    return {FlatteningChoice::Reason::unresolved, std::nullopt, {}};
-  // Bisection for the longest period that leaves no patches: shorter periods remove more. The
-  // shortest may leave some.
-  int first = 0;
-  while (first < last) {
-    const int middle = (first + last) / 2;
-    if (remaining(middle).showsPatches())
-      first = middle + 1;
-    else
-      last = middle;
-  }
-  return {
-      FlatteningChoice::Reason::flattened, std::min(period(last), kFlattenPeriodRange.most), {}};
-}
-
-/// Like flattenAutomatically(), for maps with values in range, but throws.
-FlatteningChoice flattenWhereNeeded(std::span<MapExemplar> maps, bool periodic,
-                                    ProgressPart progress) {
-  const MapExemplar& first = maps.front();
-  const double each = 1.0 / double(maps.size() + 1); // the search is about as long as two maps
-  FlatteningChoice choice = choosePeriod(first, periodic, progress.part(0.0, each));
-  if (!choice.periodPixels)
-    return choice;
-  for (std::size_t m = 0; m < maps.size(); ++m) {
-    const ProgressPart part = progress.part(double(m + 1) * each, double(m + 2) * each);
-    const bool skips = maps[m].target == MapTarget::opacity;
-    if (skips || (m > 0 && !slowVariationOf(maps[m], periodic, part.part(0.0, 0.5)).isRisk))
-      continue;
-    flattenMap(maps[m], periodOf(maps[m], first, *choice.periodPixels), periodic,
-               part.part(0.5, 1.0));
-    choice.flattened.push_back(maps[m].target);
-  }
-  return choice;
 }
 
 std::string exhausted() { return "not enough memory to flatten the exemplar"; }
@@ -220,6 +151,26 @@ Result<void> flattenWanted(std::span<MapExemplar> maps, double periodPixels, boo
 
 } // namespace
 
+namespace suitability {
+
+LightRange flattenMap(MapExemplar& map, const Period& period, bool periodic,
+                      ProgressPart progress) {
+  if (map.target == MapTarget::opacity)
+    return {};
+  const auto channels = double(map.channels.size());
+  const std::optional<Plane> trend =
+      isLight(map) ? std::optional(lightTrend(map, periodic)) : std::nullopt;
+  LightRange all{0.0, 0.0};
+  for (std::size_t channel = 0; channel < map.channels.size(); ++channel) {
+    progress.reach(double(channel) / channels);
+    const LightRange range = flattenChannel(map, channel, trend, period, periodic);
+    all = {all.darkest + range.darkest / channels, all.brightest + range.brightest / channels};
+  }
+  return all;
+}
+
+} // namespace suitability
+
 Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
                      const Progress& progress) {
   return flattenWanted(
@@ -230,17 +181,6 @@ Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool peri
                      std::span<const MapTarget> targets, const Progress& progress) {
   const auto isNamed = [&](MapTarget target) { return std::ranges::count(targets, target) > 0; };
   return flattenWanted(maps, periodPixels, periodic, isNamed, progress);
-}
-
-Result<FlatteningChoice> flattenAutomatically(std::span<MapExemplar> maps, bool periodic,
-                                              const Progress& progress) {
-  return withinMemory(exhausted, [&]() -> Result<FlatteningChoice> {
-    if (Result<void> checked = checkMaps(maps); !checked)
-      return checked.error();
-    return unlessInterrupted("flattening", [&]() -> Result<FlatteningChoice> {
-      return flattenWhereNeeded(maps, periodic, ProgressPart(progress));
-    });
-  });
 }
 
 } // namespace lichen

@@ -26,19 +26,8 @@ Plane mirrored(const Plane& plane) {
   return whole;
 }
 
-} // namespace
-
-Plane lowPassed(const Plane& plane, const Period& period, bool periodic) {
-  if (!periodic) {
-    const Plane whole = lowPassed(mirrored(plane), period, true);
-    Plane quarter{plane.width, plane.height, {}};
-    quarter.values.reserve(plane.values.size());
-    for (int y = 0; y < plane.height; ++y) {
-      const auto row = whole.values.begin() + std::ptrdiff_t(y) * whole.width;
-      quarter.values.insert(quarter.values.end(), row, row + plane.width);
-    }
-    return quarter;
-  }
+/// Filters a plane that repeats.
+Plane filtered(const Plane& plane, const Period& period) {
   HalfSpectrum spectrum = forwardFft(plane.values, plane.width, plane.height);
   for (int v = 0; v < spectrum.height; ++v) {
     const int signedV = spectrum.signedRow(v);
@@ -47,6 +36,20 @@ Plane lowPassed(const Plane& plane, const Period& period, bool periodic) {
           float(lowPassGain(period.x * u / spectrum.width, period.y * signedV / spectrum.height));
   }
   return {plane.width, plane.height, inverseFft(spectrum)};
+}
+
+} // namespace
+
+Plane lowPassed(const Plane& plane, Plane trend, const Period& period, bool periodic) {
+  Plane rest = plane;
+  for (std::size_t i = 0; i < rest.values.size(); ++i)
+    rest.values[i] -= trend.values[i];
+  const Plane low = filtered(periodic ? rest : mirrored(rest), period);
+  for (int y = 0; y < plane.height; ++y)
+    for (int x = 0; x < plane.width; ++x)
+      trend.values[std::size_t(y) * std::size_t(plane.width) + std::size_t(x)] +=
+          low.values[std::size_t(y) * std::size_t(low.width) + std::size_t(x)];
+  return trend;
 }
 
 } // namespace lichen::suitability

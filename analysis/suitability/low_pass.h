@@ -19,8 +19,9 @@ struct Period {
   double y = 0.0;
 };
 
-/// Filters the plane with lowPassGain(). Beyond its borders the plane repeats if `periodic`,
-/// otherwise it is mirrored. Throws std::bad_alloc.
-[[nodiscard]] Plane lowPassed(const Plane& plane, const Period& period, bool periodic);
+/// `trend`, and what lowPassGain() leaves of the rest of the plane, which repeats beyond the
+/// borders if `periodic` and is mirrored otherwise. Without trendOf(), a mirrored ramp would have a
+/// crease that no filter follows. Throws std::bad_alloc.
+[[nodiscard]] Plane lowPassed(const Plane& plane, Plane trend, const Period& period, bool periodic);
 
 } // namespace lichen::suitability

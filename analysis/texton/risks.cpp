@@ -180,7 +180,6 @@ std::vector<BakeSetting> settingsForSlow(const Texels& texels, const Waves& wave
       break;
     }
   }
-  settings.push_back({"flatten", "auto"});
   settings.push_back(kTiling);
   return settings;
 }

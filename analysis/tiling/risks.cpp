@@ -11,7 +11,6 @@
 #include "suitability/lattice_share.h"
 #include "suitability/phase_coherence.h"
 #include "suitability/risk_of.h"
-#include "suitability/slow_risks.h"
 #include "suitability/slow_variation.h"
 
 #include <lichen/flatten.h>
@@ -48,13 +47,11 @@ struct SlowPart {
   double firstPixels = 1.0; ///< as in assessSuitability()
 };
 
-/// The flattening that helps, if any. Automatic flattening follows the base colour; other maps need
-/// a period, here a share of the longer side. Opacity is never flattened.
+/// The flattening that helps, if any: a period that is a share of the longer side. Opacity is never
+/// flattened.
 std::vector<BakeSetting> flattening(const MapExemplar& map, const SlowPart& slow, double share) {
   if (slow.cause == SlowCause::object || map.target == MapTarget::opacity)
     return {};
-  if (map.target == MapTarget::baseColor)
-    return {{"flatten", "auto"}};
   const double period = share * std::max(map.width, map.height) * slow.firstPixels;
   const double pixels = std::clamp(period, kFlattenPeriodRange.least, kFlattenPeriodRange.most);
   return {{"flatten", std::to_string(std::lround(pixels))}};
@@ -74,8 +71,8 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, const 
     return cloudinessAbove(spectrum, share * side) < kCloudiness.mild;
   };
   double share = kLongestAdvisedPeriod;
-  while (share > kShortestAutoPeriod && !flattensBy(share))
-    share = std::max(share / std::numbers::sqrt2, kShortestAutoPeriod);
+  while (share > kShortestLight && !flattensBy(share))
+    share = std::max(share / std::numbers::sqrt2, kShortestLight);
   return riskOf("cloudiness", scoreOf(measured, kCloudiness),
                 "the contrast will vary by " + percent(measured) + " across the noise",
                 "depending on which tiles are blended",
@@ -145,8 +142,9 @@ Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
 /// Cloudiness and low frequency; `seen` is the map, or its slopes if those are what shows.
 std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
                             const HalfSpectrum& spectrum, bool periodic, double firstPixels) {
-  const bool noRisk = hasNoSlowRisk(seen, [&] { return cloudiness(spectrum); });
-  const SlowCause cause = !noRisk && edgeConcentration(map, periodic) > kEdgeConcentration
+  const bool isRisk =
+      slowVariationShare(seen) >= kSlowVariation.mild || cloudiness(spectrum) >= kCloudiness.mild;
+  const SlowCause cause = isRisk && edgeConcentration(map, periodic) > kEdgeConcentration
                               ? SlowCause::object
                               : SlowCause::light;
   const SlowPart slow{cause, firstPixels};

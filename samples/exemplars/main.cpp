@@ -3,6 +3,7 @@
 // meshes to use them on.
 #include "landscape.h"
 #include "materials.h"
+#include "photographs.h"
 #include "scanned_shape.h"
 #include "terrain.h"
 #include "unsuitable.h"
@@ -38,6 +39,8 @@ int fail(ErrorKind kind, const std::string& message) {
 constexpr const char* kScan = "scan";
 constexpr const char* kTerrain = "terrain"; // written together with its mask
 constexpr const char* kLandscape = "landscape";
+/// Name of the sixty photographs.
+constexpr const char* kPhotographs = "photographs";
 
 /// The materials, then the unsuitable pictures.
 std::vector<exemplars::Material> pictures() {
@@ -85,6 +88,17 @@ int writeFiles(const std::filesystem::path& folder, int side,
     code = writePicture(std::string(kTerrain) + "_mask", exemplars::terrainMask(side));
   if (code == 0 && isNamed(kLandscape))
     code = writeMesh(kLandscape, exemplars::landscapeGlb());
+  if (!isNamed(kPhotographs))
+    return code;
+  std::string material;
+  SrgbImage surface;
+  for (const exemplars::PhotographPlan& plan : exemplars::sixtyPhotographs()) {
+    if (plan.material != material)
+      surface = exemplars::photographedSurface(plan.material, side);
+    material = plan.material;
+    if (code == 0)
+      code = writePicture(plan.name(), exemplars::photograph(surface, plan).image);
+  }
   return code;
 }
 
@@ -109,6 +123,7 @@ int run(int argc, char** argv) {
   known.emplace_back(kScan);
   known.emplace_back(kTerrain);
   known.emplace_back(kLandscape);
+  known.emplace_back(kPhotographs);
 
   CLI::App app("Writes the project's example exemplars (tileable 8-bit sRGB PNG) and meshes to use "
                "them on.",

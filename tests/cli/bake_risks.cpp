@@ -2,6 +2,7 @@
 // The risks that a bake reports for its exemplar, and the effect of --flatten.
 #include "command_run.h"
 
+#include <lichen/bundle.h>
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
@@ -44,11 +45,13 @@ nlohmann::json jsonOf(const Workplace& workplace, const Arguments& arguments) {
 TEST_CASE("risks are notes before the work starts, and the JSON lists all of them") {
   const Workplace workplace;
   const std::string input = workplace.write("slope.png", slope());
-  const Ended ended = runLichen({"bake", input, "-o", workplace.path("noise.glb")});
+  const Arguments asItIs{input, "--flatten", "none"};
+  const Ended ended =
+      runLichen({"bake", input, "-o", workplace.path("noise.glb"), "--flatten", "none"});
   CHECK(ended.code == 0);
   CHECK_THAT(ended.errors, Catch::Contains("note: low-frequency (severe): ") &&
-                               Catch::Contains("; what helps: --flatten auto"));
-  const nlohmann::json risks = jsonOf(workplace, {input}).at("risks");
+                               Catch::Contains("; what helps: --flatten 21, or even light"));
+  const nlohmann::json risks = jsonOf(workplace, asItIs).at("risks");
   REQUIRE(risks.size() == 4);
   for (const nlohmann::json& risk : risks) {
     CHECK(risk.at("map") == "baseColor");
@@ -96,7 +99,8 @@ TEST_CASE("a set reports each risk for the base colour, or for a map with a high
   CHECK(flattened.at("risks")[2].at("level") == "none");
   CHECK(jsonOf(workplace, {color, roughness}).at("risks")[2].at("map") ==
         "occlusionRoughnessMetallic");
-  CHECK(jsonOf(workplace, {uneven, roughness}).at("risks")[2].at("map") == "baseColor");
+  CHECK(jsonOf(workplace, {uneven, roughness, "--flatten", "none"}).at("risks")[2].at("map") ==
+        "baseColor");
 }
 
 TEST_CASE("an advised period is in pixels of the first map, like --flatten") {
@@ -130,16 +134,21 @@ TEST_CASE("the remedies for opacity do not mention --flatten") {
   CHECK(risk.at("remedy") == "even light");
 }
 
-TEST_CASE("a height map with a uniform slope has no risk, and --flatten auto leaves it unchanged") {
+TEST_CASE("light is removed from the base colour only, and a uniform slope of heights is no risk") {
   const Workplace workplace;
   const std::string color = workplace.write("stone_diff.png", slope());
   const std::string height = workplace.write("stone_disp.png", slope());
-  const nlohmann::json json = jsonOf(workplace, {color, height, "--flatten", "auto"});
+  const nlohmann::json json = jsonOf(workplace, {color, height});
   CHECK(json.at("risks")[2].at("level") == "none");
-  CHECK_THAT(json.at("notes").dump(), Catch::Contains("pixels from baseColor\""));
+  CHECK_THAT(json.at("notes").dump(), Catch::Contains("is removed from the base colour"));
+  const Result<Bundle> bundle = readBundle(workplace.path("noise.glb"));
+  REQUIRE(bundle.ok());
+  CHECK(bundle.value().noises.front().preparation.flattened == std::vector{MapTarget::baseColor});
+  const nlohmann::json heightAlone = jsonOf(workplace, {height});
+  CHECK(heightAlone.at("notes").dump().find("light") == std::string::npos);
 }
 
-TEST_CASE("--flatten auto leaves a large object unchanged and says why") {
+TEST_CASE("a large object is not light, and no period is advised") {
   const Workplace workplace;
   SrgbImage disc = speckled(128, 128, 3);
   for (int y = 0; y < 128; ++y)
@@ -148,23 +157,30 @@ TEST_CASE("--flatten auto leaves a large object unchanged and says why") {
         disc.pixel(x, y)[c] =
             0.2f * disc.pixel(x, y)[c] + (std::hypot(x - 64.0, y - 64.0) < 40.0 ? 0.7f : 0.1f);
   const std::string input = workplace.write("disc.png", disc);
-  const nlohmann::json json = jsonOf(workplace, {input, "--flatten", "auto"});
-  CHECK_THAT(json.at("notes").dump(), Catch::Contains("has an outline"));
+  const nlohmann::json json = jsonOf(workplace, {input});
+  CHECK(json.at("notes").dump().find("light,") == std::string::npos);
   CHECK(json.at("risks")[2].at("level") == "severe");
   CHECK(json.at("risks")[2].at("remedy").get<std::string>().find("--flatten") == std::string::npos);
 }
 
-TEST_CASE("--flatten auto and --flatten PERIOD remove the risk, with a note") {
+TEST_CASE("light is removed unless --flatten says otherwise, and a note says what was removed") {
   const Workplace workplace;
   const std::string input = workplace.write("slope.png", slope());
-  for (const char* period : {"auto", "24"}) {
-    INFO(period);
-    const nlohmann::json json = jsonOf(workplace, {input, "--flatten", period});
+  for (const Arguments& given : {Arguments{}, Arguments{"--flatten", "auto"}}) {
+    Arguments arguments{input};
+    arguments.insert(arguments.end(), given.begin(), given.end());
+    const nlohmann::json json = jsonOf(workplace, arguments);
     CHECK(json.at("risks")[2].at("level") == "none");
-    CHECK_THAT(json.at("notes").dump(), Catch::Contains("--flatten removes variation"));
+    CHECK_THAT(json.at("notes").dump(), Catch::Contains("uneven light, from ") &&
+                                            Catch::Contains("--flatten none keeps it"));
   }
+  const nlohmann::json by24 = jsonOf(workplace, {input, "--flatten", "24"});
+  CHECK(by24.at("risks")[2].at("level") == "none");
+  CHECK_THAT(by24.at("notes").dump(),
+             Catch::Contains("--flatten removes variation slower than 24"));
   const nlohmann::json untouched = jsonOf(workplace, {input, "--flatten", "none"});
-  CHECK(untouched.at("notes").dump().find("removes variation") == std::string::npos);
+  CHECK(untouched.at("risks")[2].at("level") == "severe");
+  CHECK(untouched.at("notes").dump().find("remove") == std::string::npos);
 }
 
 TEST_CASE("cosines keep the structure of bricks, which no warning then calls lost") {

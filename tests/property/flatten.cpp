@@ -4,7 +4,6 @@
 #include "generated_exemplar.h"
 #include "measured_cloudiness.h"
 
-#include <lichen/fft.h>
 #include <lichen/flatten.h>
 #include <lichen/lattice.h>
 #include <lichen/spectrum.h>
@@ -18,9 +17,7 @@
 #include <limits>
 #include <materials.h>
 #include <numbers>
-#include <periodic.h>
-#include <suitability/cloudiness.h>
-#include <suitability/gaussian_plane.h>
+#include <photographs.h>
 #include <unsuitable.h>
 
 using namespace lichen;
@@ -73,14 +70,15 @@ double scoreOf(const MapExemplar& map, std::string_view name, bool periodic) {
   return 0.0;
 }
 
-FlatteningChoice automatic(MapExemplar map, bool periodic) {
-  Result<FlatteningChoice> choice = flattenAutomatically({&map, 1}, periodic);
-  REQUIRE(choice.ok());
-  return std::move(choice).value();
-}
-
-std::optional<double> automaticPeriod(const MapExemplar& map, bool periodic) {
-  return automatic(map, periodic).periodPixels;
+/// The map without uneven light, if there was any.
+std::optional<MapExemplar> withoutLight(MapExemplar map, bool periodic) {
+  const std::vector<float> before = map.values;
+  const Result<std::optional<RemovedLight>> light = removeUnevenLight(map, periodic);
+  REQUIRE(light.ok());
+  if (light.value())
+    return map;
+  CHECK(map.values == before);
+  return std::nullopt;
 }
 
 SrgbImage imageOf(const MapExemplar& map) {
@@ -104,7 +102,7 @@ TEST_CASE("flatten halves waves of the period, preserves shorter ones and the me
   const auto waves = [](int x, int) {
     double sum = 0.25;
     for (const int cycles : {1, 4, 8, 16})
-      sum += 0.1 * std::cos(kTurn * cycles * x / kWidth);
+      sum += 0.1 * std::sin(kTurn * cycles * (x + 0.5) / kWidth); // odd about the middle: no trend
     return sum;
   };
   const MapExemplar map = flattened(slopes(kWidth, kHeight, waves), kWidth / 4.0);
@@ -116,35 +114,34 @@ TEST_CASE("flatten halves waves of the period, preserves shorter ones and the me
   CHECK(amplitude(map, 16) == Approx(0.1).epsilon(1e-4));
 }
 
-TEST_CASE("flatten extends an exemplar by mirroring, or by wrapping if it tiles") {
-  constexpr int kSide = 64;
-  const MapExemplar ramp = slopes(kSide, kSide, [](int x, int) { return double(x) / kSide; });
-  // The first pixel of a filtered row of `period` pixels, as the sum over its frequencies. The gain
-  // is 1 - 2^-(cycles per period)^2 with a period of half a side.
-  const auto filteredStart = [](int period, const auto& valueAt) {
-    double start = 0.0;
-    for (int cycles = 1 - period / 2; cycles <= period / 2; ++cycles) {
-      std::complex<double> sum = 0.0;
-      for (int x = 0; x < period; ++x)
-        sum += valueAt(x) * std::polar(1.0, -kTurn * cycles * x / period);
-      const double perPeriod = 0.5 * kSide * cycles / period;
-      start += sum.real() / period * (1.0 - std::exp2(-perPeriod * perPeriod));
-    }
-    return start;
+TEST_CASE("flatten removes every polynomial of degree 4 from an exemplar that does not tile") {
+  const auto quartic = [](int x, int y) {
+    const double u = x / 32.0 - 1.0, v = y / 25.0 - 0.8;
+    return 0.3 + u - 0.5 * v + u * v + 0.7 * u * u - v * v * v + 0.4 * u * u * v * v -
+           0.2 * u * u * u * u;
   };
-  const double mean = 0.5 * double(kSide - 1) / kSide;
-  const auto start = [&](bool periodic) {
-    return double(flattened(ramp, kSide / 2.0, periodic).values[0]) - mean;
+  const MapExemplar map = slopes(64, 50, quartic);
+  const MapExemplar flat = flattened(map, 16.0, false);
+  const double mean = amplitude(map, 0);
+  for (std::size_t i = 0; i < flat.values.size(); i += 2)
+    CHECK(double(flat.values[i]) == Approx(mean).margin(1e-5)); // float rounding of values up to 3
+}
+
+TEST_CASE("beside its trend, an exemplar is mirrored at its borders") {
+  constexpr int kSide = 128;
+  // Half waves are whole waves of the mirrored row. They are so short that their trend is less than
+  // 1 % of them: the projection on 1, x, ... x^4 of a cosine of 25 half waves.
+  constexpr int kHalfWaves = 25;
+  const auto wave = [](int x, int) {
+    return std::cos(0.5 * kTurn * kHalfWaves * (x + 0.5) / kSide);
   };
-  const auto rampAt = [](int x) { return double(x) / kSide; };
-  const auto mirroredAt = [&](int x) { return rampAt(x < kSide ? x : 2 * kSide - 1 - x); };
-  const double mirrored = filteredStart(2 * kSide, mirroredAt);
-  const double repeated = filteredStart(kSide, rampAt);
-  // Float transforms have an error of about 1e-7 of the plane's values, twice.
-  CHECK(start(false) == Approx(mirrored).margin(1e-6));
-  CHECK(start(true) == Approx(repeated).margin(1e-6));
-  // The jump of 1 at the border remains as a step of nearly 1/2 on each side.
-  CHECK(std::abs(mirrored) < 0.25 * std::abs(repeated));
+  const MapExemplar map = slopes(kSide, kSide, wave);
+  const double period = 2.0 * kSide / kHalfWaves; // that of the wave: half remains
+  const MapExemplar flat = flattened(map, period, false);
+  for (int x = 0; x < kSide; ++x) {
+    INFO(x);
+    CHECK(double(flat.values[std::size_t(2 * x)]) == Approx(0.5 * wave(x, 0)).margin(0.02));
+  }
 }
 
 TEST_CASE("flatten divides by uneven light, and the result matches even light") {
@@ -152,9 +149,10 @@ TEST_CASE("flatten divides by uneven light, and the result matches even light") 
   const MapExemplar even = generatedExemplar(exemplars::sand, 128);
   const MapExemplar flatLit = flattened(lit, 128.0, false);
   const MapExemplar flatEven = flattened(even, 128.0, false);
-  // Periodic treatment of the slope's border, clipped highlights and rounding to 8 bits leave 0.28.
-  CHECK(rootMeanSquare(flatLit.values, flatEven.values) <
-        0.35 * rootMeanSquare(lit.values, even.values));
+  // Clipped highlights and rounding to 8 bits remain.
+  const double left = rootMeanSquare(flatLit.values, flatEven.values);
+  INFO(left / rootMeanSquare(lit.values, even.values));
+  CHECK(left < 0.15 * rootMeanSquare(lit.values, even.values));
   double before = 0.0, after = 0.0;
   for (std::size_t i = 0; i < lit.values.size(); ++i) {
     before += double(srgbToLinear(lit.values[i]));
@@ -178,132 +176,113 @@ TEST_CASE("flatten preserves detail faster than the period") {
   }
 }
 
-TEST_CASE("auto flattens a cloudy exemplar no more than necessary") {
+TEST_CASE("flattening removes the cloudiness of decoded noise") {
   const MapExemplar carpet = generatedExemplar(exemplars::carpet, 128);
-  const std::optional<double> period = automaticPeriod(carpet, true);
-  REQUIRE(period.has_value());
-  const MapExemplar flat = flattened(carpet, *period);
-  for (const std::string_view name : {"cloudiness", "low-frequency"})
-    CHECK(scoreOf(flat, name, true) < 1.0 / 3.0);
-  const auto patches = [](const MapExemplar& map) {
-    const auto plane = suitability::gaussianPlane(map, true);
-    REQUIRE(plane.has_value());
-    return suitability::patchShare(forwardFft(plane->values, plane->width, plane->height));
-  };
-  CHECK(patches(flat) < 0.01);
-  CHECK(patches(flattened(carpet, std::numbers::sqrt2 * *period)) >= 0.01);
-  // As measured on the decoded noise: from about 0.27 to 0.1 or less.
   constexpr int kSamples = 200;
   CHECK(test::measuredCloudiness(carpet, kSamples) > 0.2);
-  CHECK(test::measuredCloudiness(flat, kSamples) < 0.11);
+  CHECK(test::measuredCloudiness(flattened(carpet, 32.0), kSamples) < 0.11);
 }
 
-TEST_CASE("auto removes a gradient and a vignette") {
-  for (const auto& generate : {exemplars::slopingLight, exemplars::vignette}) {
-    const MapExemplar map = generatedExemplar(generate, 128);
-    const std::optional<double> period = automaticPeriod(map, false);
-    REQUIRE(period.has_value());
-    CHECK(scoreOf(map, "low-frequency", false) > 2.0 / 3.0);
-    CHECK(scoreOf(flattened(map, *period, false), "low-frequency", false) < 1.0 / 3.0);
+namespace {
+
+/// Natural logarithm of the light of 8 x 8 parts of an image, mean over the channels.
+std::vector<double> lightOfParts(const std::vector<float>& codes, int side) {
+  constexpr int kParts = 8;
+  std::vector<double> light(kParts * kParts);
+  for (int i = 0; i < 3 * side * side; ++i) {
+    const int x = i / 3 % side, y = i / 3 / side;
+    light[std::size_t(y * kParts / side * kParts + x * kParts / side)] +=
+        double(srgbToLinear(codes[std::size_t(i)]));
   }
+  for (double& value : light)
+    value = std::log(value);
+  return light;
 }
 
-TEST_CASE("auto removes a vignette from fine plaster down to the level of its grain") {
+/// Standard deviation of the light of `lit` over that of `even`, both of the same material.
+double unevenness(const std::vector<float>& lit, const std::vector<float>& even, int side) {
+  std::vector<double> ratio = lightOfParts(lit, side);
+  const std::vector<double> material = lightOfParts(even, side);
+  for (std::size_t i = 0; i < ratio.size(); ++i)
+    ratio[i] -= material[i];
+  return std::sqrt(test::variance(ratio));
+}
+
+} // namespace
+
+TEST_CASE("light that shows on fine surfaces is removed, and even surfaces are left as they are",
+          "[large]") {
   constexpr int kSide = 256;
-  // Grain of 4 % of the light, with no period above 24 pixels.
-  const exemplars::Field grain = exemplars::fractalNoise(kSide, {24.0f, 2.0f, 0.7f}, 7);
-  const auto plaster = [&](const auto& lightAt) {
-    SrgbImage image(kSide, kSide, 3);
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x)
-        for (int c = 0; c < 3; ++c)
-          image.pixel(x, y)[c] = linearToSrgb(
-              (0.5f - 0.05f * float(c)) * (1.0f + 0.04f * grain.at(2 * x, 2 * y)) * lightAt(x, y));
-    return baseColor(image);
-  };
-  const auto vignette = [](int x, int y) {
-    const double fromMiddle = std::hypot(x - 0.5 * kSide, y - 0.5 * kSide) / (0.5 * kSide);
-    return float(1.0 - 0.2 * fromMiddle * fromMiddle);
-  };
-  const MapExemplar even = plaster([](int, int) { return 1.0f; });
-  const MapExemplar lit = plaster(vignette);
-  const std::optional<double> period = automaticPeriod(lit, false);
-  REQUIRE(period.has_value());
-  const MapExemplar flat = flattened(lit, *period, false);
-  std::vector<double> removed, light, clouds, before, after;
-  for (int i = 0; i < kSide * kSide; ++i) {
-    const auto green = std::size_t(3 * i + 1);
-    removed.push_back(double(srgbToLinear(lit.values[green]) / srgbToLinear(flat.values[green])));
-    light.push_back(double(vignette(i % kSide, i / kSide)));
-    clouds.push_back(double(flat.values[green] - even.values[green]));
-    before.push_back(double(even.values[green]));
-    after.push_back(double(flat.values[green]));
-  }
-  const double contrast = std::sqrt(test::variance(before));
-  // What was removed is the light.
-  double together = 0.0;
-  for (std::size_t i = 0; i < light.size(); ++i)
-    together += (removed[i] - test::mean(removed)) * (light[i] - test::mean(light));
-  together /= double(light.size()) * std::sqrt(test::variance(removed) * test::variance(light));
-  INFO(*period << " pixels: correlation " << together << ", clouds "
-               << std::sqrt(test::variance(clouds)) / contrast << ", contrast "
-               << std::sqrt(test::variance(after)) / contrast);
-  CHECK(together > 0.95);
-  // Without a risk, but with visible patches, 0.9 of the contrast would be left.
-  CHECK(std::sqrt(test::variance(clouds)) < 0.5 * contrast);
-  CHECK(std::sqrt(test::variance(after)) == Approx(contrast).epsilon(0.1));
-}
-
-TEST_CASE("auto changes neither an exemplar without risks nor one that no period improves") {
-  CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::granite, 256), true).has_value());
-  CHECK_FALSE(automaticPeriod(generatedExemplar(exemplars::rust, 256), true).has_value());
-  const FlatteningChoice weave = automatic(generatedExemplar(exemplars::weave, 128), true);
-  CHECK(weave.reason == FlatteningChoice::Reason::unresolved);
-  CHECK_FALSE(weave.periodPixels.has_value());
-}
-
-TEST_CASE("auto leaves an object unchanged, because its outline would remain") {
-  for (const int side : {128, 256}) {
-    const MapExemplar stone = baseColor(exemplars::oneStone(side));
-    MapExemplar map = stone;
-    const Result<FlatteningChoice> choice = flattenAutomatically({&map, 1}, true);
-    REQUIRE(choice.ok());
-    CHECK(choice.value().reason == FlatteningChoice::Reason::object);
-    CHECK(choice.value().flattened.empty());
-    CHECK(map.values == stone.values);
+  constexpr float kShows = 0.25f; // the share of light that is missing where it is darkest
+  using exemplars::Fault;
+  for (const char* material : {"moss", "plaster", "cloth", "concrete", "granite", "sand"}) {
+    const SrgbImage surface = exemplars::photographedSurface(material, kSide);
+    const bool isFine = material != std::string("granite") && material != std::string("sand");
+    for (const exemplars::PhotographPlan& plan : exemplars::sixtyPhotographs()) {
+      const bool isLit = plan.fault == Fault::vignette || plan.fault == Fault::gradient ||
+                         plan.fault == Fault::shadow;
+      if (plan.material != std::string(material) || !(isLit || plan.fault == Fault::none))
+        continue;
+      const exemplars::Photograph photograph = exemplars::photograph(surface, plan);
+      MapExemplar map = baseColor(photograph.image);
+      const Result<std::optional<RemovedLight>> light = removeUnevenLight(map, false);
+      REQUIRE(light.ok());
+      const double before = unevenness(photograph.image.values, photograph.even.values, kSide);
+      const double after = unevenness(map.values, photograph.even.values, kSide);
+      INFO(plan.name() << ": unevenness " << before << ", then " << after);
+      if (plan.fault == Fault::none)
+        CHECK_FALSE(light.value().has_value());
+      if (isFine && plan.strength > kShows) {
+        CHECK(light.value().has_value());
+        CHECK(after < 0.35 * before); // 0.30 for the shadow on moss, 0.15 at most for the others
+      }
+      if (light.value()) {
+        CHECK(light.value()->darkest < 1.0 - 0.3 * plan.strength);
+        CHECK(light.value()->brightest > 1.0);
+        CHECK(flattened(baseColor(photograph.image), light.value()->periodPixels, false).values ==
+              map.values);
+      }
+    }
   }
 }
 
-TEST_CASE("auto flattens the colours, and other maps only if they vary slowly") {
-  std::vector<MapExemplar> maps{generatedExemplar(exemplars::slopingLight, 128)};
-  MapExemplar data;
-  data.encoding = ValueEncoding::linear;
-  data.width = data.height = 128;
-  data.target = MapTarget::occlusionRoughnessMetallic;
-  data.channels = {MapChannel::roughness};
-  const auto add = [&](double slope) {
-    data.values.clear();
-    for (int i = 0; i < 128 * 128; ++i)
-      data.values.push_back(
-          float(0.3 + slope * (i % 128) / 128.0 + 0.2 * (pcg(std::uint32_t(i)) * 0x1p-32)));
-    maps.push_back(data);
-  };
-  add(0.0);
-  data.target = MapTarget::height;
-  data.channels = {MapChannel::height};
-  add(0.4); // a tilt, which changes no light
-  data.target = MapTarget::emissive;
-  data.channels = {MapChannel::red};
-  add(0.4);
-  const std::vector<MapExemplar> before = maps;
-  const Result<FlatteningChoice> choice = flattenAutomatically(maps, false);
-  REQUIRE(choice.ok());
-  CHECK(choice.value().reason == FlatteningChoice::Reason::flattened);
-  CHECK(choice.value().flattened == std::vector{MapTarget::baseColor, MapTarget::emissive});
-  CHECK(maps[1].values == before[1].values);
-  CHECK(maps[2].values == before[2].values);
-  // The remaining light is what the map's own period leaves.
-  CHECK(maps[3].values == flattened(before[3], *choice.value().periodPixels, false).values);
+TEST_CASE("patches of another colour are the material's own") {
+  constexpr int kSide = 256;
+  for (const char* material : {"plaster", "concrete", "cloth"}) {
+    const exemplars::Photograph photograph =
+        exemplars::photograph(exemplars::photographedSurface(material, kSide),
+                              {material, exemplars::Fault::patches, 0.45f, 7});
+    MapExemplar map = baseColor(photograph.image);
+    REQUIRE(removeUnevenLight(map, false).ok());
+    const double before = unevenness(photograph.image.values, photograph.even.values, kSide);
+    const double after = unevenness(map.values, photograph.even.values, kSide);
+    INFO(material << ": unevenness " << before << ", then " << after);
+    CHECK(after > 0.7 * before);
+  }
+}
+
+TEST_CASE("without uneven light, no risk of low frequency is left") {
+  for (const auto generate : {exemplars::slopingLight, exemplars::vignette}) {
+    const MapExemplar map = generatedExemplar(generate, 128);
+    CHECK(scoreOf(map, "low-frequency", false) > 2.0 / 3.0);
+    const std::optional<MapExemplar> flat = withoutLight(map, false);
+    REQUIRE(flat.has_value());
+    CHECK(scoreOf(*flat, "low-frequency", false) < 1.0 / 3.0);
+  }
+}
+
+TEST_CASE("a vignette is removed from an image that tiles; other slow variation is its own") {
+  CHECK(withoutLight(generatedExemplar(exemplars::vignette, 256), true).has_value());
+  for (const exemplars::Material& material : exemplars::kMaterials)
+    CHECK_FALSE(withoutLight(generatedExemplar(material.generate, 128), true).has_value());
+  CHECK_FALSE(withoutLight(generatedExemplar(exemplars::carpet, 128), true).has_value());
+  CHECK_FALSE(withoutLight(generatedExemplar(exemplars::weave, 128), true).has_value());
+}
+
+TEST_CASE("an object keeps its brightness, because its outline would remain") {
+  for (const int side : {128, 256})
+    for (const bool periodic : {true, false})
+      CHECK_FALSE(withoutLight(baseColor(exemplars::oneStone(side)), periodic).has_value());
 }
 
 TEST_CASE("flattening and assessing report their progress, and the caller can stop them") {
@@ -340,14 +319,15 @@ TEST_CASE("flattening and assessing report their progress, and the caller can st
         }),
         "flattening: interrupted");
   check(withCopy([](MapExemplar& map, const Progress& progress) {
-          return flattenAutomatically({&map, 1}, false, progress);
+          return removeUnevenLight(map, false, progress);
         }),
         "flattening: interrupted");
 }
 
 TEST_CASE("the maps of a set are flattened at the same fraction of their sides") {
   const auto wave = [](int side) {
-    return slopes(side, side, [side](int x, int) { return 0.1 * std::cos(kTurn * 2 * x / side); });
+    return slopes(side, side,
+                  [side](int x, int) { return 0.1 * std::sin(kTurn * 2 * (x + 0.5) / side); });
   };
   std::vector<MapExemplar> maps{wave(64), wave(32)};
   REQUIRE(flatten(maps, 32.0, true).ok());
@@ -369,7 +349,7 @@ TEST_CASE("flattened values are finite and in range for maps of any size and con
   MapExemplar black = test::threeMaterials(8, 8, 1);
   std::fill(black.values.begin(), black.values.end(), 0.0f);
   CHECK(flattened(black, 4.0).values == black.values);
-  CHECK_FALSE(automaticPeriod(black, true).has_value());
+  CHECK_FALSE(withoutLight(black, false).has_value());
 }
 
 TEST_CASE("flatten keeps data in range and does not change opacity") {
@@ -402,5 +382,5 @@ TEST_CASE("the error for a period or a map out of range names it") {
   CHECK_FALSE(flatten({}, 64.0, true).ok());
   maps.front().values.pop_back();
   CHECK_FALSE(flatten(maps, 64.0, true).ok());
-  CHECK_FALSE(flattenAutomatically(maps, true).ok());
+  CHECK_FALSE(removeUnevenLight(maps.front(), false).ok());
 }

@@ -9,14 +9,15 @@
 
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace lichen {
 
 /// Removes from every map the variation slower than `periodPixels`, a period in pixels of the first
 /// map, in kFlattenPeriodRange. In maps of other sizes the period is the same share of their size.
-/// The filter halves waves of this period and reduces waves of half the period by 1/16. Beyond the
-/// borders the image repeats if `periodic`, else it is mirrored. Base colour and emissive light are
+/// The filter halves waves of this period and reduces waves of half the period by 1/16. The
+/// polynomial of degree 4 nearest to each channel is removed too, since light from one side has no
+/// period; if `periodic`, it has only even powers. Beyond the borders the rest repeats if
+/// `periodic`, else it is mirrored. Base colour and emissive light are
 /// divided by their low-passed light, since uneven light is a factor, and clipped at white. From
 /// other maps the low-passed values are subtracted; the result stays within their range, except
 /// for slopes, which have none. Means do not change, apart from clipping. Opacity is not changed,
@@ -34,31 +35,26 @@ namespace lichen {
                                    std::span<const MapTarget> targets,
                                    const Progress& progress = {});
 
-/// What flattenAutomatically() did and why.
-struct FlatteningChoice {
-  enum class Reason {
-    flattened,  ///< flattening removed the risks of the first map
-    noRisk,     ///< the first map had neither risk
-    object,     ///< the slow variation is an object with an outline, not light
-    unresolved, ///< not even the shortest period removed the risks
-  };
-
-  Reason reason = Reason::noRisk;
-  std::optional<double> periodPixels; ///< of the first map; set only for Reason::flattened
-  std::vector<MapTarget> flattened;   ///< the maps that were changed, in order
+/// Uneven light that was removed from a base colour.
+struct RemovedLight {
+  double periodPixels = 0.0; ///< flatten() with this period does the same
+  double darkest = 1.0;      ///< the least light, as a share of its mean
+  double brightest = 1.0;    ///< the most
 };
 
-/// If the first map has a mild or severe cloudiness or low-frequency risk, flattens with the
-/// longest period that leaves it neither, and no patches that are visible in the noise: beyond what
-/// waves of four cycles per side have, those of one cycle have less than 1 % of the blended
-/// variance. The shortest period may leave patches, but no risk. Periods are tried in steps of half
-/// an octave, from twice the longer side of the first map to an eighth of it. The other maps are
-/// flattened with the same share of their sides, but only if they have one of the two risks
-/// themselves: uneven light in a photograph affects its colours, while normals, heights and other
-/// data have none. Nothing changes unless the reason is Reason::flattened. Maps, errors and
-/// threads: as flatten(). Takes about five times as long as flatten() and assessSuitability() of
-/// the first map, and once as long for the others. Source: docs/decisions/013-suitability.md.
-[[nodiscard]] Result<FlatteningChoice>
-flattenAutomatically(std::span<MapExemplar> maps, bool periodic, const Progress& progress = {});
+/// Removes uneven light from a base colour, such as a vignette, light from one side or a soft
+/// shadow, if its noise would show it as patches: beyond what waves of four cycles per side have,
+/// those of one cycle have a deviation of at least a code of 8-bit sRGB, and a fifth of all
+/// deviation that is left where the exemplar covers 32 pixels. Flattens with the longest period
+/// that leaves no such patches: twice the longer side, which removes little more than the
+/// polynomial, or by halves down to an eighth of it, unless what is left has colours, as the
+/// material's own patches have. An image that tiles keeps its slow variation, unless nearly all of
+/// it is a vignette: other light does not repeat.
+/// Returns nothing, and changes nothing, if no patches show, if they have an outline, like a large
+/// object and unlike light, or if no period removes them.
+/// Maps, errors and threads: as flatten(). Takes little longer than flatten().
+/// Source: docs/decisions/013-suitability.md.
+[[nodiscard]] Result<std::optional<RemovedLight>> removeUnevenLight(MapExemplar& map, bool periodic,
+                                                                    const Progress& progress = {});
 
 } // namespace lichen

@@ -15,7 +15,7 @@ namespace lichen {
 /// A setting of a bake that helps against a risk.
 struct BakeSetting {
   std::string_view name; ///< "flatten", "support", "structure" or "method"
-  std::string value;     ///< "auto" or a period in pixels; texels; a share; the name of a method
+  std::string value;     ///< a period in pixels; texels; a share; the name of a method
 };
 
 /// One risk that the noise of an exemplar disappoints.
@@ -35,10 +35,10 @@ struct Risk {
 /// Puts a setting into the words of a program, for example as a command-line option.
 using SettingWords = std::string (*)(const BakeSetting& setting);
 
-/// "flatten auto".
+/// "flatten 128".
 [[nodiscard]] std::string plainWords(const BakeSetting& setting);
 
-/// Returns what helps against a risk: "flatten auto, or even light". Empty if the level is none.
+/// Returns what helps against a risk: "flatten 128, or even light". Empty if the level is none.
 [[nodiscard]] std::string remedyOf(const Risk& risk, SettingWords words = plainWords);
 
 /// "none", "mild" or "severe".
