@@ -72,6 +72,8 @@ Json describePreparation(const Preparation& preparation) {
     json["periodic"] = *preparation.periodic;
   if (preparation.size)
     json["size"] = *preparation.size;
+  for (const FilledPlace& filled : preparation.filled)
+    json["filled"].push_back({{"place", filled.place}, {"from", filled.from}});
   if (!preparation.flattened.empty()) {
     Json& flattened =
         json["flattened"] = {{"period", preparation.flattenPeriod}, {"maps", Json::array()}};

@@ -7,16 +7,17 @@
 namespace lichen {
 namespace {
 
-/// An array of N integers from `least` to kMaxTableSide, if there is one.
 template <std::size_t N>
-std::optional<std::array<std::uint32_t, N>> readPixels(ObjectReader& reader, const char* key,
-                                                       const std::array<double, N>& least) {
-  if (!reader.has(key))
-    return std::nullopt;
+using Pixels = std::array<std::uint32_t, N>;
+
+/// An array of N integers from `least` to kMaxTableSide.
+template <std::size_t N>
+std::optional<Pixels<N>> readPixels(ObjectReader& reader, const char* key,
+                                    const std::array<double, N>& least) {
   const auto values = reader.numbers(key, {0.0, double(kMaxTableSide)});
   if (!values)
     return std::nullopt;
-  std::array<std::uint32_t, N> pixels{};
+  Pixels<N> pixels{};
   const auto fits = [](double value, double smallest) {
     return value >= smallest && value == double(std::uint32_t(value));
   };
@@ -28,6 +29,12 @@ std::optional<std::array<std::uint32_t, N>> readPixels(ObjectReader& reader, con
   std::ranges::transform(*values, pixels.begin(),
                          [](double value) { return std::uint32_t(value); });
   return pixels;
+}
+
+template <std::size_t N>
+std::optional<Pixels<N>> readPixelsIfAny(ObjectReader& reader, const char* key,
+                                         const std::array<double, N>& least) {
+  return reader.has(key) ? readPixels(reader, key, least) : std::nullopt;
 }
 
 /// Whether the member has the only value that it may have.
@@ -58,6 +65,19 @@ void readFlattened(ObjectReader reader, Preparation& preparation) {
   reader.warnOfUnknown();
 }
 
+void readFilled(ObjectReader& reader, FindingList& findings, Preparation& preparation) {
+  const nlohmann::json* places = reader.array("filled", kMaxFilledPlaces);
+  for (std::size_t i = 0; places != nullptr && i < places->size(); ++i) {
+    ObjectReader place((*places)[i], reader.pointerTo("filled") + "/" + std::to_string(i),
+                       findings);
+    const auto replaced = readPixels<4>(place, "place", {0.0, 0.0, 1.0, 1.0});
+    const auto from = readPixels<2>(place, "from", {0.0, 0.0});
+    if (replaced && from)
+      preparation.filled.push_back({*replaced, *from});
+    place.warnOfUnknown();
+  }
+}
+
 } // namespace
 
 Preparation readPreparation(ObjectReader& noise, FindingList& findings) {
@@ -66,8 +86,8 @@ Preparation readPreparation(ObjectReader& noise, FindingList& findings) {
   if (member == nullptr)
     return preparation;
   ObjectReader reader(*member, noise.pointerTo("preparation"), findings);
-  preparation.crop = readPixels<4>(reader, "crop", {0.0, 0.0, 1.0, 1.0});
-  preparation.size = readPixels<2>(reader, "size", {1.0, 1.0});
+  preparation.crop = readPixelsIfAny<4>(reader, "crop", {0.0, 0.0, 1.0, 1.0});
+  preparation.size = readPixelsIfAny<2>(reader, "size", {1.0, 1.0});
   preparation.isGreenDown = readChoice(reader, "normals", "directX");
   preparation.usesAlpha = readChoice(reader, "alpha", "opacity");
   if (const nlohmann::json* periodic = reader.optional("periodic")) {
@@ -78,6 +98,8 @@ Preparation readPreparation(ObjectReader& noise, FindingList& findings) {
   }
   if (const nlohmann::json* flattened = reader.optional("flattened"))
     readFlattened(ObjectReader(*flattened, reader.pointerTo("flattened"), findings), preparation);
+  if (reader.has("filled"))
+    readFilled(reader, findings, preparation);
   reader.warnOfUnknown();
   return preparation;
 }

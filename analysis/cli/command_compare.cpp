@@ -113,7 +113,9 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments, Materi
                  fmt::format("{}: has no base colour to compare with an image; expected one, or a "
                              "bundle as the result",
                              arguments.exemplar)};
-  const Result<ReadExemplar> result = readExemplar({arguments.result}, {}, arguments.shared);
+  ExemplarOptions asItIs;
+  asItIs.outliers.keeps = true;
+  const Result<ReadExemplar> result = readExemplar({arguments.result}, asItIs, arguments.shared);
   if (!result)
     return result.error();
   const MapExemplar& image = result.value().set.maps.front();
@@ -266,6 +268,8 @@ Result<int> run(Arguments& arguments) {
     arguments.asBaked.bakeMemory = memoryOfMethods();
     if (!isGiven(*arguments.verb, "--flatten"))
       arguments.asBaked.flattening.automatic = true; // as in a bake
+  } else {
+    arguments.asBaked.outliers.recorded.emplace();
   }
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",

@@ -17,18 +17,22 @@ namespace {
 /// Describes how map `m` was made. Moves its unflattened original out of `originals`, unless that
 /// is empty.
 ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Flattened& flattened,
-                        const std::vector<MapExemplar>& maps, std::vector<MapExemplar>& originals) {
+                        std::size_t filled, const std::vector<MapExemplar>& maps,
+                        std::vector<MapExemplar>& originals) {
   ExemplarOrigin origin;
   if (options.crop)
     origin.steps.emplace_back("cropped");
   if (options.set.size)
     origin.steps.emplace_back("resized");
   const std::vector<MapTarget>& targets = flattened.maps;
-  if (std::find(targets.begin(), targets.end(), maps[m].target) == targets.end())
-    return origin;
+  const bool isFlattened = std::ranges::count(targets, maps[m].target) > 0;
   const double period = flattened.periodPixels * maps[m].width / maps.front().width;
-  origin.steps.push_back(fmt::format("without variation slower than {:.0f} pixels", period));
-  if (!originals.empty())
+  if (isFlattened)
+    origin.steps.push_back(fmt::format("without variation slower than {:.0f} pixels", period));
+  if (filled > 0)
+    origin.steps.push_back(filled == 1 ? "one part filled"
+                                       : fmt::format("{} parts filled", filled));
+  if (!originals.empty() && (isFlattened || filled > 0))
     origin.original = std::move(originals[m]);
   return origin;
 }
@@ -47,8 +51,21 @@ bool has(std::span<const MapExemplar> maps, MapTarget target) {
   return std::ranges::count(maps, target, &MapExemplar::target) > 0;
 }
 
+/// The part of the largest file that was used, unless --size hides how large that is.
+std::optional<PhotographPart> photographPart(const ExemplarOptions& options,
+                                             std::span<const MapExemplar> maps) {
+  if (options.crop) {
+    const auto [x, y, width, height] = *options.crop;
+    return PhotographPart{double(x), double(y), double(width), double(height)};
+  }
+  if (options.set.size)
+    return std::nullopt;
+  const auto largest = std::ranges::max_element(maps, {}, &MapExemplar::width);
+  return PhotographPart{0.0, 0.0, double(largest->width), double(largest->height)};
+}
+
 Preparation preparationOf(const ExemplarOptions& options, const MaterialSet& set,
-                          const Flattened& flattened) {
+                          const Flattened& flattened, std::vector<FilledPlace> filled) {
   Preparation made;
   if (options.crop)
     std::ranges::copy(*options.crop, made.crop.emplace().begin());
@@ -62,6 +79,7 @@ Preparation preparationOf(const ExemplarOptions& options, const MaterialSet& set
   if (!flattened.maps.empty())
     made.flattenPeriod = flattened.periodPixels;
   made.flattened = flattened.maps;
+  made.filled = std::move(filled);
   return made;
 }
 
@@ -80,6 +98,9 @@ Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, Exempla
     recorded.flattened.clear();
   else
     options.flattening = {false, recorded.flattenPeriod, recorded.flattened};
+  if (isGiven(verb, "--keep-outliers") || isGiven(verb, "--crop") || isGiven(verb, "--size"))
+    recorded.filled.clear(); // places in another exemplar
+  options.outliers.recorded = recorded.filled;
   if (recorded.crop)
     std::ranges::copy(*recorded.crop, options.crop.emplace().begin());
   if (recorded.size)
@@ -107,6 +128,8 @@ std::string describe(const Preparation& preparation) {
     words.emplace_back(*preparation.periodic ? "--periodic yes" : "--periodic no");
   if (!preparation.flattened.empty())
     words.push_back(fmt::format("--flatten {:.6g}", preparation.flattenPeriod));
+  if (!preparation.filled.empty())
+    words.push_back(fmt::format("{} filled", preparation.filled.size()));
   return fmt::format("{}", fmt::join(words, " "));
 }
 
@@ -127,6 +150,9 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, const std::str
            "Remove variation slower than PERIOD pixels; auto removes uneven light from the base "
            "colour, if the noise would show it" +
                flattenDefault);
+  addFlag(verb, "--keep-outliers", options.outliers.keeps,
+          "Keep what occurs once, such as a leaf, a fold or a stain, instead of filling its place "
+          "from the rest");
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
   addValue(verb, "--periodic", options.set.periodic, oneOf(periodic), "auto",
@@ -150,16 +176,21 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
     return set.error();
   std::vector<MapExemplar>& maps = set.value().maps;
   std::vector<MapExemplar> originals;
-  if (options.keepsOriginals && options.flattening.isWanted())
+  if (options.keepsOriginals)
     originals = maps;
   const Result<Flattened> flattened =
       applyFlattening(maps, options.flattening, set.value().periodic, shared, set.value().notes);
   if (!flattened)
     return flattened.error();
+  Result<std::vector<FilledPlace>> filled = applyOutliers(
+      maps, options.outliers, photographPart(options, maps), shared, set.value().notes);
+  if (!filled)
+    return filled.error();
   ReadExemplar read{std::move(set).value(), {}, {}};
-  read.preparation = preparationOf(options, read.set, flattened.value());
   for (std::size_t m = 0; m < read.set.maps.size(); ++m)
-    read.origins.push_back(originOf(m, options, flattened.value(), read.set.maps, originals));
+    read.origins.push_back(
+        originOf(m, options, flattened.value(), filled.value().size(), read.set.maps, originals));
+  read.preparation = preparationOf(options, read.set, flattened.value(), std::move(filled).value());
   return read;
 }
 

@@ -6,6 +6,7 @@
 #include "bake_risks.h"
 #include "command.h"
 #include "memory_need.h"
+#include "outliers_option.h"
 
 #include <lichen/material_set.h>
 #include <lichen/noise_report.h>
@@ -21,7 +22,8 @@ struct ExemplarOptions {
   MaterialSetOptions set; ///< `crop` below replaces its crop
   std::optional<std::array<int, 4>> crop;
   Flattening flattening;
-  bool keepsOriginals = false; ///< whether to return the maps before flattening
+  OutlierUse outliers;
+  bool keepsOriginals = false; ///< whether to return the maps before flattening and filling
   BakeMemory bakeMemory;       ///< of the method that bakes; zeros if none does
 };
 
@@ -32,8 +34,8 @@ struct ReadExemplar {
   Preparation preparation;             ///< what the options came to
 };
 
-/// Declares --crop, --size, --normal, --alpha, --flatten and --periodic. An empty `flattenPreset`
-/// leaves --flatten to the verb, which says so in `flattenDefault`.
+/// Declares --crop, --size, --normal, --alpha, --flatten, --keep-outliers and --periodic. An empty
+/// `flattenPreset` leaves --flatten to the verb, which says so in `flattenDefault`.
 void addExemplarOptions(CLI::App& verb, ExemplarOptions& options,
                         const std::string& flattenPreset = "auto",
                         const std::string& flattenDefault = "");
@@ -44,8 +46,8 @@ Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, Exempla
 /// A preparation in the words of the options; empty if nothing was done.
 [[nodiscard]] std::string describe(const Preparation& preparation);
 
-/// Reads the files with readMaterialSet() and flattens the maps as the options ask. The notes of
-/// the set describe both.
+/// Reads the files with readMaterialSet(), and flattens and fills the maps as the options ask. The
+/// notes of the set describe all.
 [[nodiscard]] Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
                                                 const ExemplarOptions& options,
                                                 const SharedOptions& shared);

@@ -32,6 +32,10 @@ inline constexpr double kEdgeConcentration = 4.2;
 inline constexpr double kVisiblePatches = 0.004;
 inline constexpr double kVisiblePatchShare = 0.2;
 
+/// How much further than the third strongest place something that occurs once stands out. The
+/// geometric mean of 2.4 and 3.0 in docs/decisions/034-outliers.md.
+inline constexpr double kOutlier = 2.7;
+
 /// The shortest period of uneven light, as a share of the exemplar's longer side: faster variation
 /// is the material itself.
 inline constexpr double kShortestLight = 1.0 / 8.0;

@@ -12,20 +12,6 @@
 namespace lichen::suitability {
 namespace {
 
-/// The plane and its mirror images: periodic, and continuous at the borders.
-Plane mirrored(const Plane& plane) {
-  Plane whole{2 * plane.width, 2 * plane.height, {}};
-  whole.values.reserve(4 * plane.values.size());
-  for (int y = 0; y < whole.height; ++y) {
-    const int from = y < plane.height ? y : whole.height - 1 - y;
-    const auto row = plane.values.begin() + std::ptrdiff_t(from) * plane.width;
-    whole.values.insert(whole.values.end(), row, row + plane.width);
-    whole.values.insert(whole.values.end(), std::make_reverse_iterator(row + plane.width),
-                        std::make_reverse_iterator(row));
-  }
-  return whole;
-}
-
 /// Filters a plane that repeats.
 Plane filtered(const Plane& plane, const Period& period) {
   HalfSpectrum spectrum = forwardFft(plane.values, plane.width, plane.height);
@@ -39,6 +25,19 @@ Plane filtered(const Plane& plane, const Period& period) {
 }
 
 } // namespace
+
+Plane mirrored(const Plane& plane) {
+  Plane whole{2 * plane.width, 2 * plane.height, {}};
+  whole.values.reserve(4 * plane.values.size());
+  for (int y = 0; y < whole.height; ++y) {
+    const int from = y < plane.height ? y : whole.height - 1 - y;
+    const auto row = plane.values.begin() + std::ptrdiff_t(from) * plane.width;
+    whole.values.insert(whole.values.end(), row, row + plane.width);
+    whole.values.insert(whole.values.end(), std::make_reverse_iterator(row + plane.width),
+                        std::make_reverse_iterator(row));
+  }
+  return whole;
+}
 
 Plane lowPassed(const Plane& plane, Plane trend, const Period& period, bool periodic) {
   Plane rest = plane;

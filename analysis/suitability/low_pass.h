@@ -19,6 +19,9 @@ struct Period {
   double y = 0.0;
 };
 
+/// The plane and its mirror images, 2 width x 2 height: periodic, and continuous at the borders.
+[[nodiscard]] Plane mirrored(const Plane& plane);
+
 /// `trend`, and what lowPassGain() leaves of the rest of the plane, which repeats beyond the
 /// borders if `periodic` and is mirrored otherwise. Without trendOf(), a mirrored ramp would have a
 /// crease that no filter follows. Throws std::bad_alloc.

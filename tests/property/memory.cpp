@@ -11,6 +11,7 @@
 #include <lichen/material_set.h>
 #include <lichen/measures.h>
 #include <lichen/noise_report.h>
+#include <lichen/outliers.h>
 #include <lichen/quality.h>
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
@@ -180,6 +181,13 @@ TEST_CASE("flattening reports exhausted memory, whichever allocation fails") {
   MapExemplar map = test::threeMaterials(48, 40, 1, 9); // cloudy, so that all steps are tried
   CHECK(exhaustMemory(First::each, [&] { return removeUnevenLight(map, false); }) > 10);
   CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
+}
+
+TEST_CASE("filling outliers reports exhausted memory, whichever allocation fails") {
+  MapExemplar map = test::threeMaterials(132, 130, 1, 1);
+  for (int i = 0; i < 100; ++i) // a dot of another colour
+    map.values[std::size_t(3 * ((60 + i / 10) * map.width + 60 + i % 10))] = 1.0f;
+  CHECK(exhaustMemory(First::sampled, [&] { return fillOutliers({&map, 1}); }) > 10);
 }
 
 TEST_CASE("reading a set reports exhausted memory, whichever allocation fails") {

@@ -183,6 +183,15 @@ TEST_CASE("every fault of a noise is found") {
        [=](GlbParts& p) { noise(p)["preparation"]["normals"] = "openGL"; }},
       {"periodic in text", "type",
        [=](GlbParts& p) { noise(p)["preparation"]["periodic"] = "no"; }},
+      {"a place of three numbers", "preparation-pixels",
+       [=](GlbParts& p) {
+         noise(p)["preparation"]["filled"] =
+             nlohmann::json::parse(R"([{"place": [0, 0, 8], "from": [8, 8]}])");
+       }},
+      {"a place filled from nowhere", "required",
+       [=](GlbParts& p) {
+         noise(p)["preparation"]["filled"] = nlohmann::json::parse(R"([{"place": [0, 0, 8, 8]}])");
+       }},
       {"an unknown flattened map", "preparation-maps",
        [=](GlbParts& p) {
          noise(p)["preparation"]["flattened"] = {{"period", 8}, {"maps", {"h\u00f6he"}}};

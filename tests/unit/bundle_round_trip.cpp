@@ -105,7 +105,8 @@ TEST_CASE("a bundle survives the round trip through a GLB") {
                                          .usesAlpha = true,
                                          .periodic = false,
                                          .flattenPeriod = 1.0 / 0.011,
-                                         .flattened = {MapTarget::height, MapTarget::baseColor}};
+                                         .flattened = {MapTarget::height, MapTarget::baseColor},
+                                         .filled = {{{1, 2, 3, 4}, {5, 6}}, {{0, 0, 1, 1}, {}}}};
     const auto glb = encodeGlb(file);
     if (!glb.ok())
       FAIL(glb.error().message);

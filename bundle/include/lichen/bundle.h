@@ -169,6 +169,15 @@ struct NoiseLayers {
   [[nodiscard]] bool operator==(const NoiseLayers&) const = default;
 };
 
+/// A part of an exemplar that was replaced by another part of it, in pixels of the first map.
+struct FilledPlace {
+  std::array<std::uint32_t, 4> place{}; ///< column, row, width and height of what was replaced
+  std::array<std::uint32_t, 2> from{}; ///< column and row of the part of this size that replaced it
+
+  [[nodiscard]] bool operator==(const FilledPlace&) const = default;
+};
+inline constexpr std::size_t kMaxFilledPlaces = 16;
+
 /// How the exemplar was made from its files, so that a comparison can make it again. Evaluation
 /// does not need it.
 struct Preparation {
@@ -180,6 +189,7 @@ struct Preparation {
   std::optional<bool> periodic; ///< whether borders fit, if that was given or measured
   double flattenPeriod = 0.0;   ///< pixels of the first map; 0, or in kFlattenPeriodRange
   std::vector<MapTarget> flattened; ///< the maps that lost their slower variation
+  std::vector<FilledPlace> filled;  ///< in order, after flattening; at most kMaxFilledPlaces
 
   [[nodiscard]] bool operator==(const Preparation&) const = default;
 };
