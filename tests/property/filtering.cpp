@@ -30,8 +30,12 @@ constexpr int kTexels = 128; // texels per side of the exemplar
 struct NamedPlane {
   std::string name;
   Plane plane;
-  int pixels; // per view: texton noise costs more
+  int pixels;          // per view: texton noise costs more
+  double ofFits = 0.0; // by how much ratios differ between fits of the same exemplar
 };
+/// Of kernels and of structure, between a CPU with AVX-512 and one without: the last bit of a
+/// Fourier transform makes another fit.
+constexpr double kOfFits = 0.035;
 
 const std::vector<NamedPlane>& planes() {
   static const std::vector<NamedPlane> all = [] {
@@ -57,8 +61,8 @@ const std::vector<NamedPlane>& planes() {
         {"texton, triplanar", noisePlane(texton, Mapping::triplanar), 400},
         {"local random phase, uv", noisePlane(cosines, Mapping::uv), 400},
         {"local random phase, triplanar", noisePlane(cosines, Mapping::triplanar), 300},
-        {"structure, uv", noisePlane(structured, Mapping::uv), 400},
-        {"kernels, uv", noisePlane(kernels, Mapping::uv), 300},
+        {"structure, uv", noisePlane(structured, Mapping::uv), 400, kOfFits},
+        {"kernels, uv", noisePlane(kernels, Mapping::uv), 300, kOfFits},
         {"layered, uv", noisePlane(layered, Mapping::uv), 400}};
   }();
   return all;
@@ -97,8 +101,8 @@ TEST_CASE("a view has the mean colour, contrast and features of its supersampled
       INFO(one.name << ", pixels of " << texels << " x " << slant * texels << " texels: contrast "
                     << view.contrast() << ", difference " << view.difference());
       CHECK(view.meanError < view.meanTolerance(0.01 * difference[k], one.pixels));
-      CHECK(std::abs(view.contrast() - 1.0) < 0.01 * contrast[k]);
-      CHECK(view.difference() < 0.01 * difference[k]);
+      CHECK(std::abs(view.contrast() - 1.0) < 0.01 * contrast[k] + one.ofFits);
+      CHECK(view.difference() < 0.01 * difference[k] + one.ofFits);
     }
 }
 
