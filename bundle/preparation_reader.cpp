@@ -23,7 +23,8 @@ std::optional<Pixels<N>> readPixels(ObjectReader& reader, const char* key,
   };
   if (values->size() != N || !std::ranges::equal(*values, least, fits)) {
     reader.error("preparation-pixels", key,
-                 "expected " + std::to_string(N) + " whole numbers, sides at least 1");
+                 "expected " + std::to_string(N) + " whole numbers" +
+                     (least.back() > 0.0 ? ", sides at least 1" : ""));
     return std::nullopt;
   }
   std::ranges::transform(*values, pixels.begin(),

@@ -51,6 +51,8 @@ Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps, const Flatteni
                                   std::vector<std::string>& notes) {
   if (!requested.isWanted())
     return Flattened{};
+  if (requested.automatic && maps.front().target != MapTarget::baseColor)
+    return Flattened{};
   const bool fit = bordersFit(maps, periodic);
   ProgressLine line("flatten", options);
   const Progress progress = line.asProgress();
@@ -73,8 +75,6 @@ Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps, const Flatteni
       return done.error();
     return flattened;
   }
-  if (maps.front().target != MapTarget::baseColor)
-    return Flattened{};
   const Result<std::optional<RemovedLight>> light = removeUnevenLight(maps.front(), fit, progress);
   if (!light)
     return light.error();

@@ -226,6 +226,8 @@ Result<int> run(Arguments& arguments) {
   arguments.exemplar.keepsOriginals = !arguments.report.empty();
   arguments.exemplar.bakeMemory =
       arguments.wanted ? arguments.chosen().memory() : largestMemory(arguments.methods);
+  if (arguments.layers.isGiven()) // a part that occurs once may be a layer
+    arguments.exemplar.outliers.keeps = true;
   Notes notes(arguments.shared);
   const Result<Judged> exemplar = readAndJudge(arguments, notes);
   if (!exemplar)

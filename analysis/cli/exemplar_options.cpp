@@ -60,7 +60,8 @@ std::optional<PhotographPart> photographPart(const ExemplarOptions& options,
   }
   if (options.set.size)
     return std::nullopt;
-  const auto largest = std::ranges::max_element(maps, {}, &MapExemplar::width);
+  const auto largest = std::ranges::max_element(
+      maps, {}, [](const MapExemplar& map) { return double(map.width) * map.height; });
   return PhotographPart{0.0, 0.0, double(largest->width), double(largest->height)};
 }
 
@@ -129,7 +130,8 @@ std::string describe(const Preparation& preparation) {
   if (!preparation.flattened.empty())
     words.push_back(fmt::format("--flatten {:.6g}", preparation.flattenPeriod));
   if (!preparation.filled.empty())
-    words.push_back(fmt::format("{} filled", preparation.filled.size()));
+    words.push_back(fmt::format("{} part{} filled", preparation.filled.size(),
+                                preparation.filled.size() == 1 ? "" : "s"));
   return fmt::format("{}", fmt::join(words, " "));
 }
 
@@ -182,8 +184,9 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
       applyFlattening(maps, options.flattening, set.value().periodic, shared, set.value().notes);
   if (!flattened)
     return flattened.error();
-  Result<std::vector<FilledPlace>> filled = applyOutliers(
-      maps, options.outliers, photographPart(options, maps), shared, set.value().notes);
+  Result<std::vector<FilledPlace>> filled =
+      applyOutliers(maps, options.outliers, set.value().periodic, photographPart(options, maps),
+                    shared, set.value().notes);
   if (!filled)
     return filled.error();
   ReadExemplar read{std::move(set).value(), {}, {}};

@@ -43,7 +43,7 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options,
 /// Sets each option that the command line does not give to what a bundle recorded, and returns what
 /// was taken from the record.
 Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, ExemplarOptions& options);
-/// A preparation in the words of the options; empty if nothing was done.
+/// A preparation in words, of the options where there is one; empty if nothing was done.
 [[nodiscard]] std::string describe(const Preparation& preparation);
 
 /// Reads the files with readMaterialSet(), and flattens and fills the maps as the options ask. The

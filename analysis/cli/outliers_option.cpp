@@ -40,39 +40,43 @@ Place cropBeside(const Place& place, const PhotographPart& part) {
 }
 
 std::string wordsFor(const Place& place) {
-  return fmt::format("at {},{}, {} x {} pixels are unlike all others", place[0], place[1], place[2],
+  return fmt::format("the part at {},{}, {} x {} pixels, occurs once", place[0], place[1], place[2],
                      place[3]);
 }
 
 } // namespace
 
 Result<std::vector<FilledPlace>> applyOutliers(std::vector<MapExemplar>& maps,
-                                               const OutlierUse& use,
+                                               const OutlierUse& use, Periodic borders,
                                                const std::optional<PhotographPart>& part,
                                                const SharedOptions& options,
                                                std::vector<std::string>& notes) {
+  if (use.recorded && use.recorded->empty())
+    return std::vector<FilledPlace>{};
   if (use.recorded) {
-    if (Result<void> done = fillPlaces(maps, *use.recorded); !done)
+    const bool fit = bordersFit(maps, borders);
+    if (Result<void> done = fillPlaces(maps, *use.recorded, fit); !done)
       return done.error();
     return *use.recorded;
   }
   const MapExemplar& first = maps.front();
-  if (use.keeps || first.target != MapTarget::baseColor)
+  if (use.keeps || first.target != MapTarget::baseColor ||
+      std::ranges::count(maps, MapTarget::opacity, &MapExemplar::target) > 0)
     return std::vector<FilledPlace>{};
   ProgressLine line("outliers", options);
-  Result<Outliers> outliers = fillOutliers(maps, line.asProgress());
+  Result<Outliers> outliers = fillOutliers(maps, bordersFit(maps, borders), line.asProgress());
   if (!outliers)
     return outliers.error();
   for (const FilledPlace& filled : outliers.value().filled)
     notes.push_back(wordsFor(inPhotograph(filled.place, first, part)) +
-                    "; they are filled from the rest; --keep-outliers keeps them");
+                    " and is filled from the rest; --keep-outliers keeps it");
   if (const auto& left = outliers.value().left) {
     const Place place = inPhotograph(*left, first, part);
-    std::string note = wordsFor(place) + ", too many to fill, and will appear again and again";
+    std::string note = wordsFor(place) + " and is too large to fill: the noise will repeat it";
     if (part) {
       const Place crop = cropBeside(place, *part);
       if (4 * crop[2] >= std::lround((*part)[2]) && 4 * crop[3] >= std::lround((*part)[3]))
-        note += fmt::format("; --crop {} leaves them out", fmt::join(crop, ","));
+        note += fmt::format("; --crop {} leaves it out", fmt::join(crop, ","));
     }
     notes.push_back(std::move(note));
   }

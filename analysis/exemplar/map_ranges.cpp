@@ -59,4 +59,13 @@ Result<void> checkRanges(const MapExemplar& map) {
   return {};
 }
 
+Result<void> checkRanges(std::span<const MapExemplar> maps) {
+  if (maps.empty())
+    return Error{ErrorKind::usage, "no map; expected at least one"};
+  for (const MapExemplar& map : maps)
+    if (Result<void> checked = checkRanges(map); !checked)
+      return checked;
+  return {};
+}
+
 } // namespace lichen::exemplar

@@ -36,6 +36,10 @@ inline constexpr double kVisiblePatchShare = 0.2;
 /// geometric mean of 2.4 and 3.0 in docs/decisions/034-outliers.md.
 inline constexpr double kOutlier = 2.7;
 
+/// The least difference of an outlier from its surroundings, in sRGB codes from 0 to 1, root mean
+/// square over the channels: 2.5 codes of 8 bits.
+inline constexpr double kVisibleOutlier = 0.01;
+
 /// The shortest period of uneven light, as a share of the exemplar's longer side: faster variation
 /// is the material itself.
 inline constexpr double kShortestLight = 1.0 / 8.0;

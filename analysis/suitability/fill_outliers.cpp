@@ -21,13 +21,14 @@ constexpr std::size_t kMostOutliers = 4;
 constexpr double kLargestShare = 1.0 / 8.0; // of the map's pixels
 
 /// The weight of what replaces a part, at a pixel of it: 1 inside, and 0 at its edges, except at
-/// those that are borders of the map.
+/// those that are borders of a map that does not tile.
 class Fade {
 public:
-  Fade(const MapExemplar& map, const Part& part)
+  Fade(const MapExemplar& map, const Part& part, bool periodic)
       : part_(part), width_(std::max(1.0, std::min(part.width, part.height) / 6.0)),
-        left_(part.x > 0), top_(part.y > 0), right_(part.x + part.width < map.width),
-        bottom_(part.y + part.height < map.height) {}
+        left_(periodic || part.x > 0), top_(periodic || part.y > 0),
+        right_(periodic || part.x + part.width < map.width),
+        bottom_(periodic || part.y + part.height < map.height) {}
 
   [[nodiscard]] float at(int x, int y) const {
     return along(left_, x) * along(right_, part_.width - 1 - x) * along(top_, y) *
@@ -71,8 +72,8 @@ EdgeMeans edgeMeans(const MapExemplar& map, const Part& part, const Fade& fade, 
   return count > 0.0 ? EdgeMeans{sum.here / count, sum.there / count} : sum;
 }
 
-void fillChannel(MapExemplar& map, const Part& part, int fromX, int fromY, std::size_t channel) {
-  const Fade fade(map, part);
+void fillChannel(MapExemplar& map, const Part& part, int fromX, int fromY, const Fade& fade,
+                 std::size_t channel) {
   const EdgeMeans means = edgeMeans(map, part, fade, fromX, fromY, channel);
   float least = map.values[channel], most = least;
   for (std::size_t i = channel; i < map.values.size(); i += map.channels.size()) {
@@ -104,15 +105,16 @@ Part partOf(const FilledPlace& filled, const MapExemplar& map, const MapExemplar
           std::max(1, scaled(y + height, map.height, first.height) - fromY)};
 }
 
-void fillMap(MapExemplar& map, const FilledPlace& filled, const MapExemplar& first) {
+void fillMap(MapExemplar& map, const FilledPlace& filled, const MapExemplar& first, bool periodic) {
   const Part part = partOf(filled, map, first);
   const auto source = [](std::uint32_t pixels, int side, int firstSide, int size) {
     return std::clamp(int(std::lround(double(pixels) * side / firstSide)), 0, side - size);
   };
   const int fromX = source(filled.from[0], map.width, first.width, part.width);
   const int fromY = source(filled.from[1], map.height, first.height, part.height);
+  const Fade fade(map, part, periodic);
   for (std::size_t channel = 0; channel < map.channels.size(); ++channel)
-    fillChannel(map, part, fromX, fromY, channel);
+    fillChannel(map, part, fromX, fromY, fade, channel);
 }
 
 /// How much two parts differ along their edges: mean square, with the means alike.
@@ -135,7 +137,7 @@ double edgeDifference(const MapExemplar& map, const Part& part, const Fade& fade
 
 /// Where the part is replaced from, with the least difference along its edges; nothing if it is too
 /// large.
-std::optional<Part> sourceOf(const Outlier& outlier) {
+std::optional<Part> sourceOf(const Outlier& outlier, bool periodic) {
   const MapExemplar& map = outlier.reduced;
   const Part& part = outlier.part;
   if (double(part.width) * part.height > kLargestShare * map.width * map.height)
@@ -148,7 +150,7 @@ std::optional<Part> sourceOf(const Outlier& outlier) {
           return false;
     return true;
   };
-  const Fade fade(map, part);
+  const Fade fade(map, part, periodic);
   const int step = std::max(1, std::min(part.width, part.height) / 8);
   double least = std::numeric_limits<double>::max();
   std::optional<Part> best;
@@ -175,7 +177,7 @@ std::array<std::uint32_t, 4> enlarged(const Part& part, const MapExemplar& reduc
           std::uint32_t(row(part.y + part.height) - row(part.y))};
 }
 
-Outliers fillAll(std::span<MapExemplar> maps, ProgressPart progress) {
+Outliers fillAll(std::span<MapExemplar> maps, bool periodic, ProgressPart progress) {
   const MapExemplar& first = maps.front();
   Outliers outliers;
   for (std::size_t k = 0; k < kMostOutliers; ++k) {
@@ -184,7 +186,7 @@ Outliers fillAll(std::span<MapExemplar> maps, ProgressPart progress) {
     if (!outlier)
       break;
     FilledPlace filled{enlarged(outlier->part, outlier->reduced, first), {}};
-    const std::optional<Part> source = sourceOf(*outlier);
+    const std::optional<Part> source = sourceOf(*outlier, periodic);
     if (!source) {
       outliers.left = filled.place;
       break;
@@ -193,39 +195,32 @@ Outliers fillAll(std::span<MapExemplar> maps, ProgressPart progress) {
     filled.from = {from[0], from[1]};
     outliers.filled.push_back(filled);
     for (MapExemplar& map : maps)
-      fillMap(map, filled, first);
+      fillMap(map, filled, first, periodic);
   }
   return outliers;
 }
 
 std::string exhausted() { return "not enough memory to fill outliers"; }
 
-Result<void> checkMaps(std::span<const MapExemplar> maps) {
-  if (maps.empty())
-    return Error{ErrorKind::usage, "no map to fill; expected at least one"};
-  for (const MapExemplar& map : maps)
-    if (Result<void> checked = exemplar::checkRanges(map); !checked)
-      return checked;
-  return {};
-}
-
 } // namespace
 
-Result<Outliers> fillOutliers(std::span<MapExemplar> maps, const Progress& progress) {
+Result<Outliers> fillOutliers(std::span<MapExemplar> maps, bool periodic,
+                              const Progress& progress) {
   return withinMemory(exhausted, [&]() -> Result<Outliers> {
-    if (Result<void> checked = checkMaps(maps); !checked)
+    if (Result<void> checked = exemplar::checkRanges(maps); !checked)
       return checked.error();
     if (maps.front().target != MapTarget::baseColor)
       return Error{ErrorKind::usage, "the first map is no base colour, where outliers are found"};
     return unlessInterrupted("filling outliers", [&]() -> Result<Outliers> {
-      return fillAll(maps, ProgressPart(progress));
+      return fillAll(maps, periodic, ProgressPart(progress));
     });
   });
 }
 
-Result<void> fillPlaces(std::span<MapExemplar> maps, std::span<const FilledPlace> places) {
+Result<void> fillPlaces(std::span<MapExemplar> maps, std::span<const FilledPlace> places,
+                        bool periodic) {
   return withinMemory(exhausted, [&]() -> Result<void> {
-    if (Result<void> checked = checkMaps(maps); !checked)
+    if (Result<void> checked = exemplar::checkRanges(maps); !checked)
       return checked;
     const auto width = std::uint32_t(maps.front().width),
                height = std::uint32_t(maps.front().height);
@@ -243,7 +238,7 @@ Result<void> fillPlaces(std::span<MapExemplar> maps, std::span<const FilledPlace
                          "; expected both inside the exemplar's " + std::to_string(width) + " x " +
                          std::to_string(height)};
       for (MapExemplar& map : maps)
-        fillMap(map, filled, maps.front());
+        fillMap(map, filled, maps.front(), periodic);
     }
     return {};
   });

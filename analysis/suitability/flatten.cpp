@@ -91,7 +91,7 @@ Plane lightTrend(const MapExemplar& map, bool periodic) {
   return trendOf(sum, periodic);
 }
 
-/// Flattens a channel of light, of which `trend` times its mean is removed, or of another map.
+/// Flattens one channel. `trend` is lightTrend() for maps of light, and empty for others.
 LightRange flattenChannel(MapExemplar& map, std::size_t channel, const std::optional<Plane>& trend,
                           const Period& period, bool periodic) {
   const std::size_t channels = map.channels.size();
@@ -120,20 +120,11 @@ Period periodOf(const MapExemplar& map, const MapExemplar& first, double pixels)
 
 std::string exhausted() { return "not enough memory to flatten the exemplar"; }
 
-Result<void> checkMaps(std::span<const MapExemplar> maps) {
-  if (maps.empty())
-    return Error{ErrorKind::usage, "no map to flatten; expected at least one"};
-  for (const MapExemplar& map : maps)
-    if (Result<void> checked = exemplar::checkRanges(map); !checked)
-      return checked;
-  return {};
-}
-
 template <class IsWanted>
 Result<void> flattenWanted(std::span<MapExemplar> maps, double periodPixels, bool periodic,
                            const IsWanted& isWanted, const Progress& progress) {
   return withinMemory(exhausted, [&]() -> Result<void> {
-    if (Result<void> checked = checkMaps(maps); !checked)
+    if (Result<void> checked = exemplar::checkRanges(maps); !checked)
       return checked;
     if (!(periodPixels >= kFlattenPeriodRange.least && periodPixels <= kFlattenPeriodRange.most))
       return Error{ErrorKind::usage,

@@ -11,8 +11,8 @@
 #include <lichen/fft.h>
 #include <lichen/image.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <array>
@@ -26,7 +26,8 @@ namespace lichen::suitability {
 namespace {
 
 constexpr int kSmallestSide = 128;
-constexpr int kSearchSide = 256; // longer side of the map that is searched
+constexpr int kSearchSide = 256;         // longer side of the map that is searched
+constexpr int kSmallestReducedSide = 64; // four times the largest scale
 
 /// The scales, as divisors of the longer side.
 constexpr std::array<double, 4> kScales{64.0, 40.0, 25.0, 16.0};
@@ -46,9 +47,9 @@ Plane codesOf(const MapExemplar& map, std::size_t channel) {
 }
 
 /// The differences of all places from their surroundings: (pixels, channels).
-Eigen::MatrixXf differences(std::span<const HalfSpectrum> channels, int width, int height,
+Eigen::MatrixXd differences(std::span<const HalfSpectrum> channels, int width, int height,
                             double scale) {
-  Eigen::MatrixXf result(Eigen::Index(width) * height, Eigen::Index(channels.size()));
+  Eigen::MatrixXd result(Eigen::Index(width) * height, Eigen::Index(channels.size()));
   for (std::size_t c = 0; c < channels.size(); ++c) {
     HalfSpectrum band = channels[c];
     for (int v = 0; v < band.height; ++v)
@@ -65,39 +66,39 @@ Eigen::MatrixXf differences(std::span<const HalfSpectrum> channels, int width, i
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
         result(Eigen::Index(y) * width + x, Eigen::Index(c)) =
-            plane[std::size_t(y) * std::size_t(band.width) + std::size_t(x)];
+            double(plane[std::size_t(y) * std::size_t(band.width) + std::size_t(x)]);
   }
   return result;
 }
 
 /// The Mahalanobis distance of each row from 0. The covariance is that of the rows with all but the
 /// 2 % largest distances, by iteration, plus that of rounding to 8 bits.
-std::vector<float> distances(const Eigen::MatrixXf& rows) {
+std::vector<float> distances(const Eigen::MatrixXd& rows) {
   constexpr double kUsual = 0.98, kRounding = 1.0 / 255.0 / 255.0 / 12.0;
   const Eigen::Index channels = rows.cols();
-  std::vector<float> squares(std::size_t(rows.rows()), 0.0f);
-  float most = 0.0f;
+  std::vector<double> squares(std::size_t(rows.rows()), 0.0);
+  double most = 0.0;
   for (int iteration = 0; iteration < 3; ++iteration) {
-    Eigen::MatrixXf covariance = Eigen::MatrixXf::Zero(channels, channels);
-    float count = 0.0f;
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(channels, channels);
+    double count = 0.0;
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
       if (squares[std::size_t(i)] <= most) {
         covariance += rows.row(i).transpose() * rows.row(i);
-        count += 1.0f;
+        count += 1.0;
       }
-    covariance =
-        covariance / count + float(kRounding) * Eigen::MatrixXf::Identity(channels, channels);
-    const Eigen::MatrixXf scaled = rows * covariance.inverse();
+    covariance = covariance / count + kRounding * Eigen::MatrixXd::Identity(channels, channels);
+    const Eigen::MatrixXd scaled = covariance.ldlt().solve(rows.transpose()).transpose();
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
       squares[std::size_t(i)] = scaled.row(i).dot(rows.row(i));
-    std::vector<float> sorted = squares;
+    std::vector<double> sorted = squares;
     const auto usual = sorted.begin() + std::ptrdiff_t(kUsual * double(sorted.size() - 1));
     std::ranges::nth_element(sorted, usual);
     most = *usual;
   }
-  for (float& square : squares)
-    square = std::sqrt(std::max(square, 0.0f));
-  return squares;
+  std::vector<float> result;
+  for (const double square : squares)
+    result.push_back(float(std::sqrt(std::max(square, 0.0))));
+  return result;
 }
 
 /// The pixels above `level` that are connected with pixel `from` along rows and columns.
@@ -137,7 +138,8 @@ void erase(std::vector<float>& values, int width, std::span<const std::size_t> p
 
 /// A place that stands out at one scale.
 struct Strongest {
-  double ratio = 0.0; ///< its distance over that of the third strongest place
+  double ratio = 0.0;     ///< its distance over that of the third strongest place
+  std::size_t middle = 0; ///< the pixel that differs most
   Part part;
   std::vector<bool> unusual;
 };
@@ -177,6 +179,7 @@ Strongest strongestAt(const std::vector<float>& distances, int width, double sca
   std::transform(distances.begin(), distances.end(), unusual.begin(),
                  [&](float distance) { return distance > unusualLevel; });
   return {double(places[0] / places[2]),
+          first,
           {fromX, fromY, std::min(toX, width) - fromX, std::min(toY, height) - fromY},
           std::move(unusual)};
 }
@@ -190,6 +193,8 @@ std::optional<Outlier> outlierOf(const MapExemplar& map) {
   const auto side = [&](int pixels) { return std::max(1, int(std::lround(reduction * pixels))); };
   MapExemplar reduced =
       reduction < 1.0 ? exemplar::resampled(map, side(map.width), side(map.height), false) : map;
+  if (std::min(reduced.width, reduced.height) < kSmallestReducedSide)
+    return std::nullopt;
   std::vector<HalfSpectrum> channels;
   for (std::size_t c = 0; c < reduced.channels.size(); ++c) {
     const Plane whole = mirrored(codesOf(reduced, c));
@@ -198,10 +203,11 @@ std::optional<Outlier> outlierOf(const MapExemplar& map) {
   Strongest best;
   for (const double divisor : kScales) {
     const double scale = std::max(reduced.width, reduced.height) / divisor;
-    Strongest strongest =
-        strongestAt(distances(differences(channels, reduced.width, reduced.height, scale)),
-                    reduced.width, scale);
-    if (strongest.ratio > best.ratio)
+    const Eigen::MatrixXd rows = differences(channels, reduced.width, reduced.height, scale);
+    Strongest strongest = strongestAt(distances(rows), reduced.width, scale);
+    const double difference = rows.row(Eigen::Index(strongest.middle)).norm();
+    const double visible = kVisibleOutlier * std::sqrt(double(rows.cols()));
+    if (strongest.ratio > best.ratio && difference >= visible)
       best = std::move(strongest);
   }
   if (best.ratio < kOutlier)

@@ -14,6 +14,7 @@ namespace {
 constexpr Eigen::Index kDegree = 4;
 constexpr Eigen::Index kReferenceDegree = 8; // the material's own variation: from kDegree + 1 on
 constexpr double kStandsOut = 4.0;           // in variances of the material's own terms
+constexpr double kFewestReferences = 4.0;    // terms that estimate that variance
 
 /// Orthonormal columns of degree 0, 1, ... (side, at most kReferenceDegree + 1), even and odd in
 /// turn.
@@ -26,7 +27,7 @@ Eigen::MatrixXd polynomialsOf(int side) {
   return factors.householderQ() * Eigen::MatrixXd::Identity(side, count);
 }
 
-/// Calls use(v, u, degree) for each term of a degree in [first, last].
+/// Calls use(v, u) for each term of a degree in [first, last].
 template <typename Use>
 void forTerms(const Eigen::MatrixXd& terms, Eigen::Index first, Eigen::Index last, const Use& use) {
   for (Eigen::Index v = 0; v < terms.rows(); ++v)
@@ -42,9 +43,11 @@ Eigen::MatrixXd outstanding(const Eigen::MatrixXd& terms, bool periodic) {
     squares += terms(v, u) * terms(v, u);
     count += 1.0;
   });
-  const double own = count > 0.0 ? squares / count : 0.0;
   Eigen::MatrixXd kept = Eigen::MatrixXd::Zero(terms.rows(), terms.cols());
   kept(0, 0) = terms(0, 0);
+  if (count < kFewestReferences)
+    return kept;
+  const double own = squares / count;
   forTerms(terms, 1, kDegree, [&](Eigen::Index v, Eigen::Index u) {
     const double term = terms(v, u);
     const bool isOdd = u % 2 != 0 || v % 2 != 0;

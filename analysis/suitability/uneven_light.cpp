@@ -73,11 +73,16 @@ std::optional<double> shareFor(const MapExemplar& map, bool periodic) {
     return std::nullopt;
   const MapExemplar trendless = evened(map, periodic, kTrend);
   const Patches left = patchesOf(trendless);
-  // Only a vignette tiles. Chance gives the trend a third of the variance.
-  const double most = periodic ? 0.25 : 0.75;
-  if (periodic || (left.areVisible() && isColored(trendless)))
-    return left.deviation < most * patches.deviation ? std::optional(kTrend) : std::nullopt;
-  for (double share = kTrend; share >= kShortestLight; share /= 2.0)
+  if (!periodic && !left.areVisible())
+    return kTrend;
+  // Of an image that tiles, only a vignette is light. Chance gives the trend a third of the
+  // variance.
+  constexpr double kMostOfTile = 0.25, kMostOfColored = 0.75;
+  if (periodic || isColored(trendless)) {
+    const double most = (periodic ? kMostOfTile : kMostOfColored) * patches.deviation;
+    return left.deviation < most ? std::optional(kTrend) : std::nullopt;
+  }
+  for (double share = kTrend / 2.0; share >= kShortestLight; share /= 2.0)
     if (!patchesOf(evened(map, periodic, share)).areVisible())
       return share;
   return std::nullopt;

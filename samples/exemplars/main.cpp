@@ -93,11 +93,12 @@ int writeFiles(const std::filesystem::path& folder, int side,
   std::string material;
   SrgbImage surface;
   for (const exemplars::PhotographPlan& plan : exemplars::sixtyPhotographs()) {
+    if (code != 0)
+      break;
     if (plan.material != material)
       surface = exemplars::photographedSurface(plan.material, side);
     material = plan.material;
-    if (code == 0)
-      code = writePicture(plan.name(), exemplars::photograph(surface, plan).image);
+    code = writePicture(plan.name(), exemplars::photograph(surface, plan).image);
   }
   return code;
 }
@@ -125,8 +126,7 @@ int run(int argc, char** argv) {
   known.emplace_back(kLandscape);
   known.emplace_back(kPhotographs);
 
-  CLI::App app("Writes the project's example exemplars (tileable 8-bit sRGB PNG) and meshes to use "
-               "them on.",
+  CLI::App app("Writes the project's example exemplars (8-bit sRGB PNG) and meshes to use them on.",
                "lichen-exemplars");
   app.set_help_flag("-h,--help", "Print this page and exit");
   app.formatter(cli::helpFormatter());
@@ -151,6 +151,10 @@ int run(int argc, char** argv) {
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
       return failUsage(name + ": no such exemplar; expected " + cli::alternatives(known));
+  const bool hasPhotographs = std::find(names.begin(), names.end(), kPhotographs) != names.end();
+  if (hasPhotographs && side > exemplars::kLargestPhotograph)
+    return failUsage("--size " + std::to_string(side) + ": photographs have at most " +
+                     std::to_string(exemplars::kLargestPhotograph) + " pixels a side");
   if (names.empty())
     for (const exemplars::Material& material : exemplars::kMaterials)
       names.emplace_back(material.name);

@@ -139,6 +139,16 @@ private:
   std::vector<Color> samples_;
 };
 
+/// The picture whose sample (x, y) is colorAt(x, y).
+template <typename ColorAt>
+[[nodiscard]] SrgbImage painted(int sidePixels, const ColorAt& colorAt) {
+  Canvas canvas(sidePixels);
+  for (int y = 0; y < canvas.side(); ++y)
+    for (int x = 0; x < canvas.side(); ++x)
+      canvas.at(x, y) = colorAt(x, y);
+  return canvas.resolve();
+}
+
 /// A picture with a height field.
 struct Relief {
   explicit Relief(int sidePixels) : canvas(sidePixels), height(canvas.side()) {}

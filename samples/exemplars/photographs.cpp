@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Part of a surface -> the same with a fault, in linear light, and the noise of a camera.
 #include "photographs.h"
 
 #include "materials.h"
@@ -12,18 +13,19 @@
 namespace lichen::exemplars {
 namespace {
 
-constexpr std::array<Material, 10> kPhotographed{{
-    {"granite", granite},
-    {"lichen_on_stone", lichenOnStone},
-    {"moss", moss},
-    {"rust", rust},
-    {"sand", sand},
-    {"terrazzo", terrazzo},
+constexpr std::array<Material, 4> kSurfaces{{
     {"plaster", plaster},
     {"cloth", cloth},
     {"wood_grain", woodGrain},
     {"concrete", concrete},
 }};
+
+/// The materials and the surfaces.
+std::vector<Material> photographed() {
+  std::vector<Material> all(kMaterials.begin(), kMaterials.end());
+  all.insert(all.end(), kSurfaces.begin(), kSurfaces.end());
+  return all;
+}
 
 /// A part of a larger picture that tiles, so that its borders do not fit.
 SrgbImage cropped(const SrgbImage& image, int side, Random& random) {
@@ -209,7 +211,7 @@ void expose(SrgbImage& image, std::uint32_t seed) {
 const char* nameOf(Fault fault) {
   switch (fault) {
   case Fault::none:
-    return "none";
+    return "even";
   case Fault::vignette:
     return "vignette";
   case Fault::gradient:
@@ -229,14 +231,13 @@ const char* nameOf(Fault fault) {
 }
 
 std::string PhotographPlan::name() const {
-  if (fault == Fault::none)
-    return material;
   const std::string kind = std::string(material) + "-" + nameOf(fault);
   return strength > 0.0f ? kind + "-" + std::to_string(std::lround(100.0f * strength)) : kind;
 }
 
 SrgbImage photographedSurface(const std::string& name, int side) {
-  return std::ranges::find(kPhotographed, name, &Material::name)->generate(side + side / 2);
+  const std::vector<Material> all = photographed();
+  return std::ranges::find(all, name, &Material::name)->generate((3 * side + 1) / 2);
 }
 
 Photograph photograph(const SrgbImage& surface, const PhotographPlan& plan) {
@@ -255,8 +256,9 @@ std::vector<PhotographPlan> sixtyPhotographs() {
   constexpr std::array<Fault, 2> kLights{Fault::vignette, Fault::gradient};
   constexpr std::array<Fault, 3> kObjects{Fault::fold, Fault::stain, Fault::leaf};
   std::vector<PhotographPlan> plans;
-  for (std::size_t m = 0; m < kPhotographed.size(); ++m) {
-    const char* material = kPhotographed[m].name;
+  const std::vector<Material> all = photographed();
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    const char* material = all[m].name;
     const auto add = [&](Fault fault, float strength) {
       plans.push_back({material, fault, strength, std::uint32_t(plans.size() + 1)});
     };

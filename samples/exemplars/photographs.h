@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Generated photographs of materials with the faults that photographs have, beside what they would
-// be without the fault. None of them tiles.
+// be without the fault. None of them tiles. Literals are art direction, as in materials.h.
 #pragma once
 
 #include <lichen/image.h>
@@ -31,7 +31,7 @@ struct PhotographPlan {
   float strength = 0.0f;
   std::uint32_t seed = 0; ///< places the crop, the light and the object
 
-  [[nodiscard]] std::string name() const; ///< "plaster-vignette-40", "rust"
+  [[nodiscard]] std::string name() const; ///< "plaster-vignette-40", "rust-even"
 };
 
 /// A pixel rectangle.
@@ -45,7 +45,10 @@ struct Photograph {
   Place object;   ///< around the fold, stain or leaf; empty for other faults
 };
 
-/// The surface that photographs of this side, in [64, 1024], show a part of.
+inline constexpr int kLargestPhotograph = 1024; // pixels per side
+
+/// The surface that photographs of this side, in [kSmallestSide, kLargestPhotograph], show a part
+/// of. `material` is one of a PhotographPlan in sixtyPhotographs().
 [[nodiscard]] SrgbImage photographedSurface(const std::string& material, int sidePixels);
 
 /// Takes a square photograph of two thirds of the surface, of 8 bits with the noise of a camera.

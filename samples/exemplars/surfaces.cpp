@@ -1,22 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Fields of noise, stretched and coloured -> surfaces with little contrast.
 #include "surfaces.h"
 
 #include "periodic.h"
 
 namespace lichen::exemplars {
-namespace {
-
-template <typename ColorAt>
-SrgbImage painted(int side, const ColorAt& colorAt) {
-  Canvas canvas(side);
-  for (int y = 0; y < canvas.side(); ++y)
-    for (int x = 0; x < canvas.side(); ++x)
-      canvas.at(x, y) = colorAt(x, y);
-  return canvas.resolve();
-}
-
-} // namespace
-
 SrgbImage plaster(int side) {
   const Field grain = fractalNoise(side, {24.0f, 2.0f, 0.75f}, 201);
   const Field trowel = fractalNoise(side, {40.0f, 8.0f, 0.6f}, 202);

@@ -7,7 +7,7 @@
 
 namespace lichen::exemplars {
 
-/// Each function generates a square, tileable, opaque RGB picture of `sidePixels` pixels per side,
+/// Each function generates a square, opaque RGB picture of `sidePixels` pixels per side,
 /// rounded to 8 bits. Details keep their size in pixels. The result is deterministic.
 [[nodiscard]] SrgbImage plaster(int sidePixels);   ///< fine pale grain
 [[nodiscard]] SrgbImage cloth(int sidePixels);     ///< dark matted fibres

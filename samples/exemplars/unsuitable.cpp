@@ -17,15 +17,6 @@ float hashed(int i, int j, std::uint32_t seed) {
   return float(pcg3d({std::uint32_t(i), std::uint32_t(j), seed})[0] >> 8u) * 0x1p-24f;
 }
 
-template <typename ColorAt>
-SrgbImage painted(int side, const ColorAt& colorAt) {
-  Canvas canvas(side);
-  for (int y = 0; y < canvas.side(); ++y)
-    for (int x = 0; x < canvas.side(); ++x)
-      canvas.at(x, y) = colorAt(x, y);
-  return canvas.resolve();
-}
-
 /// Multiplies the linear light of every pixel; rounds and clips to 8 bits.
 template <typename FactorAt>
 SrgbImage relit(SrgbImage image, const FactorAt& factorAt) {

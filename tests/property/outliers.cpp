@@ -27,7 +27,7 @@ Photograph photographOf(const PhotographPlan& plan) {
 }
 
 Outliers filled(std::vector<MapExemplar>& maps) {
-  Result<Outliers> outliers = fillOutliers(maps);
+  Result<Outliers> outliers = fillOutliers(maps, false);
   REQUIRE(outliers.ok());
   return std::move(outliers).value();
 }
@@ -103,7 +103,8 @@ TEST_CASE("photographs without an object are left as they are", "[large]") {
       std::vector<MapExemplar> maps{
           baseColor(exemplars::photograph(surface, {material, Fault::none, 0.0f, seed}).image)};
       const std::vector<float> before = maps.front().values;
-      CHECK(filled(maps).filled.empty());
+      const Outliers outliers = filled(maps);
+      CHECK((outliers.filled.empty() && !outliers.left));
       CHECK(maps.front().values == before);
     }
   }
@@ -158,15 +159,67 @@ TEST_CASE("all maps of a set are filled at the same place, and the record fills 
   for (const float value : maps[1].values)
     CHECK(value == Approx(0.2f));
   std::vector<MapExemplar> again = before;
-  REQUIRE(fillPlaces(again, outliers.filled).ok());
+  REQUIRE(fillPlaces(again, outliers.filled, false).ok());
   CHECK(again[0].values == maps[0].values);
   CHECK(again[1].values == maps[1].values);
+}
+
+TEST_CASE("what nobody sees is not filled") {
+  SrgbImage image(kSide, kSide, 3);
+  std::fill(image.values.begin(), image.values.end(), 0.5f);
+  for (int i = 0; i < 100; ++i)
+    image.pixel(100 + i % 10, 100 + i / 10)[0] = 0.5f + 1.0f / 255.0f;
+  std::vector<MapExemplar> maps{baseColor(image)};
+  const Outliers outliers = filled(maps);
+  CHECK((outliers.filled.empty() && !outliers.left));
+}
+
+TEST_CASE("an object in grey values, and in light above 1, is filled") {
+  const SrgbImage cloth = photographOf({"cloth", Fault::none, 0.0f, 1}).image;
+  for (const ValueEncoding encoding : {ValueEncoding::srgb, ValueEncoding::log2}) {
+    MapExemplar map = baseColor(cloth);
+    map.encoding = encoding;
+    for (std::size_t i = 0; i < map.values.size(); ++i)
+      map.values[i] = map.values[i - i % 3];
+    for (int y = 100; y < 116; ++y)
+      for (int x = 60; x < 76; ++x)
+        for (int c = 0; c < 3; ++c)
+          map.values[std::size_t(3 * (y * kSide + x) + c)] = 0.8f;
+    std::vector<MapExemplar> maps{map};
+    CHECK(filled(maps).filled.size() == 1);
+    CHECK(*std::ranges::max_element(maps.front().values) < 0.7f);
+  }
+}
+
+TEST_CASE("a part at a border of an image that tiles still fits the opposite border") {
+  MapExemplar map = baseColor(exemplars::photographedSurface("moss", kSide));
+  std::vector<MapExemplar> maps{map};
+  const FilledPlace place{{0, 100, 60, 60}, {200, 200}};
+  REQUIRE(fillPlaces(maps, {&place, 1}, true).ok());
+  const auto column = [&](const MapExemplar& of, int x) {
+    double sum = 0.0;
+    for (int y = 100; y < 160; ++y)
+      sum += std::abs(double(of.values[std::size_t(3 * (y * of.width + x))]) -
+                      double(map.values[std::size_t(3 * (y * of.width + x))]));
+    return sum / 60.0;
+  };
+  CHECK(column(maps.front(), 0) < 0.02);  // the fade has begun by half a pixel of ten
+  CHECK(column(maps.front(), 30) > 0.05); // and is complete in the middle
+  REQUIRE(fillPlaces(maps, {&place, 1}, false).ok());
+  CHECK(column(maps.front(), 0) > 0.05);
+}
+
+TEST_CASE("filling outliers can be interrupted") {
+  std::vector<MapExemplar> maps{baseColor(photographOf({"cloth", Fault::none, 0.0f, 1}).image)};
+  const Result<Outliers> stopped = fillOutliers(maps, false, [](double) { return false; });
+  REQUIRE_FALSE(stopped.ok());
+  CHECK(stopped.error().kind == ErrorKind::environment);
 }
 
 TEST_CASE("places outside the exemplar, and maps without colours, are errors") {
   std::vector<MapExemplar> maps{test::threeMaterials(16, 8, 1)};
   const auto messageOf = [&](const FilledPlace& place) {
-    const Result<void> done = fillPlaces(maps, {&place, 1});
+    const Result<void> done = fillPlaces(maps, {&place, 1}, false);
     REQUIRE_FALSE(done.ok());
     CHECK(done.error().kind == ErrorKind::usage);
     return done.error().message;
@@ -179,8 +232,8 @@ TEST_CASE("places outside the exemplar, and maps without colours, are errors") {
   messageOf({{0, 0, 4, 4}, {4294967295u, 0}});
   messageOf({{0, 0, 0, 4}, {0, 0}});
   const FilledPlace whole{{0, 0, 16, 8}, {0, 0}};
-  CHECK(fillPlaces(maps, {&whole, 1}).ok());
-  CHECK_FALSE(fillPlaces({}, {}).ok());
+  CHECK(fillPlaces(maps, {&whole, 1}, false).ok());
+  CHECK_FALSE(fillPlaces({}, {}, false).ok());
   maps.front().target = MapTarget::emissive;
-  CHECK_FALSE(fillOutliers(maps).ok());
+  CHECK_FALSE(fillOutliers(maps, false).ok());
 }

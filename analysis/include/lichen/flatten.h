@@ -12,20 +12,21 @@
 
 namespace lichen {
 
-/// Removes from every map the variation slower than `periodPixels`, a period in pixels of the first
-/// map, in kFlattenPeriodRange. In maps of other sizes the period is the same share of their size.
-/// The filter halves waves of this period and reduces waves of half the period by 1/16. The
-/// polynomial of degree 4 nearest to each channel is removed too, since light from one side has no
-/// period; if `periodic`, it has only even powers. Beyond the borders the rest repeats if
-/// `periodic`, else it is mirrored. Base colour and emissive light are
-/// divided by their low-passed light, since uneven light is a factor, and clipped at white. From
-/// other maps the low-passed values are subtracted; the result stays within their range, except
-/// for slopes, which have none. Means do not change, apart from clipping. Opacity is not changed,
-/// because its coverage is the material's shape.
+/// Removes from every map its trend, and the variation slower than `periodPixels`, a period in
+/// pixels of the first map, in kFlattenPeriodRange. In maps of other sizes the period is the same
+/// share of their size. The trend is a polynomial of degree 4 with the terms that stand out from
+/// the material's own variation, since light from one side has no period; the channels of a map of
+/// light share it, and if `periodic` its powers are even. Of the rest, the filter halves waves of
+/// this period and reduces waves of half the period by 1/16. Beyond the borders the rest repeats if
+/// `periodic`, else it is mirrored. Base colour and emissive light are divided by their low-passed
+/// light, since uneven light is a factor, and clipped at white. From other maps the low-passed
+/// values are subtracted; the result stays within their range, except for slopes, which have none.
+/// Means do not change, apart from clipping. Opacity is not changed, because its coverage is the
+/// material's shape.
 /// Needs at least one map, each within the ranges of MapExemplar. After an Error the maps are
 /// unspecified. Errors: usage for maps or a period out of range, resources if memory runs out,
 /// environment if `progress` stops it. Thread-safe; same values for any number of threads.
-/// O(N log N) time; 64 bytes per pixel.
+/// O(N log N) time.
 [[nodiscard]] Result<void> flatten(std::span<MapExemplar> maps, double periodPixels, bool periodic,
                                    const Progress& progress = {});
 
@@ -43,15 +44,15 @@ struct RemovedLight {
 };
 
 /// Removes uneven light from a base colour, such as a vignette, light from one side or a soft
-/// shadow, if its noise would show it as patches: beyond what waves of four cycles per side have,
-/// those of one cycle have a deviation of at least a code of 8-bit sRGB, and a fifth of all
+/// shadow, if its noise would show it as patches: beyond twice what waves of four cycles per side
+/// have, those of one cycle have a deviation of at least a code of 8-bit sRGB, and a fifth of all
 /// deviation that is left where the exemplar covers 32 pixels. Flattens with the longest period
-/// that leaves no such patches: twice the longer side, which removes little more than the
-/// polynomial, or by halves down to an eighth of it, unless what is left has colours, as the
-/// material's own patches have. An image that tiles keeps its slow variation, unless nearly all of
-/// it is a vignette: other light does not repeat.
+/// that leaves no such patches: twice the longer side, which removes little more than the trend, or
+/// by halves down to an eighth of it. Only the trend is removed from an image that tiles, if that
+/// is three quarters of its patches' deviation, a vignette, and from one whose other slow variation
+/// has colours, as the material's own has, if that is a quarter.
 /// Returns nothing, and changes nothing, if no patches show, if they have an outline, like a large
-/// object and unlike light, or if no period removes them.
+/// object and unlike light, or if this does not remove them.
 /// Maps, errors and threads: as flatten(). Takes little longer than flatten().
 /// Source: docs/decisions/013-suitability.md.
 [[nodiscard]] Result<std::optional<RemovedLight>> removeUnevenLight(MapExemplar& map, bool periodic,

@@ -23,23 +23,26 @@ struct Outliers {
   std::optional<std::array<std::uint32_t, 4>> left;
 };
 
-/// Finds parts of the first map, a base colour, that stand out from their surroundings and have
-/// nothing like them, or only one other; replaces each in all maps by the part of its size that
-/// differs least along its edges. At most four. Maps without one do not change. Nothing for sides
-/// under 128 pixels.
+/// Finds parts of the first map, a base colour, that visibly stand out from their surroundings,
+/// further than all but one other; replaces each in all maps by the part of its size that differs
+/// least along its edges. At most four, and none after one that is too large. Maps without one do
+/// not change. Nothing for sides under 128 pixels, or longer than four times the other. `periodic`
+/// says whether opposite borders fit; they still do afterwards.
 /// Needs at least one map, each within the ranges of MapExemplar. After an Error the maps are
 /// unspecified. Errors: usage for a map out of range or a first map that is no base colour,
 /// resources if memory runs out, environment if `progress` stops it. Thread-safe; same values for
 /// any number of threads. O(N) in the number of pixels, plus about 0.1 s.
 /// Source: docs/decisions/034-outliers.md.
-[[nodiscard]] Result<Outliers> fillOutliers(std::span<MapExemplar> maps,
+[[nodiscard]] Result<Outliers> fillOutliers(std::span<MapExemplar> maps, bool periodic,
                                             const Progress& progress = {});
 
 /// Replaces the places as fillOutliers() does. They count in pixels of the first map; other maps
 /// are replaced at the same shares of their sides. A replaced part fades in over a sixth of its
 /// shorter side, with preserved variance, and with the mean that the place has along its edges.
-/// Errors: usage for a map out of range or a place outside the first map; resources.
+/// At borders of the exemplar it fades only if `periodic`.
+/// Needs at least one map. After an Error the maps are unspecified. Errors: usage for a map out of
+/// range or a place outside the first map, resources. Thread-safe. O(N) per place.
 [[nodiscard]] Result<void> fillPlaces(std::span<MapExemplar> maps,
-                                      std::span<const FilledPlace> places);
+                                      std::span<const FilledPlace> places, bool periodic);
 
 } // namespace lichen
