@@ -37,6 +37,7 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
                                 {"height", height},
                                 {"maps", describeMaps(outcome.bundle, noise)},
                                 {"tableBytes", tableBytes},
+                                {"verdict", jsonOf(outcome.verdict)},
                                 {"risks", risksAsJson(outcome.risks)},
                                 {"notes", outcome.notes},
                                 {"seconds", outcome.seconds}};
@@ -44,6 +45,7 @@ void reportBake(const SharedOptions& options, const BakeOutcome& outcome) {
     printLine(toText(json));
     return;
   }
+  say(options, verdictLine(outcome.verdict, noise.maps.size() > 1));
   std::string targets;
   for (const NoiseMap& map : noise.maps)
     targets += (targets.empty() ? "" : ", ") + std::string(nameOf(map.target));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bake_risks.h"
+#include "bake_verdict.h"
 #include "command.h"
 
 #include <lichen/bundle.h>
@@ -19,12 +20,13 @@ struct BakeOutcome {
   std::string output;
   const Bundle& bundle; ///< holds one noise
   std::vector<std::string> notes;
+  Verdict verdict;
   std::vector<MapRisk> risks;
   const nlohmann::ordered_json& ofMethod; ///< JSON members of the method
   double seconds = 0.0;
 };
 
-/// Prints one line to standard output, or one JSON object with --json.
+/// Prints two lines to standard output, the verdict and the file, or one JSON object with --json.
 void reportBake(const SharedOptions& options, const BakeOutcome& outcome);
 
 } // namespace lichen::cli

@@ -2,6 +2,7 @@
 // lichen bake: photograph -> glTF file with the noise and a preview scene.
 #include "bake_report.h"
 #include "bake_risks.h"
+#include "bake_verdict.h"
 #include "command.h"
 #include "exemplar_options.h"
 #include "html_report.h"
@@ -98,54 +99,46 @@ private:
   std::size_t said_ = 0;
 };
 
-/// The exemplar as it will be baked, with its risks.
-struct Judged {
+/// The exemplar as it will be baked.
+struct Exemplar {
   std::string name;
   std::vector<MapExemplar> maps;
-  Periodic borders{};                      ///< from --periodic, or decided before resampling
-  std::vector<std::vector<Risk>> assessed; ///< one per map
-  std::vector<MapRisk> risks;              ///< leadingRisks()
-  std::vector<ExemplarOrigin> origins;     ///< one per map
+  Periodic borders{};                  ///< from --periodic, or decided before resampling
+  std::vector<ExemplarOrigin> origins; ///< one per map
   Preparation preparation;
 };
 
 /// Also chooses the method, if the user left that to it.
-Result<Judged> readAndJudge(Arguments& arguments, Notes& notes) {
+Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
   Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
   if (!read)
     return read.error();
   MaterialSet& set = read.value().set;
-  std::vector<MapExemplar>& maps = set.maps;
   if (!arguments.wanted) {
     Result<MethodChoice> choice =
-        chooseMethod(maps, set.periodic, arguments.methods, arguments.budget, arguments.shared);
+        chooseMethod(set.maps, set.periodic, arguments.methods, arguments.budget, arguments.shared);
     if (!choice)
       return choice.error();
     arguments.method = choice.value().method;
     notes.add(std::move(choice.value().reason));
   }
-  Result<std::vector<std::vector<Risk>>> assessed =
-      arguments.chosen().assess(maps, set.periodic, arguments.shared);
-  if (!assessed)
-    return assessed.error();
-  std::vector<MapRisk> risks = leadingRisks(maps, assessed.value());
   for (std::string& line : set.notes)
     notes.add(std::move(line));
-  for (std::string& line : riskNotes(risks, maps.size() > 1))
-    notes.add(std::move(line));
-  const std::string name = arguments.name.empty() ? asUtf8(set.name) : arguments.name;
-  return Judged{name,
-                std::move(maps),
-                set.periodic,
-                std::move(assessed).value(),
-                std::move(risks),
-                std::move(read.value().origins),
-                std::move(read.value().preparation)};
+  return Exemplar{arguments.name.empty() ? asUtf8(set.name) : arguments.name, std::move(set.maps),
+                  set.periodic, std::move(read.value().origins),
+                  std::move(read.value().preparation)};
 }
 
-/// The noise, noise 0 of the bundle, and what the method reports of it.
-Result<LayeredBake> bakeNoise(const Arguments& arguments, const Judged& exemplar, Notes& notes,
-                              ProgressLine& progress) {
+/// A finished noise, noise 0 of the bundle, with what the method reports of it, and the verdict.
+struct JudgedBake {
+  LayeredBake baked;
+  BakeVerdict judged;
+};
+
+/// Bakes, and judges what it baked. `step` is on the progress line.
+Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exemplar,
+                             const std::string& step) {
+  ProgressLine progress(step, arguments.shared);
   const auto bake = [&](std::span<const MapExemplar> maps) {
     return arguments.chosen().bake(
         {exemplar.name, maps, exemplar.borders, arguments.bits, progress.asProgress()});
@@ -154,7 +147,7 @@ Result<LayeredBake> bakeNoise(const Arguments& arguments, const Judged& exemplar
   if (arguments.layers.isGiven()) {
     Result<LayeredBake> layered = bakeLayers(arguments.layers, exemplar.name, exemplar.maps, bake);
     if (!layered)
-      return layered;
+      return layered.error();
     result = std::move(layered).value();
   } else {
     Result<MethodBake> baked = bake(exemplar.maps);
@@ -164,28 +157,52 @@ Result<LayeredBake> bakeNoise(const Arguments& arguments, const Judged& exemplar
     result.bundle.noises.push_back(std::move(result.about.noise));
     result.bundle.tables = std::move(result.about.tables);
   }
-  for (const std::string& line : result.about.notes)
-    notes.add(line);
-  if (result.about.bordersWereBlended && arguments.exemplar.set.periodic == Periodic::detect)
-    notes.add("the exemplar's borders do not fit together; the bake blends them");
-  return result;
+  progress.erase();
+  for (Noise& noise : result.bundle.noises)
+    noise.tileSizeMetres = arguments.tileMetres;
+  result.bundle.noises.front().preparation = exemplar.preparation;
+  result.about.material.seed = arguments.seed;
+  result.bundle.materialNames = {result.bundle.noises.front().name};
+  result.bundle.materials = {result.about.material};
+  Result<BakeVerdict> judged = judgeBake(result.bundle, exemplar.maps, exemplar.borders,
+                                         !result.about.bordersWereBlended, arguments.shared);
+  if (!judged)
+    return judged.error();
+  return JudgedBake{std::move(result), std::move(judged).value()};
 }
 
-Result<BundleFile> makeBundleFile(const Arguments& arguments, const Judged& exemplar,
-                                  LayeredBake& bake) {
+/// Bakes; if the borders were found to fit, yet the noise shows seams, bakes again with blended
+/// borders, and keeps what shows less.
+Result<JudgedBake> bakeWithoutSeams(const Arguments& arguments, Exemplar& exemplar, Notes& notes) {
+  Result<JudgedBake> first = bakeNoise(arguments, exemplar, "bake");
+  const bool detects = arguments.exemplar.set.periodic == Periodic::detect;
+  if (!first || !detects)
+    return first;
+  const double seams = visibleSeams(first.value().judged.measures);
+  if (first.value().baked.about.bordersWereBlended) {
+    notes.add("the exemplar's borders do not fit together; the bake blends them");
+    return first;
+  }
+  if (seams == 0.0)
+    return first;
+  Exemplar blended = exemplar;
+  blended.borders = Periodic::no;
+  blended.preparation.periodic = false;
+  Result<JudgedBake> second = bakeNoise(arguments, blended, "bake again");
+  if (!second || visibleSeams(second.value().judged.measures) >= seams)
+    return second ? std::move(first) : std::move(second);
+  notes.add("the exemplar's borders seemed to fit together, but the noise showed seams; the bake "
+            "blends the borders");
+  exemplar = std::move(blended);
+  return second;
+}
+
+Result<BundleFile> makeBundleFile(const Arguments& arguments, LayeredBake& bake) {
   BundleFile file;
   file.shape = arguments.preview;
   file.generator = "lichen " LICHEN_VERSION;
   file.bundle = std::move(bake.bundle);
-  for (Noise& noise : file.bundle.noises)
-    noise.tileSizeMetres = arguments.tileMetres;
-  file.bundle.noises.front().preparation = exemplar.preparation;
-  MaterialNoise material = bake.about.material;
-  material.seed = arguments.seed;
-  file.bundle.materialNames = {file.bundle.noises.front().name};
-  file.bundle.materials = {material};
-
-  Result<PreviewImages> previews = previewImages(file.bundle, material);
+  Result<PreviewImages> previews = previewImages(file.bundle, bake.about.material);
   if (!previews)
     return previews.error();
   file.previews.push_back(std::move(previews).value());
@@ -193,19 +210,20 @@ Result<BundleFile> makeBundleFile(const Arguments& arguments, const Judged& exem
 }
 
 /// Writes the page of --report and returns the lines to print about it; nothing without --report.
-Result<std::vector<std::string>> writeReport(const Arguments& arguments, const Judged& exemplar,
-                                             const MethodBake& bake, const Bundle& bundle,
+Result<std::vector<std::string>> writeReport(const Arguments& arguments, const Exemplar& exemplar,
+                                             const JudgedBake& bake, const Bundle& bundle,
                                              const Notes& notes, StepTimes& times) {
   const ReportedInput input{.name = exemplar.name,
                             .exemplars = exemplar.maps,
-                            .risks = exemplar.assessed,
+                            .risks = bake.judged.assessed,
                             .origins = exemplar.origins};
   Result<std::vector<std::string>> lines = writeHtmlReport(arguments.report,
                                                            {.files = arguments.inputs,
                                                             .output = arguments.output,
                                                             .bundle = bundle,
                                                             .inputs = {&input, 1},
-                                                            .facts = bake.facts,
+                                                            .verdict = bake.judged.verdict,
+                                                            .facts = bake.baked.about.facts,
                                                             .notes = notes.lines(),
                                                             .timings = times.steps()},
                                                            arguments.shared);
@@ -229,43 +247,46 @@ Result<int> run(Arguments& arguments) {
   if (arguments.layers.isGiven()) // a part that occurs once may be a layer
     arguments.exemplar.outliers.keeps = true;
   Notes notes(arguments.shared);
-  const Result<Judged> exemplar = readAndJudge(arguments, notes);
-  if (!exemplar)
-    return exemplar.error();
-  const std::vector<MapExemplar>& maps = exemplar.value().maps;
+  Result<Exemplar> read = readAndChoose(arguments, notes);
+  if (!read)
+    return read.error();
+  Exemplar& exemplar = read.value();
   notes.say(); // before the work: the user may prefer another photograph
-  times.end("Reading and judging the images");
+  times.end("Reading and preparing the images");
 
-  ProgressLine progress("bake", arguments.shared);
-  Result<LayeredBake> baked = bakeNoise(arguments, exemplar.value(), notes, progress);
-  if (!baked)
-    return baked.error();
-  times.end("Baking the noise");
-  MethodBake& bake = baked.value().about;
-  const Result<BundleFile> file = makeBundleFile(arguments, exemplar.value(), baked.value());
+  Result<JudgedBake> made = bakeWithoutSeams(arguments, exemplar, notes);
+  if (!made)
+    return made.error();
+  times.end("Baking and judging the noise");
+  MethodBake& bake = made.value().baked.about;
+  for (const std::string& line : bake.notes)
+    notes.add(line);
+  const Result<BundleFile> file = makeBundleFile(arguments, made.value().baked);
   if (!file)
     return file.error();
   const Bundle& bundle = file.value().bundle;
   if (arguments.shared.json && !arguments.layers.isGiven()) {
-    const Result<nlohmann::ordered_json> measured = arguments.chosen().measure(bundle, maps, bake);
+    const Result<nlohmann::ordered_json> measured =
+        arguments.chosen().measure(bundle, exemplar.maps, bake);
     if (!measured)
       return measured.error();
     bake.json.update(measured.value());
   }
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
-  progress.erase();
   notes.say();
   times.end("Preview and bundle");
 
   const Result<std::vector<std::string>> page =
-      writeReport(arguments, exemplar.value(), bake, bundle, notes, times);
+      writeReport(arguments, exemplar, made.value(), bundle, notes, times);
   if (!page)
     return page.error();
+  const BakeVerdict& judged = made.value().judged;
   reportBake(arguments.shared, {.output = arguments.output,
                                 .bundle = bundle,
                                 .notes = notes.lines(),
-                                .risks = exemplar.value().risks,
+                                .verdict = judged.verdict,
+                                .risks = leadingRisks(exemplar.maps, judged.assessed),
                                 .ofMethod = bake.json,
                                 .seconds = times.sum()});
   for (const std::string& line : page.value())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lichen compare: compares a result, a bundle's noise or every method with the exemplar.
+#include "bake_verdict.h"
 #include "command.h"
 #include "compare_methods.h"
 #include "exemplar_options.h"
@@ -21,6 +22,8 @@
 
 namespace lichen::cli {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
@@ -162,6 +165,19 @@ void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) 
   }
 }
 
+/// The verdict on a bundle's noise. As `bake` gives it, but from the measures of `maps`.
+Result<Verdict> verdictOf(const BakedNoise& baked, const MaterialSet& set,
+                          const std::vector<MapMeasures>& maps) {
+  const Result<std::vector<std::vector<Risk>>> risks =
+      assessNoise(baked.noise(), set.maps, set.periodic);
+  if (!risks)
+    return risks.error();
+  std::vector<JudgedMap> judged;
+  for (std::size_t m = 0; m < maps.size(); ++m)
+    judged.push_back({maps[m].map, risks.value()[m], maps[m].measures});
+  return verdictOn(judged, bordersFit(set.maps, set.periodic));
+}
+
 Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, const BakedNoise& baked,
                                                AsBaked& exemplar) {
   MaterialNoise material = materialOf(baked.bundle, baked.index);
@@ -212,13 +228,28 @@ std::vector<std::string> linesOf(const KernelComparison& kernels) {
   return lines;
 }
 
+/// The verdict in words; says so if targets are missed by less than viewers see.
+std::string wordsOf(const Verdict& verdict, const std::vector<MapMeasures>& maps) {
+  std::ptrdiff_t missed = 0;
+  for (const MapMeasures& map : maps)
+    missed += std::ranges::count_if(map.measures, &Measure::isMissed);
+  const std::string line = verdictLine(verdict, maps.size() > 1);
+  if (verdict.level != Verdict::Level::good || missed == 0)
+    return line;
+  return fmt::format("{}; {} by less than viewers see", line,
+                     missed == 1 ? "a target is missed"
+                                 : fmt::format("{} targets are missed", missed));
+}
+
 void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
-            const std::vector<std::string>& notes) {
+            const std::optional<Verdict>& verdict, const std::vector<std::string>& notes) {
   for (const std::string& text : notes)
     if (!arguments.shared.json) // the JSON report contains the notes
       note(arguments.shared, text);
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  nlohmann::ordered_json kernelList = nlohmann::ordered_json::array();
+  if (verdict)
+    say(arguments.shared, wordsOf(*verdict, maps));
+  Json list = Json::array();
+  Json kernelList = Json::array();
   const std::string indent = maps.size() > 1 ? "  " : "";
   std::size_t nameWidth = 0;
   for (const MapMeasures& map : maps)
@@ -239,11 +270,12 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
       say(arguments.shared, indent + line);
   }
   if (arguments.shared.json)
-    printLine(toText(nlohmann::ordered_json{{"exemplar", arguments.exemplar},
-                                            {"result", arguments.result},
-                                            {"measures", list},
-                                            {"kernels", kernelList},
-                                            {"notes", notes}}));
+    printLine(toText(Json{{"exemplar", arguments.exemplar},
+                          {"result", arguments.result},
+                          {"verdict", verdict ? jsonOf(*verdict) : Json()},
+                          {"measures", list},
+                          {"kernels", kernelList},
+                          {"notes", notes}}));
 }
 
 /// Checks the options that belong to --methods, or not to it.
@@ -311,7 +343,14 @@ Result<int> run(Arguments& arguments) {
             : compareImage(arguments, exemplar.value().set);
   if (!maps)
     return maps.error();
-  report(arguments, maps.value(), exemplar.value().set.notes);
+  std::optional<Verdict> verdict;
+  if (baked && !isMix(baked->noise())) {
+    const Result<Verdict> judged = verdictOf(*baked, set, maps.value());
+    if (!judged)
+      return judged.error();
+    verdict = judged.value();
+  }
+  report(arguments, maps.value(), verdict, set.notes);
   for (const MapMeasures& map : maps.value())
     if (std::any_of(map.measures.begin(), map.measures.end(),
                     [](const Measure& measure) { return measure.isMissed(); }))

@@ -65,6 +65,7 @@ Result<std::vector<std::string>> writeHtmlReport(const std::string& path, const 
   const BakeRecord record{.bundle = bake.bundle,
                           .inputs = bake.inputs,
                           .mix = bake.mix,
+                          .verdict = bake.verdict,
                           .words = bake.words,
                           .command = options.commandLine,
                           .facts = reportedFacts(bake),

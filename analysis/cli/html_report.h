@@ -39,6 +39,7 @@ struct ReportedBake {
   const Bundle& bundle; ///< one noise, one material
   std::span<const ReportedInput> inputs;
   std::optional<ReportedMix> mix{};                           ///< BakeRecord::mix
+  std::optional<Verdict> verdict{};                           ///< BakeRecord::verdict
   SettingWords words = optionOf;                              ///< BakeRecord::words
   std::span<const std::pair<std::string, std::string>> facts; ///< label and value, from the method
   std::vector<std::string> notes;

@@ -12,9 +12,6 @@ namespace {
 /// Gradients across the grain have three times the energy of gradients along it.
 constexpr double kStrongAnisotropy = 0.5;
 
-constexpr std::string_view kColorDistanceName = "color_distance";
-constexpr std::string_view kSpectrumDistanceName = "spectrum_distance_db";
-
 /// Returns the measure with its value, or with a remark that says why these images have none.
 Result<Measure> taken(Measure measure, const Result<double>& value) {
   if (value) {
@@ -63,14 +60,14 @@ Result<std::vector<Measure>> measureResult(const SrgbImage& exemplar, const Srgb
                {}},
               colorDistance(exemplar, result)),
         taken(spectrumMeasure(exemplar), spectrumDistanceDb(exemplar, result)),
-        taken({"autocovariance_error",
+        taken({kAutocovarianceErrorName,
                "",
                "difference of the autocovariances, as a share of the exemplar's",
                {},
-               {},
+               kAutocovarianceErrorTarget,
                {}},
               autocovarianceErrorOf(exemplar, result)),
-        taken({"seam_visibility",
+        taken({kSeamVisibilityName,
                "",
                "straight edges of the result over those of the exemplar",
                {},
@@ -103,6 +100,8 @@ Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
         if (measure.value)
           measure.remark = "no target: the noise has random phases";
       }
+      if (measure.name == kAutocovarianceErrorName) // its spectrum has a target instead
+        measure.target.reset();
       all.push_back(std::move(measure));
       if (!isSpectrum)
         continue;
@@ -125,7 +124,7 @@ Result<std::vector<Measure>> measureGaussianResult(const SrgbImage& exemplar,
 
 Result<Measure> measureLattice(const SrgbImage& result, const LatticeView& view) {
   return withinMemory(exhausted, [&] {
-    return taken({"lattice_visibility",
+    return taken({kLatticeVisibilityName,
                   "",
                   "how much the contrast follows the lattice",
                   {},

@@ -6,6 +6,7 @@
 #include "data_uri.h"
 
 #include <lichen/noise_comparison.h>
+#include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 
 namespace lichen {
@@ -24,17 +25,36 @@ struct ComparedResult {
   Progress progress;               ///< of any further synthesis
 };
 
+/// A noise's map and the exemplars of the noise, as they were baked.
+struct AssessedMap {
+  const Noise& noise;
+  std::span<const MapExemplar> maps;
+  std::size_t place = 0; ///< of the map among `maps`
+  bool bordersFit = true;
+
+  [[nodiscard]] const MapExemplar& map() const { return maps[place]; }
+};
+
 class MethodReport {
 public:
   virtual ~MethodReport() = default;
 
+  /// The risks of one map, as assessNoise() returns them.
+  [[nodiscard]] virtual Result<std::vector<Risk>> assess(const AssessedMap& assessed,
+                                                         const Progress& progress) const = 0;
+
   /// Whether all maps of a set are resampled to the size of the largest.
   [[nodiscard]] virtual bool enlargesMaps() const = 0;
   /// The number of pixels that judge() synthesizes.
-  [[nodiscard]] virtual double judgedPixels(int exemplarWidth, int exemplarHeight) const = 0;
-  /// Adds measures, and the method's own pictures, to a comparison that already has its pictures.
-  [[nodiscard]] virtual Result<void> judge(const ComparedResult& result,
-                                           NoiseComparison& comparison) const = 0;
+  [[nodiscard]] virtual double judgedPixels(int, int) const { return 0.0; }
+  /// Adds measures of the result, and the method's own pictures, to a comparison that already has
+  /// its pictures.
+  [[nodiscard]] virtual Result<void> measure(const ComparedResult& result,
+                                             NoiseComparison& comparison) const = 0;
+  /// Adds measures that need more than the result.
+  [[nodiscard]] virtual Result<void> judge(const ComparedResult&, NoiseComparison&) const {
+    return {};
+  }
 
   /// The most pixels of all of a map's pictures on the page, except for the table's, in units of
   /// side^2.

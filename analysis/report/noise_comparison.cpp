@@ -4,6 +4,7 @@
 #include "method_report.h"
 
 #include <lichen/noise_comparison.h>
+#include <lichen/noise_verdict.h>
 
 #include <algorithm>
 
@@ -11,6 +12,8 @@ namespace lichen {
 namespace {
 
 constexpr int kResultExemplars = 4; // per side
+constexpr int kGlanceExemplars = 2; // per side of a small result
+constexpr int kLargestGlanceSide = 1024;
 
 std::string listOf(const std::vector<MapChannel>& channels) {
   std::string list;
@@ -38,49 +41,126 @@ Result<const NoiseMap*> mapOf(const Bundle& bundle, std::size_t noise,
   return &map;
 }
 
-Result<NoiseComparison> compare(const Bundle& bundle, const NoiseMap& map, const MapExemplar& given,
-                                const MaterialNoise& material, const Progress& progress) {
-  const Noise& noise = bundle.noises[material.noise];
-  const MethodReport& method = reportOf(noise.method());
-  const auto [bakedWidth, bakedHeight] = exemplarSize(bundle, noise, map);
-  const int width = int(bakedWidth), height = int(bakedHeight);
-  std::optional<MapExemplar> enlarged;
-  if (method.enlargesMaps() && (given.width != width || given.height != height))
-    enlarged = exemplar::resampled(given, width, height, false);
-  const MapExemplar& exemplar = enlarged ? *enlarged : given;
-  SynthesisOptions options;
-  options.material = material;
-  options.map = map.target;
-  if (material.mix.source == MixSource::constant)
-    options.mix = {material.mix.weight, material.mix.weight};
-  options.width = std::min(kResultExemplars * width, kLargestResultSide);
-  options.height = std::min(kResultExemplars * height, kLargestResultSide);
-  const double pixels = double(options.width) * options.height;
-  const double share = pixels / (pixels + method.judgedPixels(width, height));
-  options.progress = partOf(progress, 0.0, share);
-  const Result<LinearImage> result = synthesize(bundle, options);
-  if (!result)
-    return result.error();
-  const MapLook look(exemplar, map.encoding);
-  NoiseComparison comparison{look, look.picture(exemplar), look.picture(result.value()), {}, {},
-                             {}};
-  const ComparedResult compared{
-      bundle, map, exemplar, enlarged.has_value(), options, partOf(progress, share, 1.0)};
-  if (Result<void> judged = method.judge(compared, comparison); !judged)
-    return judged.error();
-  return comparison;
+/// A result of a noise, of `exemplars` per side, and its exemplar, with measures of both.
+class Comparison {
+public:
+  Comparison(const Bundle& bundle, const MaterialNoise& material, const NoiseMap& map,
+             const MapExemplar& given)
+      : bundle_(bundle), map_(map), method_(reportOf(bundle.noises[material.noise].method())),
+        given_(given) {
+    const auto [width, height] = exemplarSize(bundle, bundle.noises[material.noise], map);
+    width_ = int(width);
+    height_ = int(height);
+    if (method_.enlargesMaps() && (given.width != width_ || given.height != height_))
+      enlarged_ = exemplar::resampled(given, width_, height_, false);
+    options_.material = material;
+    options_.map = map.target;
+    if (material.mix.source == MixSource::constant)
+      options_.mix = {material.mix.weight, material.mix.weight};
+  }
+
+  /// Compares on a result of kResultExemplars per side, with all measures.
+  [[nodiscard]] Result<NoiseComparison> whole(const Progress& progress) {
+    options_.width = std::min(kResultExemplars * width_, kLargestResultSide);
+    options_.height = std::min(kResultExemplars * height_, kLargestResultSide);
+    const double pixels = double(options_.width) * options_.height;
+    const double share = pixels / (pixels + method_.judgedPixels(width_, height_));
+    Result<NoiseComparison> comparison = measured(partOf(progress, 0.0, share));
+    if (!comparison)
+      return comparison;
+    if (Result<void> judged =
+            method_.judge(compared(partOf(progress, share, 1.0)), comparison.value());
+        !judged)
+      return judged.error();
+    return comparison;
+  }
+
+  [[nodiscard]] Result<NoiseComparison> small(const Progress& progress) {
+    const auto side = [](int exemplar) {
+      return std::min(kGlanceExemplars * exemplar, std::max(exemplar, kLargestGlanceSide));
+    };
+    options_.width = std::min(side(width_), kLargestResultSide);
+    options_.height = std::min(side(height_), kLargestResultSide);
+    return measured(progress);
+  }
+
+private:
+  [[nodiscard]] const MapExemplar& exemplar() const { return enlarged_ ? *enlarged_ : given_; }
+  [[nodiscard]] ComparedResult compared(const Progress& progress) const {
+    return {bundle_, map_, exemplar(), enlarged_.has_value(), options_, progress};
+  }
+  [[nodiscard]] Result<NoiseComparison> measured(const Progress& progress) {
+    options_.progress = progress;
+    const Result<LinearImage> result = synthesize(bundle_, options_);
+    if (!result)
+      return result.error();
+    const MapLook look(exemplar(), map_.encoding);
+    NoiseComparison comparison{look, look.picture(exemplar()), look.picture(result.value()), {}, {},
+                               {}};
+    if (Result<void> taken = method_.measure(compared({}), comparison); !taken)
+      return taken.error();
+    return comparison;
+  }
+
+  const Bundle& bundle_;
+  const NoiseMap& map_;
+  const MethodReport& method_;
+  const MapExemplar& given_;
+  std::optional<MapExemplar> enlarged_;
+  int width_ = 0, height_ = 0; ///< of the map's exemplar
+  SynthesisOptions options_;
+};
+
+/// Calls compare(comparison) for the exemplar's map.
+template <class Compare>
+Result<NoiseComparison> compared(const Bundle& bundle, const MaterialNoise& material,
+                                 const MapExemplar& exemplar, const Compare& compare) {
+  return withinMemory([] { return "not enough memory to compare the noise with its exemplar"; },
+                      [&]() -> Result<NoiseComparison> {
+                        const Result<const NoiseMap*> map = mapOf(bundle, material.noise, exemplar);
+                        if (!map)
+                          return map.error();
+                        Comparison comparison(bundle, material, *map.value(), exemplar);
+                        return compare(comparison);
+                      });
 }
 
 } // namespace
 
 Result<NoiseComparison> compareNoise(const Bundle& bundle, const MaterialNoise& material,
                                      const MapExemplar& exemplar, const Progress& progress) {
-  return withinMemory([] { return "not enough memory to compare the noise with its exemplar"; },
-                      [&]() -> Result<NoiseComparison> {
-                        const Result<const NoiseMap*> map = mapOf(bundle, material.noise, exemplar);
-                        if (!map)
-                          return map.error();
-                        return compare(bundle, *map.value(), exemplar, material, progress);
+  return compared(bundle, material, exemplar,
+                  [&](Comparison& comparison) { return comparison.whole(progress); });
+}
+
+Result<std::vector<Measure>> measureNoise(const Bundle& bundle, const MaterialNoise& material,
+                                          const MapExemplar& exemplar, const Progress& progress) {
+  Result<NoiseComparison> small = compared(bundle, material, exemplar, [&](Comparison& comparison) {
+    return comparison.small(progress);
+  });
+  if (!small)
+    return small.error();
+  return std::move(small.value().measures);
+}
+
+Result<std::vector<std::vector<Risk>>> assessNoise(const Noise& noise,
+                                                   std::span<const MapExemplar> maps,
+                                                   Periodic borders, const Progress& progress) {
+  return withinMemory([] { return "not enough memory to assess the exemplar"; },
+                      [&]() -> Result<std::vector<std::vector<Risk>>> {
+                        AssessedMap assessed{noise, maps, 0, bordersFit(maps, borders)};
+                        std::vector<std::vector<Risk>> all;
+                        const auto count = double(maps.size());
+                        for (; assessed.place < maps.size(); ++assessed.place) {
+                          const Progress part = partOf(progress, double(assessed.place) / count,
+                                                       double(assessed.place + 1) / count);
+                          Result<std::vector<Risk>> risks =
+                              reportOf(noise.method()).assess(assessed, part);
+                          if (!risks)
+                            return risks.error();
+                          all.push_back(std::move(risks).value());
+                        }
+                        return all;
                       });
 }
 

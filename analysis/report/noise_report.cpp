@@ -55,6 +55,15 @@ struct Sections {
   Json mixes = Json::array(); ///< describeMix() of each map
 };
 
+/// The level and the sentence, or null.
+Json describeVerdict(const BakeRecord& record) {
+  if (!record.verdict)
+    return {};
+  const bool severalMaps = record.inputs.front().exemplars.size() > 1;
+  return {{"level", nameOf(record.verdict->level)},
+          {"sentence", sentenceOf(*record.verdict, severalMaps, record.words)}};
+}
+
 /// `reportSeconds`: the time that describing the maps took.
 Json describe(const BakeRecord& record, Sections sections, double reportSeconds) {
   Json timings = Json::array();
@@ -71,6 +80,7 @@ Json describe(const BakeRecord& record, Sections sections, double reportSeconds)
   return {{"kind", record.mix ? "mix" : "bake"},
           {"name", record.bundle.noises.front().name},
           {"command", record.command},
+          {"verdict", describeVerdict(record)},
           {"facts", record.facts},
           {"timings", timings},
           {"notes", record.notes},

@@ -27,7 +27,7 @@ Result<void> judgeRandomPhase(const ComparedResult& result, bool hasGivenSpectru
   comparison.measures = std::move(measures).value();
   if (hasGivenSpectrum)
     for (Measure& measure : comparison.measures)
-      if (measure.name != "color_distance" && measure.target) {
+      if (measure.name != kColorDistanceName && measure.target) {
         measure.target.reset();
         measure.remark = "no target: the noise has another spectrum on purpose";
       }

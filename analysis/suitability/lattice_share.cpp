@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace lichen::suitability {
@@ -18,6 +19,7 @@ namespace {
 constexpr int kReach = 4;
 constexpr int kNeighbours = (2 * kReach + 1) * (2 * kReach + 1);
 constexpr float kLineOverMedian = 20.0f; // derived in the header
+constexpr int kReachAlong = 8;           // frequencies on each side along the direction
 /// Keeps the mean, whose power has no meaning here, out of the neighbours.
 constexpr int kLowestCycles = kReach + 1;
 /// Half of it is the highest frequency. Along each axis, the eight frequencies from kLowestCycles
@@ -34,6 +36,9 @@ public:
     power_.reserve(spectrum.values.size());
     for (const std::complex<float>& value : spectrum.values)
       power_.push_back(std::norm(value));
+  }
+  [[nodiscard]] bool contains(int u, int v) const {
+    return 2 * std::abs(u) <= width_ && 2 * std::abs(v) <= height_;
   }
   [[nodiscard]] float at(int u, int v) const {
     v += v < 0 ? height_ : v >= height_ ? -height_ : 0;
@@ -63,6 +68,29 @@ bool isLine(const PowerPlane& power, int u, int v) {
   return 2 * below > kNeighbours;
 }
 
+/// Whether the power also stands out among those of its own direction, on both sides of it: it
+/// exceeds a quarter of the frequencies on either side by the same factor. Streaks that are longer
+/// than the image have all their power in one direction, where no frequency stands out from the
+/// others; stripes have few frequencies of it.
+bool isLineOfItsDirection(const PowerPlane& power, int u, int v) {
+  const float most = power.at(u, v) / kLineOverMedian;
+  const double radius = std::hypot(double(u), double(v));
+  const auto quietSide = [&](double step) {
+    int below = 0;
+    for (int k = 1; k <= kReachAlong; ++k) {
+      const double scale = (radius + step * k) / radius;
+      const int across = int(std::lround(scale * u)), down = int(std::lround(scale * v));
+      // The mean has no meaning, and there is nothing beyond the highest frequency.
+      below +=
+          scale * radius < 1.0 || !power.contains(across, down) || power.at(across, down) < most
+              ? 1
+              : 0;
+    }
+    return 4 * below >= kReachAlong;
+  };
+  return quietSide(-1.0) && quietSide(1.0);
+}
+
 } // namespace
 
 double latticeShare(const HalfSpectrum& spectrum) {
@@ -78,7 +106,8 @@ double latticeShare(const HalfSpectrum& spectrum) {
         continue;
       const double weighted = spectrum.multiplicity(u) * double(power.at(u, v));
       all += weighted;
-      if (u * u + signedV * signedV >= kLowestCycles * kLowestCycles && isLine(power, u, v))
+      if (u * u + signedV * signedV >= kLowestCycles * kLowestCycles && isLine(power, u, v) &&
+          isLineOfItsDirection(power, u, signedV))
         lines += weighted;
     }
   });

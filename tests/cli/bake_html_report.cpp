@@ -317,7 +317,7 @@ TEST_CASE("bake prints the file of the report and each target that the noise mis
                Catch::Contains("\n  baseColor: " + measure.at("name").get<std::string>() + " "));
   }
   REQUIRE(missed > 0);
-  CHECK(std::size_t(std::count(output.begin(), output.end(), '\n')) == 2 + missed);
+  CHECK(std::size_t(std::count(output.begin(), output.end(), '\n')) == 3 + missed);
   CHECK_THAT(output, Catch::Contains("\n" + report + ": report; the noise misses " +
                                      std::to_string(missed) + " of " + std::to_string(targets) +
                                      " targets\n"));

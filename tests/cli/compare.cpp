@@ -115,7 +115,7 @@ TEST_CASE("the result may have another size than the exemplar, which gives a not
 TEST_CASE("compare aligns values, targets and verdicts in columns") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", speckled(64, 64, 3));
-  // The values are "0", "0 dB" and "1", the targets "0.003", "0.6 dB" and "1.1".
+  // The values are "0", "0 dB", "0" and "1", the targets "0.003", "0.6 dB", "0.2" and "1.1".
   std::istringstream lines(runLichen({"compare", image, image}).output);
   std::vector<std::size_t> targets, verdicts;
   for (std::string line; std::getline(lines, line);)
@@ -123,9 +123,9 @@ TEST_CASE("compare aligns values, targets and verdicts in columns") {
       targets.push_back(target);
       verdicts.push_back(std::min(line.find(" met"), line.find(" MISSED")));
     }
-  REQUIRE(targets.size() == 3);
-  CHECK(std::count(targets.begin(), targets.end(), targets.front()) == 3);
-  CHECK(std::count(verdicts.begin(), verdicts.end(), verdicts.front()) == 3);
+  REQUIRE(targets.size() == 4);
+  CHECK(std::count(targets.begin(), targets.end(), targets.front()) == 4);
+  CHECK(std::count(verdicts.begin(), verdicts.end(), verdicts.front()) == 4);
 }
 
 TEST_CASE("compare synthesizes a bundle and adds its lattice visibility") {

@@ -3,7 +3,6 @@
 #include "local_random_phase_command.h"
 
 #include "../table_words.h"
-#include "outline_risks.h"
 
 #include <lichen/counted.h>
 #include <lichen/local_random_phase.h>
@@ -33,17 +32,6 @@ public:
   int cosines = 0;
   std::optional<double> structure, guide;
   double turbulence = 0.0;
-
-  [[nodiscard]] Result<std::vector<std::vector<Risk>>>
-  assess(std::span<const MapExemplar> maps, Periodic, const SharedOptions& shared) const override {
-    // A structure of most of the power keeps outlines, and nobody expects them of a given spectrum.
-    constexpr double kMost = 0.7;
-    const bool mayLoseOutlines =
-        !common_.spectrum && structure.value_or(automaticStructure(maps)) < kMost;
-    if (!mayLoseOutlines)
-      return std::vector<std::vector<Risk>>(maps.size());
-    return outlineRisks(maps, shared, {{"structure", "1"}});
-  }
 
   /// As tiling needs, and the spectra of all channels. A structure is at most four times as large
   /// as its exemplar, with levels in floats and in texels, twice if there is a list.

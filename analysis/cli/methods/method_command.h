@@ -54,10 +54,6 @@ class BakeOptions {
 public:
   virtual ~BakeOptions() = default;
 
-  /// Returns the risks of each map, in the order of `maps`.
-  [[nodiscard]] virtual Result<std::vector<std::vector<Risk>>>
-  assess(std::span<const MapExemplar> maps, Periodic borders,
-         const SharedOptions& shared) const = 0;
   [[nodiscard]] virtual BakeMemory memory() const = 0;
   /// The time of a pixel of one map, in trilinear texture fetches: what `lichen-bench --only
   /// shader` measures on a CPU (llvmpipe) with the default kernels, windows and order.

@@ -3,7 +3,6 @@
 #include "multiple_kernels_command.h"
 
 #include "../table_words.h"
-#include "outline_risks.h"
 #include "pattern_option.h"
 
 #include <lichen/counted.h>
@@ -30,13 +29,6 @@ public:
   double perturb = kUsualPerturbation;
   std::optional<PatternChoice> pattern;
   int repeats = 1;
-
-  [[nodiscard]] Result<std::vector<std::vector<Risk>>>
-  assess(std::span<const MapExemplar> maps, Periodic, const SharedOptions& shared) const override {
-    if (common_.spectrum) // nobody expects outlines
-      return std::vector<std::vector<Risk>>(maps.size());
-    return outlineRisks(maps, shared, {});
-  }
 
   /// As tiling needs, and the spectra of all channels.
   [[nodiscard]] BakeMemory memory() const override { return {64.0, 160.0}; }

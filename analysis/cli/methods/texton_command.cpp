@@ -59,30 +59,40 @@ std::string channelName(const Noise& noise, std::size_t channel) {
   return {};
 }
 
-/// Says whether `textons` ("the texton", "the textons") are close to the exemplar's spectra, by the
-/// worst channel, and otherwise what helps. `tiling` says how to use the other method.
-std::string verdict(std::string_view textons, const std::vector<double>& channelErrors,
-                    const Noise& noise, std::string_view tiling) {
-  const auto worst = std::max_element(channelErrors.begin(), channelErrors.end());
+bool isClose(const std::vector<double>& channelErrors) {
+  return *std::ranges::max_element(channelErrors) <= kCloseError;
+}
+
+/// Says whether `textons` ("the texton is", "the textons are") close to the exemplar's spectra, by
+/// the worst channel, and otherwise what helps. `tiling` says how to use the other method.
+std::string closeness(std::string_view textons, const std::vector<double>& channelErrors,
+                      const Noise& noise, std::string_view tiling) {
+  const auto worst = std::ranges::max_element(channelErrors);
   const std::string name = channelName(noise, std::size_t(worst - channelErrors.begin()));
-  const bool isClose = *worst <= kCloseError;
+  const bool close = isClose(channelErrors);
   std::string text = fmt::format("{} {}close to the spectrum, with the colours and "
                                  "outlines of Gaussian noise: the "
                                  "largest model error is {:.2f} ({}); up to {:.2f} is close",
-                                 textons, isClose ? "" : "not ", *worst, name, kCloseError);
-  if (!isClose)
+                                 textons, close ? "" : "not ", *worst, name, kCloseError);
+  if (!close)
     text += fmt::format("; what helps: {}{}",
                         isSupportWhole(noise.as<TextonShape>()) ? "" : "a larger --support, or ",
                         tiling);
   return text;
 }
 
-std::string qualityNote(const TextonQuality& quality, const Noise& noise, double impacts) {
-  std::string text = verdict("the texton is", quality.channelErrors, noise, "--method tiling");
+/// What the fit of a texton lacks, compared with the best one of the exemplar's Gaussian texture.
+/// What that texture itself lacks is for the verdict to say.
+std::vector<std::string> qualityNotes(const TextonQuality& quality, const Noise& noise,
+                                      double impacts) {
+  std::vector<std::string> notes;
+  if (!isClose(quality.channelErrors))
+    notes.push_back(closeness("the texton is", quality.channelErrors, noise, "--method tiling"));
   if (quality.flatness * kUsualImpacts > kEnoughFlatness * impacts)
-    text += fmt::format("; {:g} impacts are few: --impacts {:.0f} makes the values nearly normal",
-                        impacts, std::ceil(quality.flatness / KernelJudgement::kNearlyNormal));
-  return text;
+    notes.push_back(
+        fmt::format("{:g} impacts are few: --impacts {:.0f} makes the values nearly normal",
+                    impacts, std::ceil(quality.flatness / KernelJudgement::kNearlyNormal)));
+  return notes;
 }
 
 Json asJson(const TextonQuality& quality) {
@@ -98,11 +108,6 @@ class Bake final : public BakeOptions {
 public:
   TextonOptions options;
   MaterialNoise material;
-
-  [[nodiscard]] Result<std::vector<std::vector<Risk>>>
-  assess(std::span<const MapExemplar> maps, Periodic, const SharedOptions& shared) const override {
-    return assessTextonMaps(maps, options.support, shared);
-  }
 
   [[nodiscard]] BakeMemory memory() const override { return kTextonMemory; }
 
@@ -121,7 +126,8 @@ public:
     result.material = material;
     if (std::optional<std::string> line = supportNote(options.support, shape))
       result.notes.push_back(*std::move(line));
-    result.notes.push_back(qualityNote(bake.quality, bake.noise, material.impacts));
+    std::ranges::move(qualityNotes(bake.quality, bake.noise, material.impacts),
+                      std::back_inserter(result.notes));
     result.json["texton"] = asJson(bake.quality);
     result.facts.emplace_back("Impacts", fmt::format("{:g} per point, {}", material.impacts,
                                                      nameOf(material.pointProcess)));
@@ -215,9 +221,9 @@ std::string qualityNote(const TextonMixQuality& quality, const Noise& noise) {
   constexpr double kShownRankError = 0.005;          // rounds to 1 %
   if (quality.modelErrors.size() > 1)
     return fmt::format("{}; neighbours differ by at most {:.2f} (unrelated ones by {:.1f})",
-                       verdict("the textons are", quality.channelErrors, noise, kTiling),
+                       closeness("the textons are", quality.channelErrors, noise, kTiling),
                        quality.largestStep, kUnrelated);
-  std::string text = verdict("the texton is", quality.channelErrors, noise, kTiling);
+  std::string text = closeness("the texton is", quality.channelErrors, noise, kTiling);
   if (quality.rankError >= kShownRankError)
     text += fmt::format("; one texton cannot show {:.0f} % of the deviation between these inputs",
                         100.0 * quality.rankError);

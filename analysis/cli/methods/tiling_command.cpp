@@ -21,12 +21,6 @@ constexpr const char* kHeading = "Tiling";
 
 // ---- bake ----
 
-/// Returns the pixels of `first` per pixel of `map`, along the longer side of `map`.
-double firstPixelsOf(const MapExemplar& map, const MapExemplar& first) {
-  return map.width >= map.height ? double(first.width) / map.width
-                                 : double(first.height) / map.height;
-}
-
 Json asJson(const PrecisionLoss& loss) {
   Json json{
       {"mean", loss.mean}, {"variance", loss.variance}, {"colorDistance", loss.colorDistance}};
@@ -38,15 +32,6 @@ Json asJson(const PrecisionLoss& loss) {
 class Bake final : public BakeOptions {
 public:
   TilingOptions options;
-
-  [[nodiscard]] Result<std::vector<std::vector<Risk>>>
-  assess(std::span<const MapExemplar> maps, Periodic borders,
-         const SharedOptions& shared) const override {
-    const bool periodic = bordersFit(maps, borders);
-    return assessEach(maps, shared, [=](const MapExemplar& map, const Progress& progress) {
-      return assessSuitability(map, periodic, progress, firstPixelsOf(map, maps.front()));
-    });
-  }
 
   /// Measured: 139 to 148 bytes per pixel for one map of 512 to 2048 pixels a side, 161 for one of
   /// 8192 (docs/benchmarks.md), 238 for four maps of 1024.

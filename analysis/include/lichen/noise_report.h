@@ -5,6 +5,7 @@
 
 #include <lichen/bundle.h>
 #include <lichen/exemplar.h>
+#include <lichen/noise_verdict.h>
 #include <lichen/progress.h>
 #include <lichen/suitability.h>
 
@@ -47,6 +48,7 @@ struct BakeRecord {
   /// One for a bake, all in order for a mix. All have the same maps in the same order.
   std::span<const ReportedInput> inputs;
   std::optional<ReportedMix> mix{}; ///< empty for a bake
+  std::optional<Verdict> verdict{}; ///< the page begins with it
   SettingWords words = plainWords;  ///< for settings that help against a risk
   std::string command;              ///< the command line
   /// Pairs of name and value, for example {"Version", "0.1.0"}, shown in order.

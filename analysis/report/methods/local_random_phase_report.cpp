@@ -4,6 +4,7 @@
 #include "local_random_phase_report.h"
 
 #include "../inverse_table_pictures.h"
+#include "../outline_risks.h"
 #include "../random_phase_judgement.h"
 
 #include <nlohmann/json.hpp>
@@ -55,10 +56,22 @@ LinearImage cosinesPicture(const Table& table, const LocalRandomPhaseNoise& shar
 
 } // namespace
 
-double LocalRandomPhaseReport::judgedPixels(int, int) const { return 0.0; }
+Result<std::vector<Risk>> LocalRandomPhaseReport::assess(const AssessedMap& assessed,
+                                                         const Progress& progress) const {
+  const auto& shared = assessed.noise.as<LocalRandomPhaseNoise>();
+  if (shared.hasGivenSpectrum) // nobody expects outlines
+    return std::vector<Risk>{};
+  constexpr double kMost = 0.7; // of the power: a structure of so much keeps outlines
+  const std::optional<std::size_t> place = findMap(assessed.noise, assessed.map().target);
+  const auto& deviations =
+      assessed.noise.maps[place.value_or(0)].as<LocalRandomPhaseMap>().structureDeviations;
+  if (!deviations.empty() && deviations[0] * deviations[0] >= kMost)
+    return std::vector<Risk>{};
+  return outlineRisks(assessed.map(), {{"structure", "1"}}, progress);
+}
 
-Result<void> LocalRandomPhaseReport::judge(const ComparedResult& result,
-                                           NoiseComparison& comparison) const {
+Result<void> LocalRandomPhaseReport::measure(const ComparedResult& result,
+                                             NoiseComparison& comparison) const {
   const Noise& noise = result.bundle.noises[result.options.material.noise];
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   if (shared.structure.columns == 0)

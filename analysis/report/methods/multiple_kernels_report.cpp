@@ -4,6 +4,7 @@
 #include "multiple_kernels_report.h"
 
 #include "../inverse_table_pictures.h"
+#include "../outline_risks.h"
 #include "../random_phase_judgement.h"
 #include "multiple_kernels/kernel_spectrum.h"
 
@@ -58,10 +59,15 @@ LinearImage kernelsPicture(const Table& table, const MultipleKernelsNoise& share
 
 } // namespace
 
-double MultipleKernelsReport::judgedPixels(int, int) const { return 0.0; }
+Result<std::vector<Risk>> MultipleKernelsReport::assess(const AssessedMap& assessed,
+                                                        const Progress& progress) const {
+  if (assessed.noise.as<MultipleKernelsNoise>().hasGivenSpectrum) // nobody expects outlines
+    return std::vector<Risk>{};
+  return outlineRisks(assessed.map(), {}, progress);
+}
 
-Result<void> MultipleKernelsReport::judge(const ComparedResult& result,
-                                          NoiseComparison& comparison) const {
+Result<void> MultipleKernelsReport::measure(const ComparedResult& result,
+                                            NoiseComparison& comparison) const {
   const Noise& noise = result.bundle.noises[result.options.material.noise];
   return judgeRandomPhase(result, noise.as<MultipleKernelsNoise>().hasGivenSpectrum, kTargets,
                           comparison);

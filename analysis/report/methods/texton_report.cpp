@@ -80,22 +80,23 @@ Result<Json> textonPicture(const Table& table, const TextonShape& shape, std::si
 
 } // namespace
 
-double TextonReport::judgedPixels(int, int) const { return 0.0; }
+Result<std::vector<Risk>> TextonReport::assess(const AssessedMap& assessed,
+                                               const Progress& progress) const {
+  const auto& shape = assessed.noise.as<TextonShape>();
+  const int support = std::min(shape.coefficientsX, shape.coefficientsY) + shape.order;
+  return assessTextonSuitability(assessed.map(), support, progress, shape.texelsPerTileX,
+                                 shape.texelsPerTileY);
+}
 
-Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& comparison) const {
-  const Bundle& bundle = result.bundle;
+Result<void> TextonReport::measure(const ComparedResult& result,
+                                   NoiseComparison& comparison) const {
   const SynthesisOptions& options = result.options;
-  const std::size_t step = stepAt(bundle.noises[options.material.noise], options.mix[0]);
+  const std::size_t step = stepAt(result.bundle.noises[options.material.noise], options.mix[0]);
   const Result<MapExemplar> gaussian =
       gaussianVersion(mapAt(result.map, step), result.exemplar, options.material.seed);
   if (!gaussian)
     return gaussian.error();
   comparison.gaussian = comparison.look.picture(gaussian.value());
-  const Result<KernelComparison> kernels =
-      compareTexton(bundle, options.material.noise, result.exemplar, step);
-  if (!kernels)
-    return kernels.error();
-  comparison.kernels = kernels.value();
   Result<std::vector<Measure>> measures =
       measureGaussianResult(comparison.exemplar, *comparison.gaussian, comparison.result, kTargets);
   if (!measures)
@@ -108,6 +109,18 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
         measure.remark = "no target: the map was enlarged to the size of the largest, so it "
                          "has no finest detail to compare";
       }
+  return {};
+}
+
+Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& comparison) const {
+  const Bundle& bundle = result.bundle;
+  const SynthesisOptions& options = result.options;
+  const std::size_t step = stepAt(bundle.noises[options.material.noise], options.mix[0]);
+  const Result<KernelComparison> kernels =
+      compareTexton(bundle, options.material.noise, result.exemplar, step);
+  if (!kernels)
+    return kernels.error();
+  comparison.kernels = kernels.value();
   comparison.measures.push_back(modelErrorMeasure(kernels.value()));
   comparison.measures.push_back(flatnessMeasure(kernels.value()));
   return {};

@@ -8,8 +8,11 @@ namespace lichen {
 
 class TextonReport final : public MethodReport {
 public:
+  [[nodiscard]] Result<std::vector<Risk>> assess(const AssessedMap& assessed,
+                                                 const Progress& progress) const override;
   [[nodiscard]] bool enlargesMaps() const override { return true; }
-  [[nodiscard]] double judgedPixels(int exemplarWidth, int exemplarHeight) const override;
+  [[nodiscard]] Result<void> measure(const ComparedResult& result,
+                                     NoiseComparison& comparison) const override;
   [[nodiscard]] Result<void> judge(const ComparedResult& result,
                                    NoiseComparison& comparison) const override;
   [[nodiscard]] double picturePixels() const override;

@@ -42,6 +42,12 @@ LatticeView latticeView(const SynthesisOptions& options, const Extents& exemplar
           firstTexel / exemplar.height};
 }
 
+/// Returns the pixels of `first` per pixel of `map`, along the longer side of `map`.
+double firstPixelsOf(const MapExemplar& map, const MapExemplar& first) {
+  return map.width >= map.height ? double(first.width) / map.width
+                                 : double(first.height) / map.height;
+}
+
 /// How visible the lattice of the noise's tiles is.
 Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wide,
                                const Extents& exemplar, const MapLook& look) {
@@ -76,11 +82,22 @@ double TilingReport::judgedPixels(int exemplarWidth, int exemplarHeight) const {
   return double(wide.width) * double(wide.height);
 }
 
-Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& comparison) const {
+Result<std::vector<Risk>> TilingReport::assess(const AssessedMap& assessed,
+                                               const Progress& progress) const {
+  const MapExemplar& map = assessed.map();
+  return assessSuitability(map, assessed.bordersFit, progress,
+                           firstPixelsOf(map, assessed.maps.front()));
+}
+
+Result<void> TilingReport::measure(const ComparedResult&, NoiseComparison& comparison) const {
   Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();
+  return {};
+}
+
+Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& comparison) const {
   const Noise& noise = result.bundle.noises[result.options.material.noise];
   const auto [width, height] = exemplarSize(result.bundle, noise, result.map);
   const Extents baked{int(width), int(height)};

@@ -412,8 +412,14 @@ function addFacts(list, facts) {
     list.append(element('dt', name), element('dd', value));
 }
 
-/// What the page comes to: measures over their targets, and risks.
+/// What the page comes to: the verdict, measures over their targets, and risks.
 function sayVerdict() {
+  if (report.verdict) {
+    const line = document.getElementById('judgement');
+    line.textContent = `Verdict: ${report.verdict.sentence}`;
+    line.className = {good: 'good', unsuitable: 'bad'}[report.verdict.level] ?? 'warn';
+    line.hidden = false;
+  }
   const isMissed = (measure) => measure.met === false;
   const measures = report.maps.flatMap((map) => map.measures);
   const judged = measures.filter((measure) => measure.met !== null);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// A baked noise -> its risks, measures and verdict, for `bake` and `compare`.
+#pragma once
+
+#include "command.h"
+
+#include <lichen/bundle.h>
+#include <lichen/exemplar.h>
+#include <lichen/noise_verdict.h>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <span>
+#include <vector>
+
+namespace lichen::cli {
+
+struct BakeVerdict {
+  std::vector<std::vector<Risk>> assessed; ///< one per map
+  std::vector<Measure> measures;           ///< of the first map, on a small result
+  Verdict verdict;
+};
+
+/// Judges the bundle's first material and noise, with a progress line. `maps` are the exemplars as
+/// they were baked.
+[[nodiscard]] Result<BakeVerdict> judgeBake(const Bundle& bundle, std::span<const MapExemplar> maps,
+                                            Periodic borders, bool bordersWereKept,
+                                            const SharedOptions& options);
+
+/// The seam_visibility if viewers see it, otherwise 0.
+[[nodiscard]] double visibleSeams(std::span<const Measure> measures);
+
+/// The line to print: "verdict: good".
+[[nodiscard]] std::string verdictLine(const Verdict& verdict, bool severalMaps);
+
+/// {"level", "map", "risk", "score", "sentence"}.
+[[nodiscard]] nlohmann::ordered_json jsonOf(const Verdict& verdict);
+
+} // namespace lichen::cli
