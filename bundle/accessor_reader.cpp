@@ -262,7 +262,8 @@ std::optional<std::vector<std::array<float, kComponents>>>
 readVectors(GltfFile& file, std::size_t accessor, FindingList& findings) {
   try {
     AccessorReader reader(file, accessor, findings);
-    const std::string type = "VEC" + std::to_string(kComponents);
+    constexpr std::size_t kMatrix = 16;
+    const std::string type = kComponents == kMatrix ? "MAT4" : "VEC" + std::to_string(kComponents);
     reader.describe(type.c_str(), kComponents,
                     {kByte, kUnsignedByte, kShort, kUnsignedShort, kFloat});
     const std::size_t bytes = componentBytes(reader.type());
@@ -284,6 +285,8 @@ template std::optional<std::vector<std::array<float, 2>>> readVectors<2>(GltfFil
                                                                          FindingList&);
 template std::optional<std::vector<std::array<float, 3>>> readVectors<3>(GltfFile&, std::size_t,
                                                                          FindingList&);
+template std::optional<std::vector<std::array<float, 16>>> readVectors<16>(GltfFile&, std::size_t,
+                                                                           FindingList&);
 
 std::optional<std::vector<std::uint32_t>> readIndices(GltfFile& file, std::size_t accessor,
                                                       std::size_t limit, FindingList& findings) {

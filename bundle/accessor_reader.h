@@ -15,9 +15,9 @@ inline constexpr std::size_t kMostElements = std::size_t(1) << 25;
 [[nodiscard]] std::optional<std::string> compressionOfView(const nlohmann::json& document,
                                                            std::size_t view);
 
-/// The values of an accessor of 2 or 3 components, all finite. Integers become floats; normalized
-/// ones are divided by their range. On a fault, records it and returns nothing. Throws
-/// std::bad_alloc.
+/// The values of an accessor of 2 or 3 components, or of 16 of a 4 x 4 matrix, all finite. Integers
+/// become floats; normalized ones are divided by their range. On a fault, records it and returns
+/// nothing. Throws std::bad_alloc.
 template <std::size_t kComponents>
 [[nodiscard]] std::optional<std::vector<std::array<float, kComponents>>>
 readVectors(GltfFile& file, std::size_t accessor, FindingList& findings);

@@ -156,17 +156,19 @@ std::optional<std::string> compressionOf(const json& document, const json& primi
   return primitive.contains("indices") ? ofAccessor(primitive["indices"]) : std::nullopt;
 }
 
-/// Returns what `read` reads from a primitive, or the first fault that it records.
+template <std::size_t kComponents>
+using Vectors = std::vector<std::array<float, kComponents>>;
+
+/// Returns what `read` reads from a part of the scene, or the first fault that it records.
 template <class Read>
-auto readFrom(const GltfScene& scene, PrimitivePlace place, const Read& read) {
+auto readFrom(const GltfScene& scene, const std::string& title, const Read& read) {
   using Value = decltype(read(std::declval<FindingList&>()));
   return withinMemory([&] { return scene.path().string() + ": not enough memory to read a mesh"; },
                       [&]() -> Result<Value> {
                         FindingList findings;
                         Value value = read(findings);
                         if (const Finding* fault = findings.firstError())
-                          return asError(*fault, scene.path().string() + ": " +
-                                                     scene.primitiveTitle(place));
+                          return asError(*fault, scene.path().string() + ": " + title);
                         return value;
                       });
 }
@@ -175,7 +177,7 @@ auto readFrom(const GltfScene& scene, PrimitivePlace place, const Read& read) {
 
 Result<PrimitiveGeometry> GltfScene::geometry(PrimitivePlace place) {
   const json& primitive = state_->primitive(place);
-  return readFrom(*this, place, [&](FindingList& findings) {
+  return readFrom(*this, primitiveTitle(place), [&](FindingList& findings) {
     PrimitiveGeometry geometry;
     if (const auto fault = unreadable(primitive))
       findings.error("unreadable", "", *fault);
@@ -190,7 +192,7 @@ Result<PrimitiveGeometry> GltfScene::geometry(PrimitivePlace place) {
 
 Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place) {
   const json& primitive = state_->primitive(place);
-  return readFrom(*this, place, [&](FindingList& findings) {
+  return readFrom(*this, primitiveTitle(place), [&](FindingList& findings) {
     std::optional<std::string> compression;
     if (const std::uint64_t mode = primitive.value("mode", kTriangles); mode > kTriangleFan)
       findings.error("mode", "",
@@ -203,10 +205,25 @@ Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place
   });
 }
 
+Result<std::vector<std::array<float, 2>>> GltfScene::vectors2(PrimitivePlace place,
+                                                              const std::string& attribute) {
+  const std::size_t accessor = state_->primitive(place)["attributes"][attribute].get<std::size_t>();
+  return readFrom(*this, primitiveTitle(place), [&](FindingList& findings) {
+    return readVectors<2>(*state_->file, accessor, findings).value_or(Vectors<2>());
+  });
+}
+
+Result<std::vector<std::array<float, 16>>> GltfScene::matrices(std::size_t accessor) {
+  const std::string title = "accessor " + std::to_string(accessor);
+  return readFrom(*this, title, [&](FindingList& findings) {
+    return readVectors<16>(*state_->file, accessor, findings).value_or(Vectors<16>());
+  });
+}
+
 Result<std::optional<GltfScene::Range2>> GltfScene::rangeOf(PrimitivePlace place,
                                                             const std::string& attribute) {
   const json& primitive = state_->primitive(place);
-  return readFrom(*this, place, [&](FindingList& findings) {
+  return readFrom(*this, primitiveTitle(place), [&](FindingList& findings) {
     std::optional<Range2> range;
     if (compressionOf(document(), primitive))
       return range;

@@ -6,6 +6,7 @@
 #include "apply_meshes.h"
 #include "apply_mix.h"
 #include "apply_textures.h"
+#include "apply_tiles.h"
 #include "command.h"
 #include "methods/method_command.h"
 #include "noise_choice.h"
@@ -54,6 +55,7 @@ struct Arguments {
 struct Outcome {
   AppliedNoise noise;
   std::vector<std::string> materials;
+  std::vector<MaterialTile> tiles;
   std::vector<MeshFrames> frames;
   std::vector<std::string> notes;
 };
@@ -150,6 +152,7 @@ void report(const Arguments& arguments, const Outcome& outcome, double seconds) 
                                       {"noise", outcome.noise.name},
                                       {"newTables", outcome.noise.newTables},
                                       {"materials", outcome.materials},
+                                      {"tiles", asJson(outcome.tiles)},
                                       {"frames", asJson(outcome.frames)},
                                       {"notes", outcome.notes},
                                       {"seconds", seconds}};
@@ -162,6 +165,8 @@ void report(const Arguments& arguments, const Outcome& outcome, double seconds) 
       fmt::format("{}: {} on {}; {} new table{}, {:.2f} s", arguments.output, outcome.noise.name,
                   shortList(outcome.materials), outcome.noise.newTables,
                   outcome.noise.newTables == 1 ? "" : "s", seconds));
+  for (const std::string& line : linesOn(outcome.tiles))
+    say(arguments.shared, line);
 }
 
 /// Returns the materials that have, or can be given, what the mapping needs.
@@ -268,6 +273,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (arguments.setsFactors)
     setFactorsToOne(scene, materials, noise);
   leaveReplacedImages(scene, materials, noise, use.mix, outcome.notes);
+  outcome.tiles = measuredTiles(scene, materials, noise, use, outcome.notes);
   if (Result<void> written = scene.write(arguments.output); !written)
     return written.error();
   noteName(arguments.scene, noise.name, outcome.noise, outcome.notes);
