@@ -141,6 +141,24 @@ std::string titleOf(const char* kind, const json& elements, std::size_t index,
   return name.empty() ? title : title + " '" + name + "'";
 }
 
+/// A member of a material, or of its object `parent` if that is not empty; created if absent.
+Json& editedMember(Json& material, std::string_view parent, std::string_view key) {
+  Json& object = parent.empty() ? material : material[std::string(parent)];
+  return object[std::string(key)];
+}
+
+/// Whether any object of a document has the extension.
+bool hasExtension(const Json& value, const std::string& extension) {
+  if (!value.is_structured())
+    return false;
+  if (value.is_object())
+    if (const auto own = value.find("extensions");
+        own != value.end() && own->is_object() && own->contains(extension))
+      return true;
+  return std::any_of(value.begin(), value.end(),
+                     [&](const Json& each) { return hasExtension(each, extension); });
+}
+
 } // namespace
 
 std::size_t GltfScene::State::countOf(const char* array) const {
@@ -264,9 +282,34 @@ void GltfScene::setAttribute(PrimitivePlace place, const std::string& name, std:
 
 void GltfScene::setFactor(std::size_t material, std::string_view parent, std::string_view key,
                           const std::vector<double>& value) {
-  Json& whole = state_->edited["materials"][material];
-  Json& factor = (parent.empty() ? whole : whole[std::string(parent)])[std::string(key)];
-  factor = value.size() == 1 ? Json(value.front()) : Json(value);
+  editedMember(state_->edited["materials"][material], parent, key) =
+      value.size() == 1 ? Json(value.front()) : Json(value);
+}
+
+void GltfScene::setTexture(std::size_t material, std::string_view parent, std::string_view key,
+                           const json& info) {
+  editedMember(state_->edited["materials"][material], parent, key) = info;
+}
+
+void GltfScene::removeExtension(std::span<const std::size_t> materials,
+                                const std::string& extension) {
+  for (const std::size_t m : materials) {
+    Json& material = state_->edited["materials"][m];
+    const auto extensions = material.find("extensions");
+    if (extensions == material.end() || extensions->erase(extension) == 0 || !extensions->empty())
+      continue;
+    material.erase("extensions");
+  }
+  if (hasExtension(state_->edited, extension))
+    return;
+  for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+    const auto list = state_->edited.find(key);
+    if (list == state_->edited.end() || !list->is_array())
+      continue;
+    list->erase(std::remove(list->begin(), list->end(), extension), list->end());
+    if (list->empty()) // glTF allows no empty list
+      state_->edited.erase(key);
+  }
 }
 
 std::size_t GltfScene::addTexture(std::span<const std::byte> file, std::string_view mediaType) {

@@ -144,7 +144,8 @@ private:
         const json& element = state_.document()[array][i];
         const bool isInside =
             array == std::string_view("images") ? tookImages : takesFirst_ && i == 0;
-        if (namesFile(element) && !isInside)
+        const bool isLeft = array == std::string_view("images") && state_.imagesLeft.contains(i);
+        if (namesFile(element) && !isInside && !isLeft)
           return fileError(path_,
                            state_.path.string() + " refers to files beside it, such as " +
                                quoted(*stringMember(element, "uri")) +
@@ -226,18 +227,27 @@ private:
   bool takesFirst_ = false;           ///< whether that is the document's first buffer
 };
 
-std::vector<std::size_t> GltfScene::absentImages() const {
-  std::vector<std::size_t> absent;
+std::vector<UnusableImage> GltfScene::unusableImages() const {
+  constexpr std::size_t kSignature = 12; // bytes that mediaTypeOf() reads
+  std::vector<UnusableImage> unusable;
   for (std::size_t i = 0; i < state_->countOf("images"); ++i) {
-    const json& image = document()["images"][i];
-    if (!namesFile(image))
+    const std::string* uri = stringMember(document()["images"][i], "uri");
+    if (uri == nullptr)
       continue;
-    const Result<std::filesystem::path> file = state_->file->pathOf(*stringMember(image, "uri"));
+    const bool isFile = namesFile(document()["images"][i]);
+    const Result<std::filesystem::path> file = state_->file->pathOf(*uri);
     std::error_code ignored;
-    if (file && !std::filesystem::exists(file.value(), ignored))
-      absent.push_back(i);
+    if (isFile && file && !std::filesystem::exists(file.value(), ignored)) {
+      unusable.push_back({i, "the file " + quoted(*uri) + " is missing"});
+      continue;
+    }
+    const auto start =
+        state_->file->readUri(*uri, isFile ? std::optional(kSignature) : std::nullopt);
+    if (!start || !mediaTypeOf(start.value()))
+      unusable.push_back({i, (isFile ? quoted(*uri) : "the data URI") +
+                                 " is not a readable PNG, JPEG, WebP or KTX2"});
   }
-  return absent;
+  return unusable;
 }
 
 void GltfScene::leaveImage(std::size_t image) { state_->imagesLeft.insert(image); }

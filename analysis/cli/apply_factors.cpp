@@ -90,7 +90,7 @@ std::vector<std::string> notesOnFactors(const GltfScene& scene,
                                         std::span<const std::size_t> materials, const Noise& noise,
                                         bool areSetToOne) {
   const std::vector<Factor> factors = factorsOf(noise);
-  std::vector<std::string> changing, hiding, glowing, unlit;
+  std::vector<std::string> changing, hiding, glowing;
   for (const std::size_t material : materials) {
     const json& core = scene.document()["materials"][material];
     const std::string title = scene.materialTitle(material);
@@ -108,8 +108,6 @@ std::vector<std::string> notesOnFactors(const GltfScene& scene,
       (hides ? hiding : changing)
           .push_back(fmt::format("{} {} of {}", factor.key, textOf(value), title));
     }
-    if (core.contains(json::json_pointer("/extensions/KHR_materials_unlit")))
-      unlit.push_back(title);
   }
   std::vector<std::string> notes;
   const std::string path = scene.path().string();
@@ -127,9 +125,6 @@ std::vector<std::string> notesOnFactors(const GltfScene& scene,
     notes.push_back(fmt::format("{}: emissiveFactor of {} is 1 without an emissiveTexture; viewers "
                                 "without the extension show it white",
                                 path, shortList(glowing)));
-  if (!unlit.empty())
-    notes.push_back(fmt::format("{}: {} {} unlit; the noise is not shown", path, shortList(unlit),
-                                verb(unlit, "is", "are")));
   return notes;
 }
 

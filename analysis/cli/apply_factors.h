@@ -13,7 +13,7 @@
 namespace lichen::cli {
 
 /// Describes, with at most one note of each kind, the material factors that change the look of the
-/// noise and the materials that receive no light. If `areSetToOne`, the factors do not change the
+/// noise. If `areSetToOne`, the factors do not change the
 /// noise, but other viewers show an emissive factor of 1.
 [[nodiscard]] std::vector<std::string> notesOnFactors(const GltfScene& scene,
                                                       std::span<const std::size_t> materials,

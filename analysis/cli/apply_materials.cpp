@@ -79,32 +79,6 @@ Result<ChosenMaterials> findMaterials(const GltfScene& scene,
   return chosen;
 }
 
-Result<ChosenMaterials> shadedMaterials(const GltfScene& scene, ChosenMaterials chosen,
-                                        std::vector<std::string>& notes) {
-  std::vector<std::string> others;
-  std::string reason; // what the first of them has
-  std::erase_if(chosen.indices, [&](std::size_t material) {
-    const nlohmann::json& described = scene.document()["materials"][material];
-    for (const char* extension : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"})
-      if (described.contains(
-              nlohmann::json::json_pointer("/extensions/" + std::string(extension)))) {
-        others.push_back(scene.materialTitle(material));
-        if (reason.empty())
-          reason = fmt::format("has {}, which noise cannot be combined with", extension);
-        return true;
-      }
-    return false;
-  });
-  constexpr const char* kInstead = "choose a material without that extension";
-  if (!others.empty() && (!chosen.areAll || chosen.indices.empty()))
-    return Error{ErrorKind::badInput, fmt::format("{}: {} {}; {}", scene.path().string(),
-                                                  others.front(), reason, kInstead)};
-  if (!others.empty())
-    notes.push_back(fmt::format("{}: skipped {}: {} {}", scene.path().string(), shortList(others),
-                                others.size() == 1 ? "it" : "the first", reason));
-  return chosen;
-}
-
 Result<std::vector<std::size_t>> materialsWith(const std::string& attribute, const GltfScene& scene,
                                                const ChosenMaterials& chosen,
                                                const std::string& option,

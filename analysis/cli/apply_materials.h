@@ -22,12 +22,6 @@ struct ChosenMaterials {
 [[nodiscard]] Result<ChosenMaterials> findMaterials(const GltfScene& scene,
                                                     const std::vector<std::string>& wanted);
 
-/// Returns the materials that use glTF's metallic-roughness model, whose textures a noise can
-/// replace. If the user chose all materials, the others are skipped with a note. Errors: badInput
-/// if a material that the user named uses another model, or if no material remains.
-[[nodiscard]] Result<ChosenMaterials>
-shadedMaterials(const GltfScene& scene, ChosenMaterials chosen, std::vector<std::string>& notes);
-
 /// Returns the materials for which every primitive has the attribute that `option` needs. If the
 /// user chose all materials, the others are skipped with a note. Errors: badInput if a material
 /// that the user named has a primitive without the attribute, or if no material remains; `instead`

@@ -2,7 +2,7 @@
 // Materials and a noise -> the textures that remain; see apply_textures.h.
 #include "apply_textures.h"
 
-#include "apply_materials.h"
+#include "apply_extensions.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -44,6 +44,18 @@ bool takesWholePlaceOf(const Noise& noise, const Slot& slot) {
   });
 }
 
+/// The material as removeCompetingExtensions() leaves it, as far as textures go.
+json withCoreTextures(json material) {
+  const json::json_pointer glossy("/extensions/" + std::string(kSpecularGlossiness));
+  if (!material.contains(glossy))
+    return material;
+  const json::json_pointer diffuse = glossy / "diffuseTexture";
+  if (isSpecularGlossy(material) && material.contains(diffuse))
+    material["pbrMetallicRoughness"]["baseColorTexture"] = material[diffuse];
+  material["extensions"].erase(kSpecularGlossiness);
+  return material;
+}
+
 /// Adds the textures of a material that remain visible beside the noise; all of them if `noise` is
 /// null.
 void addTextures(const json& value, const std::string& pointer, const Noise* noise, bool hasAlpha,
@@ -80,7 +92,10 @@ std::set<std::size_t> imagesInUse(const GltfScene& scene, std::span<const std::s
     const json& material = scene.document()["materials"][m];
     const bool hasNoise = std::find(materials.begin(), materials.end(), m) != materials.end();
     const bool hasAlpha = material.contains("alphaMode") && material["alphaMode"] != "OPAQUE";
-    addTextures(material, "", hasNoise ? &noise : nullptr, hasAlpha, textures);
+    if (hasNoise)
+      addTextures(withCoreTextures(material), "", &noise, hasAlpha, textures);
+    else
+      addTextures(material, "", nullptr, hasAlpha, textures);
   }
   for (const std::size_t texture : textures)
     if (const json::json_pointer place("/textures/" + std::to_string(texture));
@@ -95,13 +110,14 @@ std::vector<std::string> notesOnTextures(const GltfScene& scene,
                                          std::span<const std::size_t> materials,
                                          const Noise& noise) {
   std::vector<std::string> staying;
-  for (const std::size_t material : materials)
+  for (const std::size_t m : materials) {
+    const json material = withCoreTextures(scene.document()["materials"][m]);
     for (const Slot& slot : coreSlots()) {
       const json::json_pointer place(slot.place);
-      if (!takesWholePlaceOf(noise, slot) &&
-          scene.document()["materials"][material].contains(place))
-        staying.push_back(fmt::format("{} of {}", place.back(), scene.materialTitle(material)));
+      if (!takesWholePlaceOf(noise, slot) && material.contains(place))
+        staying.push_back(fmt::format("{} of {}", place.back(), scene.materialTitle(m)));
     }
+  }
   if (staying.empty())
     return {};
   return {fmt::format("{}: {} {} visible: the noise has no such map, or not all its channels",
@@ -112,17 +128,17 @@ std::vector<std::string> notesOnTextures(const GltfScene& scene,
 void leaveReplacedImages(GltfScene& scene, std::span<const std::size_t> materials,
                          const Noise& noise, const MixWeight& mix,
                          std::vector<std::string>& notes) {
-  const std::vector<std::size_t> absent = scene.absentImages();
-  if (absent.empty())
+  const std::vector<UnusableImage> unusable = scene.unusableImages();
+  if (unusable.empty())
     return;
   const std::set<std::size_t> used = imagesInUse(scene, materials, noise, mix);
-  for (const std::size_t image : absent) {
+  for (const auto& [image, reason] : unusable) {
     if (used.contains(image))
       continue;
     scene.leaveImage(image);
-    notes.push_back(fmt::format(
-        "{}: /images/{}: the file '{}' is missing, but the noise replaces everything that shows it",
-        scene.path().string(), image, scene.document()["images"][image]["uri"].get<std::string>()));
+    notes.push_back(fmt::format("{}: /images/{}: {}, but the noise replaces everything that shows "
+                                "it",
+                                scene.path().string(), image, reason));
   }
 }
 

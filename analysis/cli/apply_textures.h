@@ -16,9 +16,9 @@ namespace lichen::cli {
 [[nodiscard]] std::vector<std::string>
 notesOnTextures(const GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise);
 
-/// Keeps the URI, in a .glb too, of each image whose file is missing and that is no longer shown
-/// because the noise replaces every texture that uses it. Each such image gets a note.
-/// GltfScene::write() fails for any other missing image. `mix` is the mix weight of the materials.
+/// Keeps the URI, in a .glb too, of each image that cannot be used and is no longer shown because
+/// the noise replaces every texture that uses it. Each such image gets a note. GltfScene::write()
+/// of a .glb fails for any other such image. `mix` is the mix weight of the materials.
 void leaveReplacedImages(GltfScene& scene, std::span<const std::size_t> materials,
                          const Noise& noise, const MixWeight& mix, std::vector<std::string>& notes);
 

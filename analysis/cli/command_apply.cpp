@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lichen apply: adds a noise to materials of an existing scene.
+#include "apply_extensions.h"
 #include "apply_factors.h"
 #include "apply_frames.h"
 #include "apply_materials.h"
@@ -239,10 +240,7 @@ Result<Outcome> apply(const Arguments& arguments) {
     return opened.error();
   GltfScene& scene = opened.value();
   Outcome outcome;
-  const Result<ChosenMaterials> found = findMaterials(scene, arguments.materials);
-  if (!found)
-    return found.error();
-  const Result<ChosenMaterials> chosen = shadedMaterials(scene, found.value(), outcome.notes);
+  const Result<ChosenMaterials> chosen = findMaterials(scene, arguments.materials);
   if (!chosen)
     return chosen.error();
   MaterialNoise use = parametersOf(bundle, index, arguments);
@@ -272,6 +270,7 @@ Result<Outcome> apply(const Arguments& arguments) {
   outcome.noise = std::move(applied).value();
   if (arguments.setsFactors)
     setFactorsToOne(scene, materials, noise);
+  removeCompetingExtensions(scene, materials, noise, outcome.notes);
   leaveReplacedImages(scene, materials, noise, use.mix, outcome.notes);
   outcome.tiles = measuredTiles(scene, materials, noise, use, outcome.notes);
   if (Result<void> written = scene.write(arguments.output); !written)

@@ -11,6 +11,14 @@ using namespace lichen;
 using namespace lichen::cli_test;
 using nlohmann::json;
 
+namespace {
+
+const std::string kDot = // a PNG of one pixel
+    "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/"
+    "pLvAAAAAElFTkSuQmCC";
+
+} // namespace
+
 TEST_CASE("a missing image is an error unless the noise replaces everything that shows it") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
@@ -24,7 +32,7 @@ TEST_CASE("a missing image is an error unless the noise replaces everything that
   };
   const Ended ended = apply(workplace, write(), moss, "wood");
   CHECK(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains("/images/0: the file 'old%20bark.png' is missing, "
+  CHECK_THAT(ended.errors, Catch::Contains("/images/0: the file \"old%20bark.png\" is missing, "
                                            "but the noise replaces everything that shows it"));
   CHECK(GltfScene::open(workplace.path("out.glb")).value().document()["images"][0]["uri"] ==
         "old%20bark.png");
@@ -44,40 +52,54 @@ TEST_CASE("a missing image is an error unless the noise replaces everything that
   refused();
 }
 
-TEST_CASE("materials whose shading ignores a noise are skipped by all and an error by name") {
+TEST_CASE(
+    "an image that is no image is an error unless the noise replaces everything that shows it") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  for (const char* extension : {"KHR_materials_unlit", "KHR_materials_pbrSpecularGlossiness"}) {
+  workplace.write("bark.png", "not an image");
+  for (const std::string uri : {"bark.png", "../bark.png", "https://host/bark.png",
+                                "data:image/png;base64,AAAA", "data:image/png;base64,#"}) {
+    INFO(uri);
     example::TinyScene scene = example::tableScene();
-    scene.json["extensionsUsed"] = json::array({extension});
-    scene.json["materials"][1]["extensions"][extension] = json::object();
-    const std::string path = writeScene(workplace, scene);
-    const Ended ended = apply(workplace, path, moss, "all", {"--mapping", "triplanar"});
-    REQUIRE(ended.code == 0);
-    CHECK_THAT(ended.errors,
-               Catch::Contains("skipped material 'glass': it has " + std::string(extension)));
-    const json document = GltfScene::open(workplace.path("out.glb")).value().document();
-    CHECK(document["materials"][0]["extensions"].contains(kExtension));
-    CHECK(!document["materials"][1]["extensions"].contains(kExtension));
-    checkRefusal({"apply", path, "--noise", moss, "--material", "glass", "--mapping", "triplanar",
-                  "-o", workplace.path("x.glb")},
-                 int(ErrorKind::badInput),
-                 {"material 'glass' has", extension, "choose a material without that extension"});
-    scene.json["materials"][0]["extensions"][extension] = json::object();
-    checkRefusal({"apply", writeScene(workplace, scene), "--noise", moss, "--material", "all",
-                  "--mapping", "triplanar", "-o", workplace.path("x.glb")},
-                 int(ErrorKind::badInput), {"material 'wood' has", extension});
+    scene.json["images"] = {{{"uri", uri}}};
+    scene.json["textures"] = {{{"source", 0}}};
+    scene.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+    workplace.write("scene.bin", scene.binary);
+    const Ended ended =
+        apply(workplace, workplace.write("scene.gltf", scene.gltf("scene.bin")), moss, "wood");
+    CHECK(ended.code == 0);
+    CHECK_THAT(ended.errors, Catch::Contains("/images/0: ") &&
+                                 Catch::Contains("is not a readable PNG, JPEG, WebP or KTX2, but "
+                                                 "the noise replaces everything that shows it"));
+    scene.json["materials"][1]["emissiveTexture"] = {{"index", 0}};
+    checkRefusal({"apply", workplace.write("scene.gltf", scene.gltf("scene.bin")), "--noise", moss,
+                  "--material", "wood", "-o", workplace.path("x.glb")},
+                 int(ErrorKind::badInput), {"scene.gltf: /images/0/uri"});
   }
+}
+
+TEST_CASE("a missing image that the noise replaces does not tie the output to the scene's folder") {
+  const Workplace workplace;
+  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
+  std::filesystem::create_directory(workplace.path("elsewhere"));
+  example::TinyScene scene = example::tableScene();
+  scene.json["images"] = {{{"uri", "bark.png"}}};
+  scene.json["textures"] = {{{"source", 0}}};
+  scene.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  const std::string path = writeScene(workplace, scene);
+  CHECK(apply(workplace, path, moss, "wood", {}, "elsewhere/out.glb").code == 0);
+  CHECK(apply(workplace, path, moss, "wood", {}, "elsewhere/out.gltf").code == 0);
+  workplace.write("bark.png", smooth(8)); // other viewers show it
+  checkRefusal({"apply", path, "--noise", moss, "--material", "wood", "-o",
+                workplace.path("elsewhere/out.glb")},
+               int(ErrorKind::usage), {"refers to files beside it", "bark.png"});
 }
 
 TEST_CASE("a .glb embeds images from data URIs") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
   example::TinyScene scene = example::tableScene();
-  const std::string dot = // a PNG of one pixel
-      "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/"
-      "pLvAAAAAElFTkSuQmCC";
-  scene.json["images"] = {{{"uri", "data:image/png;base64," + dot}}};
+  scene.json["images"] = {{{"uri", "data:image/png;base64," + kDot}}};
   workplace.write("scene.bin", scene.binary);
   const std::string path = workplace.write("scene.gltf", scene.gltf("scene.bin"));
   REQUIRE(apply(workplace, path, moss, "wood").code == 0);

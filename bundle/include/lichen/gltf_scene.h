@@ -23,6 +23,13 @@ struct PrimitiveGeometry {
   std::vector<std::uint32_t> triangles;
 };
 
+/// An image that cannot be embedded in a .glb, and the reason for a message: "the file 'oak.png' is
+/// missing".
+struct UnusableImage {
+  std::size_t image = 0;
+  std::string reason;
+};
+
 /// The result of GltfScene::applyNoise().
 struct AppliedNoise {
   std::string name; ///< the noise's name in the asset
@@ -31,10 +38,10 @@ struct AppliedNoise {
 };
 
 /// An asset and its pending changes. Writing keeps the members of the JSON, their order, their
-/// values and the indentation, except for additions and the replacements documented below; numbers
-/// and strings may be spelled differently. Existing buffer bytes keep their offsets; new bytes
-/// follow them. The functions that change or write the asset report that memory does not suffice
-/// for a large allocation; if not even a small one succeeds, the process may end.
+/// values and the indentation, except for additions and the replacements and removals documented
+/// below; numbers and strings may be spelled differently. Existing buffer bytes keep their offsets;
+/// new bytes follow them. The functions that change or write the asset report that memory does not
+/// suffice for a large allocation; if not even a small one succeeds, the process may end.
 class GltfScene {
 public:
   /// Reads a .glb or .gltf. Errors: badInput if the file is neither, if its materials, meshes,
@@ -98,15 +105,24 @@ public:
   void setFactor(std::size_t material, std::string_view parent, std::string_view key,
                  const std::vector<double>& value);
 
+  /// Adds or replaces a texture of a material; `parent` as of setFactor(). `info` is a glTF
+  /// textureInfo. Throws std::bad_alloc.
+  void setTexture(std::size_t material, std::string_view parent, std::string_view key,
+                  const nlohmann::json& info);
+
+  /// Removes an extension from materials, and from the lists of used and required extensions if
+  /// nothing else in the asset has it. Throws std::bad_alloc.
+  void removeExtension(std::span<const std::size_t> materials, const std::string& extension);
+
   /// Adds a PNG or JPEG file as an image of `mediaType`, and a texture that clamps to its edges.
   /// Returns the texture's index. Throws std::bad_alloc.
   std::size_t addTexture(std::span<const std::byte> file, std::string_view mediaType);
   [[nodiscard]] std::size_t textureCount() const; ///< including added textures
 
-  /// Images whose files do not exist, which therefore cannot be embedded when a .gltf is written as
-  /// a .glb. Throws std::bad_alloc.
-  [[nodiscard]] std::vector<std::size_t> absentImages() const;
-  /// Keeps an image external even in a .glb. Throws std::bad_alloc.
+  /// Images whose files are missing, outside the asset's folder or of an unknown type, which
+  /// therefore cannot be embedded when a .gltf is written as a .glb. Throws std::bad_alloc.
+  [[nodiscard]] std::vector<UnusableImage> unusableImages() const;
+  /// Keeps the URI of an image even in a .glb, and in another folder. Throws std::bad_alloc.
   void leaveImage(std::size_t image);
 
   /// Assigns a noise of a bundle to materials, with the parameters of `use`; ignores use.noise.

@@ -53,18 +53,40 @@ example::TinyScene shadedScene() {
   return scene;
 }
 
+/// A scene whose materials have extensions that `lichen apply` removes, one of them required, and
+/// extensions that it keeps.
+example::TinyScene competingScene() {
+  using Json = nlohmann::ordered_json;
+  constexpr const char* kGlossy = "KHR_materials_pbrSpecularGlossiness";
+  example::TinyScene scene = shadedScene();
+  scene.json["extensionsUsed"].push_back(kGlossy);
+  scene.json["extensionsUsed"].push_back("KHR_texture_transform");
+  scene.json["extensionsRequired"] = {kGlossy};
+  Json& material = scene.json["materials"][0];
+  material.erase("pbrMetallicRoughness");
+  const Json texture = {{"index", 0},
+                        {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
+  material["emissiveTexture"] = texture;
+  material["extensions"][kGlossy] = {{"diffuseTexture", texture}, {"glossinessFactor", 0.5}};
+  return scene;
+}
+
 /// Writes a third-party scene, as one file and as two, and a noise for its surfaces.
 Result<void> writeScenes(const std::filesystem::path& folder) {
   const example::TinyScene scene = example::tableScene();
   const std::string text = scene.gltf("table.bin");
   const example::TinyScene shaded = shadedScene();
   const std::string shadedText = shaded.gltf("shaded.bin");
+  const example::TinyScene competing = competingScene();
+  const std::string competingText = competing.gltf("competing.bin");
   for (const Result<void>& written :
        {replaceFile(folder / "table.glb", scene.glb()),
         replaceFile(folder / "table.bin", scene.binary),
         replaceFile(folder / "table.gltf", std::as_bytes(std::span(text))),
         replaceFile(folder / "shaded.bin", shaded.binary),
         replaceFile(folder / "shaded.gltf", std::as_bytes(std::span(shadedText))),
+        replaceFile(folder / "competing.bin", competing.binary),
+        replaceFile(folder / "competing.gltf", std::as_bytes(std::span(competingText))),
         writeBundle(folder / "wool.glb", example::smallTexton())})
     if (!written)
       return written;
