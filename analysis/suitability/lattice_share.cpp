@@ -69,9 +69,9 @@ bool isLine(const PowerPlane& power, int u, int v) {
 }
 
 /// Whether the power also stands out among those of its own direction, on both sides of it: it
-/// exceeds a quarter of the frequencies on either side by the same factor. Streaks that are longer
-/// than the image have all their power in one direction, where no frequency stands out from the
-/// others; stripes have few frequencies of it.
+/// exceeds three eighths of the frequencies on either side by the same factor. Streaks that are
+/// longer than the image have all their power in one direction, where no frequency stands out from
+/// the others; stripes have few frequencies of it.
 bool isLineOfItsDirection(const PowerPlane& power, int u, int v) {
   const float most = power.at(u, v) / kLineOverMedian;
   const double radius = std::hypot(double(u), double(v));
@@ -86,7 +86,7 @@ bool isLineOfItsDirection(const PowerPlane& power, int u, int v) {
               ? 1
               : 0;
     }
-    return 4 * below >= kReachAlong;
+    return 8 * below >= 3 * kReachAlong;
   };
   return quietSide(-1.0) && quietSide(1.0);
 }

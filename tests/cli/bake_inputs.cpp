@@ -59,12 +59,6 @@ std::vector<nlohmann::json> notesOf(const Workplace& workplace, const std::strin
   return nlohmann::json::parse(ended.output).at("notes");
 }
 
-/// Returns whether a note describes a risk: "cloudiness (mild): ...".
-bool isRisk(const nlohmann::json& note) {
-  const auto text = note.get<std::string>();
-  return text.find(" (mild") != std::string::npos || text.find(" (severe") != std::string::npos;
-}
-
 } // namespace
 
 TEST_CASE("8-bit PNG of every colour type keeps its colour") {
@@ -230,8 +224,7 @@ TEST_CASE("an image with one colour or few pixels gives a note, a good image giv
   SrgbImage grey(100, 100, 3);
   grey.values.assign(grey.values.size(), 0.4f);
   const auto only = [&](const std::string& name, const SrgbImage& image) {
-    auto notes = notesOf(workplace, workplace.write(name, image));
-    notes.erase(std::remove_if(notes.begin(), notes.end(), isRisk), notes.end());
+    const auto notes = notesOf(workplace, workplace.write(name, image));
     return notes.size() == 1 ? notes[0].get<std::string>() : std::to_string(notes.size());
   };
   CHECK_THAT(only("pixel.png", SrgbImage(1, 1, 3)), Catch::Contains("one colour"));

@@ -18,6 +18,7 @@
 #include <materials.h>
 #include <numbers>
 #include <suitability/as_seen.h>
+#include <suitability/calibration.h>
 #include <suitability/clipped_share.h>
 #include <suitability/cloudiness.h>
 #include <suitability/edge_concentration.h>
@@ -97,6 +98,25 @@ double predictedCloudiness(const MapExemplar& map) {
 }
 
 } // namespace
+
+TEST_CASE("streaks longer than the image do not repeat, stripes at even steps do") {
+  constexpr int kSide = 256;
+  std::vector<float> streaks, stripes;
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const float grain = 0.05f * uniform(x, y, 3);
+      float streak = 0.0f; // four columns wide
+      for (int k = 0; k < 4; ++k)
+        streak += 0.15f * uniform(x + k, 0, 4);
+      streaks.push_back(0.1f + streak + grain);
+      stripes.push_back((x % 16 < 8 ? 0.3f : 0.6f) + grain);
+    }
+  const auto linesOf = [](const std::vector<float>& plane) {
+    return latticeShare(forwardFft(plane, kSide, kSide));
+  };
+  CHECK(linesOf(streaks) < kLatticeShare.mild);
+  CHECK(linesOf(stripes) > kLatticeShare.severe);
+}
 
 TEST_CASE("a small map of a set is assessed at the resolution of the set's texton") {
   // Two waves per side: a period of 32 of the map's own pixels, and of 64 texels of the largest
