@@ -84,22 +84,6 @@ Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps, const Flatteni
   return Flattened{{MapTarget::baseColor}, light.value()->periodPixels};
 }
 
-Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> maps,
-                                                  const SharedOptions& options,
-                                                  const AssessMap& assess) {
-  ProgressLine line("assess", options);
-  std::vector<std::vector<Risk>> risks;
-  for (const MapExemplar& map : maps) {
-    const auto done = double(risks.size()), all = double(maps.size());
-    Result<std::vector<Risk>> assessed =
-        assess(map, partOf(line.asProgress(), done / all, (done + 1) / all));
-    if (!assessed)
-      return assessed.error();
-    risks.push_back(std::move(assessed).value());
-  }
-  return risks;
-}
-
 std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,
                                   std::span<const std::vector<Risk>> risks) {
   std::vector<MapRisk> leading;

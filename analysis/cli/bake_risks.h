@@ -10,7 +10,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,13 +39,6 @@ struct Flattened {
                                                 const Flattening& requested, Periodic periodic,
                                                 const SharedOptions& options,
                                                 std::vector<std::string>& notes);
-
-using AssessMap =
-    std::function<Result<std::vector<Risk>>(const MapExemplar& map, const Progress& progress)>;
-/// Assesses each map with `assess`, in order, and shows a progress line.
-[[nodiscard]] Result<std::vector<std::vector<Risk>>> assessEach(std::span<const MapExemplar> maps,
-                                                                const SharedOptions& options,
-                                                                const AssessMap& assess);
 
 /// A risk, and the map where it is greatest.
 struct MapRisk {

@@ -2,6 +2,7 @@
 // Textons: options, bake reports, and descriptions for `inspect`.
 #include "texton_command.h"
 
+#include "../progress_line.h"
 #include "../table_words.h"
 
 #include <lichen/plain_fetches.h>
@@ -202,9 +203,18 @@ Result<std::vector<std::vector<Risk>>> assessTextonMaps(std::span<const MapExemp
     height = int(std::lround(double(height) * double(widthTexels) / double(width)));
     width = widthTexels;
   }
-  return assessEach(maps, shared, [=](const MapExemplar& map, const Progress& progress) {
-    return assessTextonSuitability(map, support, progress, width, height);
-  });
+  ProgressLine line("assess", shared);
+  const auto count = double(maps.size());
+  std::vector<std::vector<Risk>> risks;
+  for (const MapExemplar& map : maps) {
+    const auto done = double(risks.size());
+    const Progress part = partOf(line.asProgress(), done / count, (done + 1.0) / count);
+    Result<std::vector<Risk>> assessed = assessTextonSuitability(map, support, part, width, height);
+    if (!assessed)
+      return assessed.error();
+    risks.push_back(std::move(assessed).value());
+  }
+  return risks;
 }
 
 std::optional<std::string> supportNote(int supportWanted, const TextonShape& shape) {

@@ -25,7 +25,7 @@ namespace lichen {
 
 /// Measures a noise on a small result: two exemplars per side, or one if that has more than 1024
 /// pixels. The measures are those of compareNoise() without lattice_visibility, model_error and
-/// flatness, and take a tenth of the time of a bake. Errors: as compareNoise().
+/// flatness, and take 0.6 s for 512 x 512 pixels on two cores. Errors: as compareNoise().
 [[nodiscard]] Result<std::vector<Measure>> measureNoise(const Bundle& bundle,
                                                         const MaterialNoise& material,
                                                         const MapExemplar& exemplar,
