@@ -6,24 +6,44 @@
 #include <cmath>
 
 namespace lichen {
-Lattice periodicLattice(double widthTiles, double heightTiles) {
+
+Lattice infiniteLattice(Grain grain) {
+  Lattice lattice;
+  if (grain == Grain::x)
+    lattice.columnsPerTile /= kGrainStretch;
+  if (grain == Grain::y)
+    lattice.rowsPerTile /= kGrainStretch;
+  return lattice;
+}
+
+Lattice periodicLattice(double widthTiles, double heightTiles, Grain grain) {
   constexpr int kFewestColumns = 3; // with fewer, a vertex is its own neighbour
   constexpr int kFewestRows = 4;
-  Lattice lattice;
+  Lattice lattice = infiniteLattice(grain);
   lattice.periodColumns =
-      std::max(kFewestColumns, int(std::lround(widthTiles * kLatticeColumnsPerTile)));
+      std::max(kFewestColumns, int(std::lround(widthTiles * lattice.columnsPerTile)));
   lattice.periodRows =
-      std::max(kFewestRows, 2 * int(std::lround(heightTiles * kLatticeRowsPerTile / 2.0)));
+      std::max(kFewestRows, 2 * int(std::lround(heightTiles * lattice.rowsPerTile / 2.0)));
   lattice.columnsPerTile = lattice.periodColumns / widthTiles;
   lattice.rowsPerTile = lattice.periodRows / heightTiles;
   return lattice;
 }
 
-std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY) {
-  // I = 7/2 x - J / 2 and J = 4 y, modulo 2^32.
-  const auto halfX = std::uint64_t(tileX / 2);
-  const auto y = std::uint64_t(tileY);
-  return {std::int32_t(std::uint32_t(7u * halfX - 2u * y)), std::int32_t(std::uint32_t(4u * y))};
+namespace {
+constexpr std::int64_t kColumnsOfStep = 7; // 3.5 columns per tile, or 1.75
+}
+
+std::int64_t latticeOriginStep(const Lattice& lattice) {
+  return std::int64_t(double(kColumnsOfStep) / lattice.columnsPerTile);
+}
+
+std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY,
+                                        const Lattice& lattice) {
+  // I = columnsPerTile x - J / 2 and J = rowsPerTile y, modulo 2^32.
+  const auto steps = std::uint64_t(tileX / latticeOriginStep(lattice));
+  const std::uint64_t halfJ = std::uint64_t(lattice.rowsPerTile / 2.0) * std::uint64_t(tileY);
+  return {std::int32_t(std::uint32_t(std::uint64_t(kColumnsOfStep) * steps - halfJ)),
+          std::int32_t(std::uint32_t(2u * halfJ))};
 }
 
 } // namespace lichen

@@ -57,11 +57,13 @@ public:
 
   /// The noise's cells on texture coordinates (cells), and the cell of an integer tile origin
   /// (cellOf), modulo 2^32, at the corner of which the origin lies. Of tiles that are multiples of
-  /// originStep() alone.
+  /// originStep() alone, which may depend on the cells.
   [[nodiscard]] virtual Lattice cells(const shader::LichenNoise& noise,
                                       const MaterialNoise& material,
                                       const Placement& placement) const = 0;
-  [[nodiscard]] virtual std::array<std::int64_t, 2> originStep() const { return {1, 1}; }
+  [[nodiscard]] virtual std::array<std::int64_t, 2> originStep(const Lattice&) const {
+    return {1, 1};
+  }
   [[nodiscard]] virtual std::array<std::int32_t, 2> cellOf(const Lattice& cells, std::int64_t tileX,
                                                            std::int64_t tileY) const = 0;
 

@@ -5,6 +5,7 @@ integers and decimals of any length, so that an implementation in another langua
 with something that shares no code with it. Run: python3 make_test_vectors.py > test_vectors.json"""
 import json
 from decimal import Decimal, getcontext
+from fractions import Fraction
 
 getcontext().prec = 60
 WORD = 2**32
@@ -59,18 +60,30 @@ def signed(word):
     return word - WORD if word >= WORD // 2 else word
 
 
-def lattice_cell(tile_x, tile_y):
-    columns = 7 * tile_x // 2 - 2 * tile_y
-    return {"tile": [tile_x, tile_y], "cell": [signed(columns % WORD), signed(4 * tile_y % WORD)]}
+def cells_per_tile(grain):
+    stretch_x, stretch_y = {None: (1, 1), "x": (2, 1), "y": (1, 2)}[grain]
+    return Fraction(7, 2 * stretch_x), Fraction(4, stretch_y)
 
 
-def periodic_lattice(width, height):
+def with_grain(vector, grain):
+    return vector if grain is None else vector | {"grain": grain}
+
+
+def lattice_cell(tile_x, tile_y, grain=None):
+    columns, rows = cells_per_tile(grain)
+    cell = [columns * tile_x - rows * tile_y / 2, rows * tile_y]
+    assert all(c.denominator == 1 for c in cell)
+    return with_grain({"tile": [tile_x, tile_y], "cell": [signed(int(c) % WORD) for c in cell]}, grain)
+
+
+def periodic_lattice(width, height, grain=None):
     def half_up(value):
         return int((value + Decimal("0.5")).to_integral_value(rounding="ROUND_FLOOR"))
 
-    columns = max(3, half_up(Decimal("3.5") * Decimal(width)))
-    rows = max(4, 2 * half_up(4 * Decimal(height) / 2))
-    return {"tiles": [width, height], "columns": columns, "rows": rows}
+    per_tile = [Decimal(c.numerator) / c.denominator for c in cells_per_tile(grain)]
+    columns = max(3, half_up(per_tile[0] * Decimal(width)))
+    rows = max(4, 2 * half_up(per_tile[1] * Decimal(height) / 2))
+    return with_grain({"tiles": [width, height], "columns": columns, "rows": rows}, grain)
 
 
 def impact_grid(coefficients, order, impacts, tile):
@@ -191,6 +204,7 @@ VERTICES = [(0, 0), (1, 0), (0, 1), (-1, -1), (-2147483648, 2147483647), (346410
 SEEDS = [(0, 0), (1, 0), (1, 1), (1, 2), (4294967295, 0)]
 SIZES = [(1, 1), (256, 256), (1000, 17), (16384, 16384)]
 TILES = [(0, 0), (2, 0), (0, 1), (-2, -1), (10000000, -3), (-(2**40), 2**40 - 1)]
+GRAIN_TILES = [(0, 0), (4, 0), (0, 1), (-4, -1), (10000000, -3), (-(2**40), 2**40 - 1)]
 PERIODS = [(0.5, 0.5), (1.0, 1.0), (1.37, 2.0), (4.0, 4.0), (16.0, 3.0)]
 GRIDS = [([63, 63], 1, 30, [1024, 1024]), ([64, 64], 0, 30, [1024, 512]),
          ([61, 21], 3, 12.5, [1000, 17]), ([8, 8], 1, 1000, [32, 32]), ([31, 31], 1, 1, [31, 40])]
@@ -215,8 +229,10 @@ print(json.dumps({
     "tileRotation": [{"vertex": list(v), "seed": s, "plane": p, "steps": steps,
                       "step": tile_rotation(*v, lattice_seed(s, p), steps)}
                      for v in VERTICES for s, p in SEEDS[1:3] for steps in (2, 4, 7, 65536)],
-    "latticeCell": [lattice_cell(*tile) for tile in TILES],
-    "periodicLattice": [periodic_lattice(*period) for period in PERIODS],
+    "latticeCell": [lattice_cell(*tile) for tile in TILES] +
+                   [lattice_cell(*tile, grain) for grain in "xy" for tile in GRAIN_TILES],
+    "periodicLattice": [periodic_lattice(*period) for period in PERIODS] +
+                       [periodic_lattice(*period, grain) for grain in "xy" for period in PERIODS],
     "impactGrid": [impact_grid(*grid) for grid in GRIDS],
     "poissonCount": [{"word": w, "count": poisson_count(w)} for w in COUNTS],
     "impacts": [impacts_of(*v, s, p, process)

@@ -33,6 +33,11 @@
 #define LICHEN_METHOD_LOCAL_RANDOM_PHASE 2
 #define LICHEN_METHOD_MULTIPLE_KERNELS 3
 
+// LichenTilingNoise::grain.
+#define LICHEN_GRAIN_NONE 0
+#define LICHEN_GRAIN_X 1
+#define LICHEN_GRAIN_Y 2
+
 // Octaves of the lattice of local random-phase noise.
 #define LICHEN_MAX_OCTAVES 12
 
@@ -160,6 +165,11 @@ struct LichenKernelsMaterial {
   // Otherwise the third of cellI and cellJ and of offsetX and offsetY [tile widths].
   int cellK;
   float offsetZ;
+};
+
+/// What only tiling has of a noise: own0 and own1.
+struct LichenTilingNoise {
+  uint grain; // LICHEN_GRAIN_*; shaders find it in columnsPerTile and rowsPerTile
 };
 
 /// What only textons have of a noise: own0 and own1.

@@ -4,7 +4,6 @@
 #define LICHEN_PERIODIC_LATTICE_GLSL
 
 #include "../interface/lichen_interface.h"
-#include "tiling.glsl"
 
 // 0 where no material has a periodic lattice. A literal, or the host's specialization constant.
 #ifndef LICHEN_PERIODIC_LATTICE
@@ -16,14 +15,6 @@
 /// rounding of its product with the reciprocal.
 int lichenFloorDivide(int value, int period) {
   return int(floor((float(value) + 0.5) * (1.0 / float(period))));
-}
-
-/// As lichenSkewed, of a lattice whose columns and rows fit into its period.
-vec2 lichenSkewedWithin(vec2 position, LichenMaterial material) {
-  if (!bool(LICHEN_PERIODIC_LATTICE))
-    return lichenSkewed(position);
-  float row = position.y * material.rowsPerTile;
-  return vec2(position.x * material.columnsPerTile - 0.5 * row, row);
 }
 
 /// Reduces a vertex to one period and returns the whole periods taken away [tiles]; an infinite

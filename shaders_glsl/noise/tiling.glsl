@@ -27,10 +27,10 @@ struct LichenTilingPoint {
   float contrast;  // the material's
 };
 
-/// [tiles] -> [HN18] section 3's skewed coordinates, in which the triangles halve the unit squares:
-/// 3.5 columns and 4 rows of vertices a tile make triangles that are equilateral to 1 %.
-vec2 lichenSkewed(vec2 position) {
-  return vec2(3.5 * position.x - 2.0 * position.y, 4.0 * position.y);
+/// [tiles] -> [HN18] section 3's skewed coordinates, in which the triangles halve the unit squares.
+vec2 lichenSkewed(vec2 position, LichenMaterial material) {
+  float row = position.y * material.rowsPerTile;
+  return vec2(position.x * material.columnsPerTile - 0.5 * row, row);
 }
 
 /// The triangle that holds a point given in skewed coordinates, relative to the noise's cell.
@@ -71,7 +71,7 @@ void lichenSetTilingFootprint(inout LichenTilingPoint point, vec2 position, vec2
 /// with these gradients.
 LichenTilingPoint lichenTilingPoint(vec2 position, vec2 gradientX, vec2 gradientY,
                                     LichenMaterial material, LichenNoise noise) {
-  LichenTriangle triangle = lichenTriangle(lichenSkewed(position), material);
+  LichenTriangle triangle = lichenTriangle(lichenSkewed(position, material), material);
   LichenTilingPoint point;
   point.uv0 = position + lichenTileOffset(triangle.vertex0, material, noise);
   point.uv1 = position + lichenTileOffset(triangle.vertex1, material, noise);

@@ -58,7 +58,7 @@ vec2 lichenTilingTap(uvec2 vertex, vec2 position, vec2 skewed, LichenMaterial ma
 /// As lichenTilingPoint.
 void lichenSetPoint(out LichenTilingTaps taps, vec2 position, vec2 gradientX, vec2 gradientY,
                     LichenMaterial material, LichenNoise noise) {
-  vec2 skewed = lichenSkewedWithin(position, material);
+  vec2 skewed = lichenSkewed(position, material);
   LichenTriangle triangle = lichenTriangle(skewed, material);
   float sharpness = lichenTilingMaterial(material).blendSharpness;
   if (bool(LICHEN_BLEND_SHARPNESS) && sharpness != 1.0) {

@@ -130,6 +130,7 @@ BundleFile syntheticBundle(std::span<const SyntheticMap> maps) {
   BundleFile file;
   Noise noise;
   noise.name = "synthetic";
+  noise.as<TilingNoise>().grain = maps.front().grain;
   for (const SyntheticMap& source : maps) {
     Table gaussian = gaussianTable(source, generator);
     NoiseMap map = describeMap(source);

@@ -18,6 +18,7 @@ struct SyntheticMap {
   bool eightBit = false;  ///< 8-bit tables instead of 16-bit floats
   std::size_t levels = 5; ///< mip levels of the inverse table, [1, 5]
   SyntheticTable table = SyntheticTable::joint;
+  Grain grain = Grain::none; ///< of a noise that begins with this map
 };
 
 /// One noise with these maps and one material that uses it.

@@ -145,10 +145,10 @@ std::vector<Parity> parities(const SyntheticMap& map, std::span<const std::uint3
 
 using enum SyntheticTable;
 
-/// Every kind of table with every number of dimensions.
+/// Every kind of table with every number of dimensions, and every grain.
 const std::vector<SyntheticMap> kSixteenBits = {{3, 64, 64},
-                                                {2, 64, 32, false, 3},
-                                                {1, 48, 80, false, 5},
+                                                {2, 64, 32, false, 3, joint, Grain::x},
+                                                {1, 48, 80, false, 5, joint, Grain::y},
                                                 {3, 64, 64, false, 0, none},
                                                 {2, 64, 32, false, 0, none},
                                                 {1, 48, 80, false, 0, none}};
@@ -166,6 +166,36 @@ TEST_CASE("16-bit tiling matches the oracle: 99.9 % within 1/1024 and all within
       CHECK(parity.gaussian.largest <= 1.0 / 255.0);
       CHECK(parity.gaussian.fractionBeyond <= 0.001);
     }
+  }
+}
+
+TEST_CASE("with any grain, a point has one value from every tile origin") {
+  for (const Grain grain : {Grain::none, Grain::x, Grain::y}) {
+    const SyntheticMap map{3, 64, 64, false, 5, joint, grain};
+    const Bundle bundle = syntheticBundle(std::span(&map, 1)).bundle;
+    const TilingReference reference(bundle);
+    const auto materialAt = [&](std::int64_t x, std::int64_t y) {
+      Placement placement;
+      placement.tileOriginX = x;
+      placement.tileOriginY = y;
+      return shaderMaterial(bundle, MaterialNoise(), placement).material;
+    };
+    const shader::LichenMaterial atZero = materialAt(0, 0);
+    for (const auto& [x, y] : {std::array{1, 0}, {2, 1}, {3, -5}, {4, 7}, {-7, 2}, {-1000, 1001}})
+      for (int k = 0; k < 200; ++k) {
+        // Exact in float, also 1,001 tiles away.
+        Point point{{float(37 * k % 128) / 32.0f, float(53 * k % 128) / 32.0f},
+                    {1.0f / 64.0f, 0.0f},
+                    {0.0f, 1.0f / 64.0f},
+                    {}};
+        const auto there = reference.evaluate(point, materialAt(x, y));
+        point.uv[0] += float(x);
+        point.uv[1] += float(y);
+        const auto expected = reference.evaluate(point, atZero);
+        INFO("grain " << int(grain) << ", tile " << x << ", " << y << ", point " << k);
+        for (std::size_t c = 0; c < 3; ++c)
+          REQUIRE(there.value[c] == Approx(expected.value[c]).margin(1e-9));
+      }
   }
 }
 

@@ -219,8 +219,8 @@ struct OnDevice {
 };
 
 const std::vector<SyntheticMap> kMaps = {{3, 64, 64},
-                                         {2, 64, 32, false, 3},
-                                         {1, 48, 80, false, 5},
+                                         {2, 64, 32, false, 3, SyntheticTable::joint, Grain::x},
+                                         {1, 48, 80, false, 5, SyntheticTable::joint, Grain::y},
                                          {3, 64, 64, false, 0, SyntheticTable::none},
                                          {2, 64, 32, false, 0, SyntheticTable::none}};
 
@@ -261,6 +261,37 @@ TEST_CASE("triplanar tiling matches the CPU twin and the oracle: 99.9 % within 1
       for (const Difference& difference : {toTwin, toOracle}) {
         CHECK(difference.largest <= 1.0 / 255.0);
         CHECK(difference.fractionBeyond <= 0.001);
+      }
+    }
+  }
+}
+
+TEST_CASE("with any grain, a point in space has one value from every tile origin") {
+  for (const Grain grain : {Grain::none, Grain::x, Grain::y}) {
+    const SyntheticMap map{3, 64, 64, false, 5, SyntheticTable::joint, grain};
+    const Bundle bundle = syntheticBundle(std::span(&map, 1)).bundle;
+    const auto referenceAt = [&](const std::array<int, 3>& origin) {
+      MaterialNoise material;
+      material.mapping = Mapping::triplanar;
+      Placement placement;
+      placement.tileOriginX = origin[0];
+      placement.tileOriginY = origin[1];
+      placement.tileOriginZ = origin[2];
+      return TriplanarReference(bundle, shaderMaterial(bundle, material, placement));
+    };
+    const TriplanarReference atZero = referenceAt({0, 0, 0});
+    for (const std::array<int, 3>& origin : {std::array{1, 2, 3}, {4, -5, 6}, {-7, 0, 1001}}) {
+      const TriplanarReference reference = referenceAt(origin);
+      for (SpacePoint point : samplePoints(64.0f, 200)) {
+        for (std::size_t axis = 0; axis < 3; ++axis) // exact in float, also 1,001 tiles away
+          point.position[axis] = std::round(32.0f * point.position[axis]) / 32.0f;
+        const auto there = reference.at(point);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          point.position[axis] += float(origin[axis]);
+        const auto expected = atZero.at(point);
+        INFO("grain " << int(grain));
+        for (std::size_t c = 0; c < 4; ++c)
+          REQUIRE(there[c] == Approx(expected[c]).margin(1e-9));
       }
     }
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The reader returns what the writer wrote, bit for bit.
 #include "bundle_example.h"
+#include "bundle_surgery.h"
 #include "temporary_folder.h"
 
 #include <lichen/bundle_merge.h>
@@ -14,6 +15,7 @@
 #include <unistd.h>
 
 using namespace lichen;
+using nlohmann::json;
 
 namespace {
 
@@ -115,6 +117,25 @@ TEST_CASE("a bundle survives the round trip through a GLB") {
     checkSameBundle(bundle.value(), file.bundle);
     CHECK(checkBundle(glb.value()).empty());
     CHECK(bundle.value().materialNames.size() == file.bundle.materials.size());
+  }
+}
+
+TEST_CASE("a grain survives a GLB, a cooked bundle and a merge, and is written only if there is "
+          "one") {
+  for (const Grain grain : {Grain::none, Grain::x, Grain::y}) {
+    BundleFile file = example::smallest();
+    file.bundle.noises[0].as<TilingNoise>().grain = grain;
+    const std::vector<std::byte> glb = encodeGlb(file).value();
+    CHECK(checkBundle(glb).empty());
+    const Bundle bundle = parseBundle(glb, "test").value();
+    checkSameBundle(bundle, file.bundle);
+    checkSameBundle(parseBundle(cookBundle(file.bundle), "test").value(), file.bundle);
+    const Bundle other = parseBundle(encodeGlb(example::everyMap()).value(), "other").value();
+    const std::vector<NamedBundle> inputs{{"other.glb", other}, {"file.glb", bundle}};
+    CHECK(mergeBundles(inputs).value().bundle.noises.back().as<TilingNoise>().grain == grain);
+    const json noise = example::GlbParts(glb).extension()["noises"][0];
+    CHECK(noise.contains("grain") == (grain != Grain::none));
+    CHECK(noise.value("grain", "none") == nameOf(grain));
   }
 }
 

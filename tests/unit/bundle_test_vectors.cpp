@@ -3,6 +3,7 @@
 #include "checkout_paths.h"
 
 #include <lichen/lattice.h>
+#include <lichen/tiling_map.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,11 @@ const nlohmann::json& vectors() {
     return nlohmann::json::parse(stream);
   }();
   return file;
+}
+
+Grain grainOf(const nlohmann::json& vector) {
+  return vector.contains("grain") ? grainFrom(vector["grain"].get<std::string>()).value()
+                                  : Grain::none;
 }
 
 } // namespace
@@ -101,12 +107,16 @@ TEST_CASE("tile rotations are those of the published test vectors") {
 TEST_CASE("tile origins and periodic lattices are those of the published test vectors") {
   for (const nlohmann::json& v : vectors()["latticeCell"]) {
     const auto tile = v["tile"].get<std::array<std::int64_t, 2>>();
-    INFO("tile " << tile[0] << ", " << tile[1]);
-    CHECK(latticeCell(tile[0], tile[1]) == v["cell"].get<std::array<std::int32_t, 2>>());
+    const Grain grain = grainOf(v);
+    INFO("tile " << tile[0] << ", " << tile[1] << ", grain " << nameOf(grain));
+    CHECK(latticeCell(tile[0], tile[1], infiniteLattice(grain)) ==
+          v["cell"].get<std::array<std::int32_t, 2>>());
   }
   for (const nlohmann::json& v : vectors()["periodicLattice"]) {
     const auto tiles = v["tiles"].get<std::array<double, 2>>();
-    const Lattice lattice = periodicLattice(tiles[0], tiles[1]);
+    const Grain grain = grainOf(v);
+    INFO("period " << tiles[0] << ", " << tiles[1] << ", grain " << nameOf(grain));
+    const Lattice lattice = periodicLattice(tiles[0], tiles[1], grain);
     CHECK(lattice.periodColumns == v["columns"].get<std::int32_t>());
     CHECK(lattice.periodRows == v["rows"].get<std::int32_t>());
   }

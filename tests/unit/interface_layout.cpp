@@ -29,6 +29,7 @@ TEST_CASE("the methods' parts of a material fit its own words") {
 TEST_CASE("the methods' parts of a noise fit its own words") {
   constexpr std::size_t kOwn =
       sizeof(lichen::shader::LichenNoise) - offsetof(lichen::shader::LichenNoise, own0);
+  CHECK(sizeof(lichen::shader::LichenTilingNoise) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenTextonNoise) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenCosinesNoise) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenKernelsNoise) <= kOwn);

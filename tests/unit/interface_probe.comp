@@ -13,6 +13,7 @@ struct Interface {
   LichenTilingMaterial tiling;
   LichenTextonMaterial texton;
   LichenCosinesMaterial cosines;
+  LichenTilingNoise tilingNoise;
   LichenTextonNoise textonNoise;
   LichenCosinesNoise cosinesNoise;
   LichenKernelsNoise kernelsNoise;

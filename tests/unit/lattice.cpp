@@ -135,6 +135,8 @@ int countShifted(const Hash& hash, std::uint32_t word) {
   return count;
 }
 
+constexpr Grain kGrains[] = {Grain::none, Grain::x, Grain::y};
+
 constexpr std::uint32_t kSizes[] = {1, 17, 64, 100, 255, 256, 512, 16384};
 
 } // namespace
@@ -290,11 +292,55 @@ TEST_CASE("an integer tile origin matches the skewed coordinates exactly") {
   CHECK(latticeCell(-2, 0) == std::array{-7, 0});
 }
 
-TEST_CASE("a periodic lattice has an even number of rows and covers its rectangle") {
-  for (const double side : {0.4, 1.0, 1.37, 2.0, 4.0, 16.0}) {
-    const Lattice lattice = periodicLattice(side, side);
-    CHECK(lattice.periodRows % 2 == 0);
-    CHECK(lattice.periodColumns / lattice.columnsPerTile == Approx(side));
-    CHECK(lattice.periodRows / lattice.rowsPerTile == Approx(side));
+TEST_CASE("a point has the same triangle and weights from any tile origin, with any grain") {
+  constexpr std::int64_t kFar = std::int64_t(1) << 40;
+  for (const Grain grain : kGrains) {
+    const Lattice lattice = infiniteLattice(grain);
+    const std::int64_t step = latticeOriginStep(lattice);
+    CHECK(step == (grain == Grain::x ? 4 : 2));
+    for (const std::int64_t tileX : {std::int64_t(0), step, -step, 2500000 * step, kFar, -kFar})
+      for (const std::int64_t tileY :
+           {std::int64_t(0), std::int64_t(1), std::int64_t(-3), kFar - 1})
+        for (int point = -20; point <= 20; ++point) {
+          // Exact in double: numbers below 2^43 that are multiples of 2^-9.
+          const double x = 0.125 * point + 1.0 / 64.0, y = 0.3125 * point - 1.0 / 64.0;
+          const auto skewed = [&](double px, double py) {
+            const double b = lattice.rowsPerTile * py;
+            return std::array{lattice.columnsPerTile * px - 0.5 * b, b};
+          };
+          const auto here = skewed(x, y);
+          const auto fromZero = skewed(double(tileX) + x, double(tileY) + y);
+          const auto cell = latticeCell(tileX, tileY, lattice);
+          INFO("grain " << int(grain) << ", tile " << tileX << ", " << tileY);
+          for (std::size_t axis = 0; axis < 2; ++axis) {
+            const auto column = std::int64_t(std::floor(here[axis]));
+            const auto expected = std::int64_t(std::floor(fromZero[axis]));
+            REQUIRE(std::uint32_t(cell[axis]) + std::uint32_t(column) == std::uint32_t(expected));
+            REQUIRE(here[axis] - double(column) == fromZero[axis] - double(expected));
+          }
+        }
   }
+}
+
+TEST_CASE("a periodic lattice has an even number of rows and covers its rectangle") {
+  for (const double side : {0.4, 1.0, 1.37, 2.0, 4.0, 16.0})
+    for (const Grain grain : kGrains) {
+      const Lattice lattice = periodicLattice(side, side, grain);
+      CHECK(lattice.periodRows % 2 == 0);
+      CHECK(lattice.periodColumns / lattice.columnsPerTile == Approx(side));
+      CHECK(lattice.periodRows / lattice.rowsPerTile == Approx(side));
+    }
+}
+
+TEST_CASE("a periodic lattice is stretched along the grain, but never below 3 columns and 4 rows") {
+  const auto counts = [](double side, Grain grain) {
+    const Lattice lattice = periodicLattice(side, side, grain);
+    return std::array{lattice.periodColumns, lattice.periodRows};
+  };
+  CHECK(counts(4.0, Grain::none) == std::array{14, 16});
+  CHECK(counts(4.0, Grain::x) == std::array{7, 16});
+  CHECK(counts(4.0, Grain::y) == std::array{14, 8});
+  CHECK(counts(1.0, Grain::none) == std::array{4, 4});
+  CHECK(counts(1.0, Grain::x) == std::array{3, 4});
+  CHECK(counts(1.0, Grain::y) == std::array{4, 4});
 }

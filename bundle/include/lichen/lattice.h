@@ -5,6 +5,7 @@
 // odd rows are shifted by half a cell: vertex (i, j) is at x = (i + j / 2) / columnsPerTile, y = j
 // / rowsPerTile. 4 rows and 3.5 columns a tile put the vertices of every second tile at its
 // corners; the triangles are equilateral to 1 %, with the side of those in the shader of [HN18].
+// With a grain, triangles are twice as long along it.
 // All functions are pure and thread-safe.
 #pragma once
 
@@ -97,6 +98,13 @@ tileOffsetTexels(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::
           (steps[1] << tileOffsetShift(height)) % height};
 }
 
+/// The axis of an exemplar along which its streaks run, as those of wood do.
+enum class Grain { none, x, y };
+
+/// Cells are longer along the grain by this factor, so that borders of tiles cut half as many
+/// streaks.
+inline constexpr double kGrainStretch = 2.0;
+
 /// The lattice that a material uses: infinite, or periodic with an integer number of cells.
 struct Lattice {
   double columnsPerTile = kLatticeColumnsPerTile;
@@ -105,13 +113,24 @@ struct Lattice {
   std::int32_t periodRows = 0;    ///< even; 0 if not periodic
 };
 
-/// The periodic lattice over a rectangle of tiles. It has the nearest number of columns and the
-/// nearest even number of rows, at least 3 columns and 4 rows, so it is slightly non-equilateral.
-/// Both sides must be > 0 and at least about half a tile.
-[[nodiscard]] Lattice periodicLattice(double widthTiles, double heightTiles);
+/// The lattice without a period.
+[[nodiscard]] Lattice infiniteLattice(Grain grain);
 
-/// The cell of an integer tile origin in the lattice's skewed coordinates, modulo 2^32 as in the
-/// hash. `tileX` is even: between, the origin is not at the corner of a cell.
-[[nodiscard]] std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY);
+/// The periodic lattice over a rectangle of tiles. It has the nearest number of columns and the
+/// nearest even number of rows to those of infiniteLattice(), at least 3 columns and 4 rows, so its
+/// triangles are slightly different, and those of a small rectangle less stretched. Both sides must
+/// be > 0 and at least about half a tile.
+[[nodiscard]] Lattice periodicLattice(double widthTiles, double heightTiles,
+                                      Grain grain = Grain::none);
+
+/// The number of tiles side by side in which an infinite lattice has a whole number of columns: 2,
+/// or 4 with a grain along x.
+[[nodiscard]] std::int64_t latticeOriginStep(const Lattice& lattice);
+
+/// The cell of an integer tile origin in the skewed coordinates of an infinite lattice, modulo 2^32
+/// as in the hash. `tileX` is a multiple of latticeOriginStep(): between, the origin is not at the
+/// corner of a cell.
+[[nodiscard]] std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY,
+                                                      const Lattice& lattice = {});
 
 } // namespace lichen

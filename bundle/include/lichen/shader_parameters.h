@@ -95,6 +95,7 @@ shaderLayeredMaterial(std::span<const shader::LichenNoise> layers,
 [[nodiscard]] shader::LichenTextonMaterial textonPart(const shader::LichenMaterial& material);
 [[nodiscard]] shader::LichenCosinesMaterial cosinesPart(const shader::LichenMaterial& material);
 [[nodiscard]] shader::LichenKernelsMaterial kernelsPart(const shader::LichenMaterial& material);
+[[nodiscard]] shader::LichenTilingNoise tilingPart(const shader::LichenNoise& noise);
 [[nodiscard]] shader::LichenTextonNoise textonPart(const shader::LichenNoise& noise);
 [[nodiscard]] shader::LichenCosinesNoise cosinesPart(const shader::LichenNoise& noise);
 [[nodiscard]] shader::LichenKernelsNoise kernelsPart(const shader::LichenNoise& noise);
@@ -102,6 +103,7 @@ void setPart(shader::LichenMaterial& material, const shader::LichenTilingMateria
 void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part);
 void setPart(shader::LichenMaterial& material, const shader::LichenCosinesMaterial& part);
 void setPart(shader::LichenMaterial& material, const shader::LichenKernelsMaterial& part);
+void setPart(shader::LichenNoise& noise, const shader::LichenTilingNoise& part);
 void setPart(shader::LichenNoise& noise, const shader::LichenTextonNoise& part);
 void setPart(shader::LichenNoise& noise, const shader::LichenCosinesNoise& part);
 void setPart(shader::LichenNoise& noise, const shader::LichenKernelsNoise& part);

@@ -4,6 +4,7 @@
 
 #include <lichen/gaussian_image.h>
 #include <lichen/inverse_table.h>
+#include <lichen/lattice.h>
 #include <lichen/table.h>
 
 #include <cstddef>
@@ -12,8 +13,12 @@
 
 namespace lichen {
 
-/// The maps of a tiling noise share nothing beyond the members of Noise.
+/// What all maps of a tiling noise share.
 struct TilingNoise {
+  /// Stretches the lattice. Materials that rotate tiles ignore it, since the streaks of rotated
+  /// tiles run along any direction.
+  Grain grain = Grain::none;
+
   [[nodiscard]] bool operator==(const TilingNoise&) const = default;
 };
 
@@ -51,5 +56,9 @@ enum class TableKind { joint, none };
 [[nodiscard]] TableKind tableKindOf(const TilingMap& map);
 /// "joint" or "none".
 [[nodiscard]] std::string_view nameOf(TableKind kind);
+
+/// "none", "x" or "y". grainFrom() knows "x" and "y", since files leave out the member otherwise.
+[[nodiscard]] std::string_view nameOf(Grain grain);
+[[nodiscard]] std::optional<Grain> grainFrom(std::string_view name);
 
 } // namespace lichen

@@ -109,7 +109,7 @@ Lattice LocalRandomPhaseFormat::cells(const shader::LichenNoise& noise, const Ma
   return lattice;
 }
 
-std::array<std::int64_t, 2> LocalRandomPhaseFormat::originStep() const {
+std::array<std::int64_t, 2> LocalRandomPhaseFormat::originStep(const Lattice&) const {
   return {kOctaveTiles, kOctaveTiles};
 }
 

@@ -21,7 +21,7 @@ Lattice MultipleKernelsFormat::cells(const shader::LichenNoise&, const MaterialN
   return lattice;
 }
 
-std::array<std::int64_t, 2> MultipleKernelsFormat::originStep() const {
+std::array<std::int64_t, 2> MultipleKernelsFormat::originStep(const Lattice&) const {
   return {kKernelTiles, kKernelTiles};
 }
 

@@ -17,9 +17,10 @@ std::span<const std::string_view> TilingFormat::tableMembers() const {
   return kMembers;
 }
 
-MethodNoise TilingFormat::readNoise(ObjectReader&, FindingList&) const { return TilingNoise(); }
-
-void TilingFormat::writeNoise(const Noise&, Json&) const {}
+void TilingFormat::writeNoise(const Noise& noise, Json& json) const {
+  if (const Grain grain = noise.as<TilingNoise>().grain; grain != Grain::none)
+    json["grain"] = nameOf(grain);
+}
 
 void TilingFormat::writeMap(const NoiseMap& map, Json& json) const {
   const auto& tiling = map.as<TilingMap>();
@@ -52,6 +53,18 @@ TableKind tableKindOf(const TilingMap& map) {
 std::string_view nameOf(TableKind kind) {
   constexpr std::array<std::string_view, 2> kNames = {"joint", "none"};
   return kNames[std::size_t(kind)];
+}
+
+std::string_view nameOf(Grain grain) {
+  constexpr std::array<std::string_view, 3> kNames = {"none", "x", "y"};
+  return kNames[std::size_t(grain)];
+}
+
+std::optional<Grain> grainFrom(std::string_view name) {
+  for (const Grain grain : {Grain::x, Grain::y})
+    if (name == nameOf(grain))
+      return grain;
+  return std::nullopt;
 }
 
 } // namespace lichen

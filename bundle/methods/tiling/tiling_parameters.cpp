@@ -16,17 +16,25 @@ float offsetStep(std::uint32_t sizeTexels) {
   return float(double(1u << tileOffsetShift(sizeTexels)) / double(sizeTexels));
 }
 
+static_assert(int(Grain::none) == LICHEN_GRAIN_NONE && int(Grain::x) == LICHEN_GRAIN_X &&
+              int(Grain::y) == LICHEN_GRAIN_Y);
+
 } // namespace
 
-Lattice TilingFormat::cells(const shader::LichenNoise&, const MaterialNoise&,
+Lattice TilingFormat::cells(const shader::LichenNoise& noise, const MaterialNoise& material,
                             const Placement& placement) const {
-  return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY)
-                            : Lattice{};
+  const Grain grain = material.tileRotation > 1 ? Grain::none : Grain(tilingPart(noise).grain);
+  return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY, grain)
+                            : infiniteLattice(grain);
 }
 
-std::array<std::int32_t, 2> TilingFormat::cellOf(const Lattice&, std::int64_t tileX,
+std::array<std::int64_t, 2> TilingFormat::originStep(const Lattice& cells) const {
+  return {latticeOriginStep(cells), 1};
+}
+
+std::array<std::int32_t, 2> TilingFormat::cellOf(const Lattice& cells, std::int64_t tileX,
                                                  std::int64_t tileY) const {
-  return latticeCell(tileX, tileY);
+  return latticeCell(tileX, tileY, cells);
 }
 
 void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
@@ -43,9 +51,10 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
   setDecoding(constants, bundle, map, tiling.inverseTable);
 }
 
-void TilingFormat::setNoise(const Noise&, shader::LichenNoise& constants) const {
+void TilingFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
   constants.offsetStepX = offsetStep(std::uint32_t(constants.tileTexelsX));
   constants.offsetStepY = offsetStep(std::uint32_t(constants.tileTexelsY));
+  setPart(constants, shader::LichenTilingNoise{shader::uint(noise.as<TilingNoise>().grain)});
 }
 
 void TilingFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise& material,
@@ -60,6 +69,14 @@ shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material) 
 
 void setPart(shader::LichenMaterial& material, const shader::LichenTilingMaterial& part) {
   setPartOf(material, part);
+}
+
+shader::LichenTilingNoise tilingPart(const shader::LichenNoise& noise) {
+  return partOf<shader::LichenTilingNoise>(noise);
+}
+
+void setPart(shader::LichenNoise& noise, const shader::LichenTilingNoise& part) {
+  setPartOf(noise, part);
 }
 
 } // namespace lichen

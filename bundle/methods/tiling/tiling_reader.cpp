@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the tiling members of a map and checks them against one another and against the
-// Gaussian image.
+// Reads the tiling members of a noise and of a map, and checks those of a map against one another
+// and against the Gaussian image.
 #include "methods/inverse_table_reader.h"
 #include "tiling_format.h"
 
@@ -76,6 +76,18 @@ void checkGaussian(ObjectReader& reader, const TilingMap& tiling, const Table& i
 }
 
 } // namespace
+
+MethodNoise TilingFormat::readNoise(ObjectReader& reader, FindingList&) const {
+  TilingNoise shared;
+  if (!reader.has("grain"))
+    return shared;
+  const std::optional<std::string> name = reader.text("grain");
+  const std::optional<Grain> grain = name ? grainFrom(*name) : std::nullopt;
+  if (name && !grain)
+    reader.error("tiling-grain", "grain", quoted(*name) + "; expected x or y");
+  shared.grain = grain.value_or(Grain::none);
+  return shared;
+}
 
 MethodMap TilingFormat::readMap(ObjectReader& reader, const Noise&, const NoiseMap& map,
                                 const Tables& tables, FindingList&) const {

@@ -37,7 +37,10 @@ void main() {
     LichenMaterial material;
     material.cellI = int(question.z);
     material.cellJ = int(question.w);
-    LichenTriangle triangle = lichenTriangle(lichenSkewed(uintBitsToFloat(question.xy)), material);
+    material.columnsPerTile = 3.5;
+    material.rowsPerTile = 4.0;
+    vec2 skewed = lichenSkewed(uintBitsToFloat(question.xy), material);
+    LichenTriangle triangle = lichenTriangle(skewed, material);
     first.xyz = uvec3(triangle.vertex0.x, triangle.vertex1.x, triangle.vertex2.x);
     second.xyz = uvec3(triangle.vertex0.y, triangle.vertex1.y, triangle.vertex2.y);
     third.xyz = floatBitsToUint(triangle.weights);
