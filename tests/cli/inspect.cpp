@@ -123,6 +123,23 @@ TEST_CASE("inspect shows the kind of each inverse table and its fetches") {
   }
 }
 
+TEST_CASE("inspect shows a grain, and that rotated tiles do not use it") {
+  const Workplace workplace;
+  const std::string bundle = workplace.path("oak.glb");
+  BundleFile file = example::smallest();
+  REQUIRE(writeBundle(bundle, file).ok());
+  CHECK_FALSE(inspected(bundle).at("noises")[0].contains("grain"));
+  CHECK_THAT(runLichen({"inspect", bundle}).output, !Catch::Contains("grain"));
+  file.bundle.noises[0].as<TilingNoise>().grain = Grain::y;
+  REQUIRE(writeBundle(bundle, file).ok());
+  CHECK(inspected(bundle).at("noises")[0].at("grain") == "y");
+  CHECK_THAT(runLichen({"inspect", bundle}).output, Catch::Contains("  grain along y\n"));
+  file.bundle.materials[0]->tileRotation = 4;
+  REQUIRE(writeBundle(bundle, file).ok());
+  CHECK_THAT(runLichen({"inspect", bundle}).output,
+             Catch::Contains("  grain along y, unused with tile rotation\n"));
+}
+
 TEST_CASE("inspect shows support, impacts, cost and exemplar size of textons") {
   const Workplace workplace;
   const std::string bundle = workplace.path("sand.glb");

@@ -157,10 +157,18 @@ std::unique_ptr<const UseOptions> TilingCommand::addApplyOptions(CLI::App& verb)
   return addUseOptions(verb);
 }
 
-void TilingCommand::describe(const Noise&, Json&) const {}
+void TilingCommand::describe(const Noise& noise, Json& json) const {
+  if (const Grain grain = noise.as<TilingNoise>().grain; grain != Grain::none)
+    json["grain"] = nameOf(grain);
+}
 
-std::vector<std::string> TilingCommand::linesOf(const Noise&, const MaterialNoise&) const {
-  return {};
+std::vector<std::string> TilingCommand::linesOf(const Noise& noise,
+                                                const MaterialNoise& use) const {
+  const Grain grain = noise.as<TilingNoise>().grain;
+  if (grain == Grain::none)
+    return {};
+  return {fmt::format("grain along {}{}", nameOf(grain),
+                      use.tileRotation > 1 ? ", unused with tile rotation" : "")};
 }
 
 void TilingCommand::describe(const Bundle&, const NoiseMap& map, Json& json) const {

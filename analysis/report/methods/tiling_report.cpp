@@ -4,6 +4,8 @@
 
 #include "../inverse_table_pictures.h"
 
+#include <lichen/shader_parameters.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -32,13 +34,21 @@ SynthesisOptions latticeOptions(SynthesisOptions options, const Extents& exempla
   return options;
 }
 
-LatticeView latticeView(const SynthesisOptions& options, const Extents& exemplar) {
+/// The lattice of a result of this material, without a period.
+Lattice latticeOf(const Bundle& bundle, MaterialNoise material) {
+  material.mapping = Mapping::uv; // as synthesize() has it
+  const shader::LichenMaterial constants = shaderMaterial(bundle, material, {}).material;
+  Lattice lattice;
+  lattice.columnsPerTile = double(constants.columnsPerTile);
+  lattice.rowsPerTile = double(constants.rowsPerTile);
+  return lattice;
+}
+
+LatticeView latticeView(const Lattice& lattice, const SynthesisOptions& options,
+                        const Extents& exemplar) {
   const double stride = options.stride;
   const double firstTexel = 0.5 - 0.5 * stride; // a view's pixel centres are at half-integers
-  return {{},
-          stride / exemplar.width,
-          stride / exemplar.height,
-          firstTexel / exemplar.width,
+  return {lattice, stride / exemplar.width, stride / exemplar.height, firstTexel / exemplar.width,
           firstTexel / exemplar.height};
 }
 
@@ -54,7 +64,8 @@ Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wid
   const Result<LinearImage> result = synthesize(bundle, wide);
   if (!result)
     return result.error();
-  return measureLattice(look.picture(result.value()), latticeView(wide, exemplar));
+  return measureLattice(look.picture(result.value()),
+                        latticeView(latticeOf(bundle, wide.material), wide, exemplar));
 }
 
 /// The finest mip level of the Gaussian image with at most side^2 pixels.
