@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What is measured of a tiling noise's result: how much its contrast follows the lattice.
+#include "bundle_of.h"
+#include "example_exemplar.h"
+
+#include <lichen/noise_comparison.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstddef>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+double latticeVisibilityOf(const Bundle& bundle, const MapExemplar& exemplar,
+                           std::uint32_t tileRotation) {
+  MaterialNoise material;
+  material.tileRotation = tileRotation;
+  const Result<NoiseComparison> comparison = compareNoise(bundle, material, exemplar);
+  REQUIRE(comparison);
+  for (const Measure& measure : comparison.value().measures)
+    if (measure.name == kLatticeVisibilityName)
+      return measure.value.value();
+  FAIL("no lattice_visibility");
+  return 0.0;
+}
+
+} // namespace
+
+TEST_CASE("lattice_visibility follows the lattice of the noise, with any grain") {
+  const MapExemplar exemplar = threeMaterials(64, 64, 5);
+  Bundle bundle = bundleOf(bakeTiling("a", {&exemplar, 1}, {}));
+  // With a wrong mean in all texels, the value depends on the blend weights alone: it is the
+  // same at all vertices, and at the centres of all triangles.
+  Table& image = bundle.tables[bundle.noises[0].maps[0].as<TilingMap>().gaussian];
+  REQUIRE(image.format == TexelFormat::rgba8Unorm);
+  for (std::size_t i = 0; i < image.texels.size(); ++i)
+    if (i % 4 != 3)
+      image.texels[i] = std::byte{160};
+  for (const Grain grain : {Grain::none, Grain::x, Grain::y})
+    for (const std::uint32_t rotation : {0u, 4u}) {
+      bundle.noises[0].as<TilingNoise>().grain = grain;
+      INFO("grain " << nameOf(grain) << ", rotation " << rotation);
+      CHECK(latticeVisibilityOf(bundle, exemplar, rotation) > 1.0);
+    }
+}
