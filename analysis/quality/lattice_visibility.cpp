@@ -23,8 +23,11 @@ constexpr std::size_t kClasses = 8;
 /// Fine distance steps that are grouped into classes of equal population, to about 1 / kSteps.
 constexpr std::size_t kSteps = 4096;
 
-/// Distance from (x, y) to the nearest vertex, in tiles.
+/// Distance from (x, y) to the nearest vertex, in tiles of a lattice that is not stretched: blend
+/// weights depend on the position in the triangle, whatever its shape.
 double vertexDistance(const Lattice& lattice, double x, double y) {
+  const double squeezeX = lattice.columnsPerTile / kLatticeColumnsPerTile;
+  const double squeezeY = lattice.rowsPerTile / kLatticeRowsPerTile;
   double nearest = 1.0;
   const double row = std::floor(y * lattice.rowsPerTile);
   // The nearest vertex is in the row above or the row below. Vertices of other rows are farther
@@ -33,15 +36,16 @@ double vertexDistance(const Lattice& lattice, double x, double y) {
     const double i = std::round(x * lattice.columnsPerTile - 0.5 * j);
     const double dx = x - (i + 0.5 * j) / lattice.columnsPerTile;
     const double dy = y - j / lattice.rowsPerTile;
-    nearest = std::min(nearest, std::hypot(dx, dy));
+    nearest = std::min(nearest, std::hypot(squeezeX * dx, squeezeY * dy));
   }
   return nearest;
 }
 
 /// The class in [0, kClasses) of each pixel by its distance. All classes are about equally large.
 std::vector<std::uint8_t> distanceClasses(int width, int height, const LatticeView& view) {
+  constexpr Lattice kUnstretched;
   const double farthest =
-      std::hypot(0.5 / view.lattice.columnsPerTile, 1.0 / view.lattice.rowsPerTile);
+      std::hypot(0.5 / kUnstretched.columnsPerTile, 1.0 / kUnstretched.rowsPerTile);
   std::vector<std::uint16_t> steps(std::size_t(width) * std::size_t(height));
   tbb::parallel_for(0, height, [&](int y) {
     for (int x = 0; x < width; ++x) {

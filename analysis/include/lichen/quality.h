@@ -62,10 +62,11 @@ struct LatticeView {
 };
 
 /// Measures how much the contrast follows the lattice. Squared deviations of the luminance from its
-/// mean are averaged in 8 equally populated classes of the distance, in tiles, to the nearest
-/// lattice vertex; the result is (largest - smallest) / mean. Its expectation is 0 only for an
-/// infinite stationary result: compare with stationaryLatticeVisibility(). 0 for an image without
-/// variance. The view must show at least 64 pixels.
+/// mean are averaged in 8 equally populated classes of the distance to the nearest lattice vertex,
+/// measured where the triangles are equilateral; the result is (largest - smallest) / mean. Its
+/// expectation is 0 only for an infinite stationary result: compare with
+/// stationaryLatticeVisibility(). 0 for an image without variance. The view must show at least 64
+/// pixels.
 [[nodiscard]] Result<double> latticeVisibility(const SrgbImage& result, const LatticeView& view);
 
 /// The value of latticeVisibility() that chance produces in a stationary image of the same size and
