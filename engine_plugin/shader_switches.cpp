@@ -24,7 +24,8 @@ struct Needs {
   bool mixes = false, poisson = false, cubic = false, nearest = false; // of textons
   bool structure = false;                                              // of local random phase
   bool rings = false, squares = false, patterns = false;               // of multiple kernels
-  bool rotation = false, sharpness = false, period = false, anisotropy = false;
+  bool rotation = false, sharpness = false, grain = false;             // of tiling
+  bool period = false, anisotropy = false;
 };
 
 void addTables(const NoiseSummary& noise, Needs& needs) {
@@ -32,9 +33,11 @@ void addTables(const NoiseSummary& noise, Needs& needs) {
   needs.gaussianOnly = needs.gaussianOnly || (noise.mapKinds & (1u << LICHEN_TABLE_NONE)) != 0;
 }
 
-void addTiling(const LichenMaterialParameters& parameters, Needs& needs) {
+void addTiling(const LichenMaterialParameters& parameters, const shader::LichenNoise& noise,
+               Needs& needs) {
   needs.rotation = needs.rotation || parameters.tileRotation > 1;
   needs.sharpness = needs.sharpness || parameters.blendSharpness != 1.0;
+  needs.grain = needs.grain || tilingPart(noise).grain != LICHEN_GRAIN_NONE;
 }
 
 void addTextons(const LichenMaterialParameters& parameters, const shader::LichenNoise& noise,
@@ -61,7 +64,7 @@ void addNoise(const LichenMaterialParameters& parameters, const shader::LichenNo
   if (noise.method == LICHEN_METHOD_TEXTON)
     addTextons(parameters, noise, needs);
   if (noise.method == LICHEN_METHOD_TILING)
-    addTiling(parameters, needs);
+    addTiling(parameters, noise, needs);
   if (noise.method == LICHEN_METHOD_LOCAL_RANDOM_PHASE)
     needs.structure = needs.structure || cosinesPart(noise).structure != 0;
   if (noise.method == LICHEN_METHOD_MULTIPLE_KERNELS)
@@ -119,6 +122,7 @@ std::string switchesOf(const Needs& needs) {
   if (has(LICHEN_METHOD_TILING)) {
     unless(needs.rotation, "TILE_ROTATION=0");
     unless(needs.sharpness, "BLEND_SHARPNESS=0");
+    unless(needs.grain, "GRAIN=0");
   }
   if (has(LICHEN_METHOD_LOCAL_RANDOM_PHASE))
     unless(needs.structure, "STRUCTURE=0");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tiling with everything that a material or a host may ask of it, in place of tiling.glsl's point
-// and value: blend sharpness, fewer taps, a periodic lattice, rotated tiles, anisotropic samplers.
+// and value: blend sharpness, fewer taps, lattices that are periodic or stretched along a grain,
+// rotated tiles, anisotropic samplers.
 // Each costs nothing where its switch leaves it out. The CPU twin is analysis/tiling/evaluate.
 #ifndef LICHEN_TILING_OPTIONS_GLSL
 #define LICHEN_TILING_OPTIONS_GLSL
@@ -15,6 +16,19 @@
 #ifndef LICHEN_BLEND_SHARPNESS
 #define LICHEN_BLEND_SHARPNESS 1
 #endif
+
+// 0 where no noise has a grain. A literal, or the host's specialization constant.
+#ifndef LICHEN_GRAIN
+#define LICHEN_GRAIN 1
+#endif
+
+/// As lichenSkewed. Where no lattice is stretched or periodic, all have the same cells, which then
+/// need not be read.
+vec2 lichenSkewedFor(vec2 position, LichenMaterial material) {
+  if (bool(LICHEN_GRAIN) || bool(LICHEN_PERIODIC_LATTICE))
+    return lichenSkewed(position, material);
+  return vec2(3.5 * position.x - 2.0 * position.y, 4.0 * position.y);
+}
 
 /// What all maps of a noise share at one point.
 struct LichenTilingTaps {
@@ -58,7 +72,7 @@ vec2 lichenTilingTap(uvec2 vertex, vec2 position, vec2 skewed, LichenMaterial ma
 /// As lichenTilingPoint.
 void lichenSetPoint(out LichenTilingTaps taps, vec2 position, vec2 gradientX, vec2 gradientY,
                     LichenMaterial material, LichenNoise noise) {
-  vec2 skewed = lichenSkewed(position, material);
+  vec2 skewed = lichenSkewedFor(position, material);
   LichenTriangle triangle = lichenTriangle(skewed, material);
   float sharpness = lichenTilingMaterial(material).blendSharpness;
   if (bool(LICHEN_BLEND_SHARPNESS) && sharpness != 1.0) {

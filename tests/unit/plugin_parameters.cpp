@@ -327,7 +327,7 @@ TEST_CASE("the switches leave out what no material needs") {
   CHECK(switchesOf({plain}) ==
         "-DLICHEN_ROLES=16" + left +
             " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0"
-            " -DLICHEN_PERIODIC_LATTICE=0");
+            " -DLICHEN_GRAIN=0 -DLICHEN_PERIODIC_LATTICE=0");
   LichenMaterialParameters turned = plain;
   turned.tileRotation = 4;
   turned.blendSharpness = 2.0;
@@ -335,7 +335,18 @@ TEST_CASE("the switches leave out what no material needs") {
   placement.periodTiles[0] = placement.periodTiles[1] = 2.0;
   placement.maxAnisotropy = 8.0f;
   CHECK(switchesOf({plain, turned}, &placement) ==
-        "-DLICHEN_ROLES=16" + left + " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_ANISOTROPIC=1");
+        "-DLICHEN_ROLES=16" + left +
+            " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_GRAIN=0 -DLICHEN_ANISOTROPIC=1");
+  BundleFile oak = example::smallest();
+  oak.bundle.noises[0].as<TilingNoise>().grain = Grain::x;
+  const OwnedBundle grained(oak);
+  CHECK(switchesOf({plain, parametersOf(grained.handle)}).find("GRAIN") == std::string::npos);
+  LichenNoiseProperties noise;
+  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  REQUIRE(lichenGetNoiseProperties(grained.handle, 0, &noise) == LICHEN_SUCCESS);
+  CHECK(noise.hasGrain == 1);
+  REQUIRE(lichenGetNoiseProperties(tiling.handle, 0, &noise) == LICHEN_SUCCESS);
+  CHECK(noise.hasGrain == 0);
   LichenMaterialParameters inPlanes = plain;
   inPlanes.mapping = LICHEN_MAPPING_TRIPLANAR;
   CHECK(switchesOf({inPlanes}).find(" -DLICHEN_OTHER_MAPPINGS=0 ") != std::string::npos);
@@ -437,7 +448,8 @@ TEST_CASE("the longest text of switches fits") {
                 " -DLICHEN_OTHER_MAPPINGS=0 -DLICHEN_OMIT_SURFACE -DLICHEN_MIXED_TEXTONS=0 "
                 "-DLICHEN_POISSON_POINTS=0 -DLICHEN_CUBIC_TEXTONS=0"
                 " -DLICHEN_NEAREST_TEXTONS=0 -DLICHEN_TILE_ROTATION=0"
-                " -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_STRUCTURE=0 -DLICHEN_SQUARE_KERNELS=0"
+                " -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_GRAIN=0 -DLICHEN_STRUCTURE=0"
+                " -DLICHEN_SQUARE_KERNELS=0"
                 " -DLICHEN_OMIT_SOLID -DLICHEN_PERIODIC_LATTICE=0 -DLICHEN_ANISOTROPIC=1");
   const std::string others = " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_RING_KERNELS=0"
                              " -DLICHEN_KERNEL_PATTERN=0 -DLICHEN_OMIT_TRIPLANAR";

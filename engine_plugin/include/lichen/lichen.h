@@ -181,7 +181,9 @@ typedef struct LichenNoiseProperties {
    * then LICHEN_NO_NOISE. All else is about the first layer, but for `mappings`. */
   uint32_t layers[4];
   uint32_t indices[3];
-  uint32_t reserved; /* 0 */
+  /* 1 if a tiling noise has a grain, 0 of other noises. LICHEN_GRAIN of the shader library may be 0
+   * where no noise has one. */
+  uint32_t hasGrain;
 } LichenNoiseProperties;
 
 /* Bits of LichenNoiseProperties::kernelKinds. The switch of the shader library that each names may

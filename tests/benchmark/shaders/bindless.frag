@@ -8,6 +8,7 @@
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_GAUSSIAN_ONLY 0
 #define LICHEN_PERIODIC_LATTICE 0
+#define LICHEN_GRAIN 0
 #define LICHEN_BLEND_SHARPNESS 0
 #define LICHEN_TILE_ROTATION 0
 layout(set = 0, binding = 0) uniform sampler imageSampler;

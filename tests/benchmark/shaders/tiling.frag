@@ -8,6 +8,7 @@
 // compile time.
 #define LICHEN_METHODS 1
 #define LICHEN_PERIODIC_LATTICE 0
+#define LICHEN_GRAIN 0
 #ifndef LICHEN_BLEND_SHARPNESS
 #define LICHEN_BLEND_SHARPNESS 0
 #endif
