@@ -126,7 +126,9 @@ TEST_CASE("a shader with the switches that the library writes has the same value
                 gridPoints(), kRoles);
   }
   {
-    PluginHost host(*device, syntheticGlb(std::span(&kColor, 1)));
+    SyntheticMap wood = kColor;
+    wood.grain = Grain::y;
+    PluginHost host(*device, syntheticGlb(std::span(&wood, 1)));
     MaterialUse use = host.use();
     use.parameters.mapping = LICHEN_MAPPING_TRIPLANAR;
     checkFitted(host, use, fitted_triplanar_switches, triplanar_color_comp,
