@@ -333,7 +333,8 @@ bool isNegligible(const MatrixXd& missing) {
 
 Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
                                   std::span<const SettledMap> settled, Gaussianized alone,
-                                  const InverseTable& table, bool periodic, ProgressPart progress) {
+                                  const InverseTable& table, gaussian::Borders borders,
+                                  ProgressPart progress) {
   const CrossCovariances covariances(map, space, settled, table);
   const bool onLine = space.dimensions() == 1;
   const int passes = onLine ? kMostPassesOnLine : 1;
@@ -351,8 +352,8 @@ Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorS
     exchanges.progress = progress.part(double(pass) / passes, double(pass + 1) / passes);
     Gaussianized next =
         onLine
-            ? gaussianizeInOrder(best, ties.by({moved.data(), std::size_t(moved.size())}), periodic)
-            : gaussianizeNear(best, pointsOf(moved), periodic, exchanges);
+            ? gaussianizeInOrder(best, ties.by({moved.data(), std::size_t(moved.size())}), borders)
+            : gaussianizeNear(best, pointsOf(moved), borders, exchanges);
     const MatrixXd left = covariances.missingIn(next);
     if (left.norm() >= missing.norm())
       break;

@@ -42,6 +42,6 @@ struct SettledMap {
                                                 const exemplar::ColorSpace& space,
                                                 std::span<const SettledMap> settled,
                                                 Gaussianized alone, const InverseTable& table,
-                                                bool periodic, ProgressPart progress);
+                                                gaussian::Borders borders, ProgressPart progress);
 
 } // namespace lichen::gaussianization

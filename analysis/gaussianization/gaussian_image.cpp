@@ -8,8 +8,8 @@
 
 namespace lichen::gaussianization {
 
-Gaussianized gaussianImage(const MapExemplar& map, bool periodic, gaussian::Precision precision,
-                           ProgressPart progress) {
+Gaussianized gaussianImage(const MapExemplar& map, gaussian::Borders borders,
+                           gaussian::Precision precision, ProgressPart progress) {
   // Part of the progress; whitening takes the rest.
   constexpr double kPoints = 0.3, kFaded = 0.6;
   const auto n = Eigen::Index(map.channels.size());
@@ -28,8 +28,8 @@ Gaussianized gaussianImage(const MapExemplar& map, bool periodic, gaussian::Prec
     points[i] = {channel(0), channel(1), channel(2)};
   }
   progress.reach(kPoints);
-  if (!periodic)
-    points = gaussian::crossFadeBorders(points, map.width, map.height);
+  if (!borders.fit)
+    points = gaussian::crossFadeBorders(points, map.width, map.height, borders.grain);
   progress.reach(kFaded);
   return {
       map.width, map.height, int(n), gaussian::whitenedForStorage(points, int(n), precision), {}};

@@ -9,10 +9,10 @@
 namespace lichen::gaussianization {
 
 /// G = 1/2 + A^-1 (x - mean) / 6, with A the lower Cholesky factor of the map's covariance, which
-/// must be positive definite. If `periodic` is false the borders are then cross-faded. Mean 1/2 and
+/// must be positive definite. If the borders do not fit they are then cross-faded. Mean 1/2 and
 /// covariance I/36 are exact, even in 8 bits, where values beyond three standard deviations are
 /// clamped. `matched` is empty.
-[[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, bool periodic,
+[[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, gaussian::Borders borders,
                                          gaussian::Precision precision, ProgressPart progress = {});
 
 } // namespace lichen::gaussianization

@@ -2,7 +2,6 @@
 // Exemplar points (width * height) -> Gaussian points, by optimal transport [HN18] eq. 21.
 #include "gaussianize.h"
 
-#include "gaussian/cross_fade.h"
 #include "transport/rank_matching.h"
 
 #include <algorithm>
@@ -36,20 +35,20 @@ std::vector<Point> rematched(const std::vector<Point>& sources, const std::vecto
 }
 
 /// `near` with other points matched to its pixels and an image made from them.
-Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched, bool periodic,
-                       const TransportOptions& options) {
+Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched,
+                       gaussian::Borders borders, const TransportOptions& options) {
   Gaussianized result{near.width, near.height, near.dimensions, {}, std::move(matched)};
-  result.image =
-      periodic ? result.matched
-               : rematched(gaussian::crossFadeBorders(result.matched, near.width, near.height),
-                           near.image, near.dimensions, options);
+  result.image = borders.fit ? result.matched
+                             : rematched(gaussian::crossFadeBorders(result.matched, near.width,
+                                                                    near.height, borders.grain),
+                                         near.image, near.dimensions, options);
   return result;
 }
 
 } // namespace
 
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
-                         bool periodic, gaussian::Precision precision,
+                         gaussian::Borders borders, gaussian::Precision precision,
                          const TransportOptions& options) {
   Gaussianized result{map.width, map.height, dimensions, {}, {}};
   const std::vector<Point> stratified =
@@ -59,28 +58,28 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
     part.progress = options.progress.part(begin, end);
     return permuted(stratified, transport::assign(sources, stratified, part));
   };
-  if (periodic) {
+  if (borders.fit) {
     result.image = result.matched = matchTo(points, 0.0, 1.0);
     return result;
   }
   result.matched = matchTo(points, 0.0, 0.5);
-  result.image =
-      matchTo(gaussian::crossFadeBorders(result.matched, map.width, map.height), 0.5, 1.0);
+  result.image = matchTo(
+      gaussian::crossFadeBorders(result.matched, map.width, map.height, borders.grain), 0.5, 1.0);
   return result;
 }
 
 Gaussianized gaussianizeNear(const Gaussianized& near, const std::vector<Point>& points,
-                             bool periodic, const TransportOptions& options) {
+                             gaussian::Borders borders, const TransportOptions& options) {
   TransportOptions part = options;
-  part.progress = options.progress.part(0.0, periodic ? 1.0 : 0.5);
+  part.progress = options.progress.part(0.0, borders.fit ? 1.0 : 0.5);
   std::vector<Point> matched = rematched(points, near.matched, near.dimensions, part);
   part.progress = options.progress.part(0.5, 1.0);
-  return withImage(near, std::move(matched), periodic, part);
+  return withImage(near, std::move(matched), borders, part);
 }
 
 Gaussianized gaussianizeInOrder(const Gaussianized& near, const std::vector<std::uint32_t>& order,
-                                bool periodic) {
-  return withImage(near, transport::matchedInOrder(order, near.matched), periodic, {});
+                                gaussian::Borders borders) {
+  return withImage(near, transport::matchedInOrder(order, near.matched), borders, {});
 }
 
 } // namespace lichen::gaussianization

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "exemplar/color_space.h"
+#include "gaussian/cross_fade.h"
 #include "gaussian/gaussian_distribution.h"
 #include "transport/assignment.h"
 
@@ -26,21 +27,23 @@ struct Gaussianized {
   std::vector<Point> matched;
 };
 
-/// Matches the exemplar's points to the stratified Gaussian set. If `periodic` is false, the
-/// borders are then cross-faded and the image is matched to the set again.
+/// Matches the exemplar's points to the stratified Gaussian set. If the borders do not
+/// fit, they are then cross-faded and the image is matched to the set again.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
-                                       int dimensions, bool periodic, gaussian::Precision precision,
+                                       int dimensions, gaussian::Borders borders,
+                                       gaussian::Precision precision,
                                        const transport::TransportOptions& options);
 
 /// Gaussianizes points close to those that `near` was made from, in the same order, by exchanges
 /// that start from the matching of `near`.
 [[nodiscard]] Gaussianized gaussianizeNear(const Gaussianized& near,
-                                           const std::vector<Point>& points, bool periodic,
+                                           const std::vector<Point>& points,
+                                           gaussian::Borders borders,
                                            const transport::TransportOptions& options);
 
 /// The same for points in one dimension; `order` lists them from smallest to largest.
 [[nodiscard]] Gaussianized gaussianizeInOrder(const Gaussianized& near,
                                               const std::vector<std::uint32_t>& order,
-                                              bool periodic);
+                                              gaussian::Borders borders);
 
 } // namespace lichen::gaussianization

@@ -3,6 +3,7 @@
 #include "gaussianized_maps.h"
 
 #include "exemplar/color_space.h"
+#include "exemplar/grain.h"
 #include "exemplar/map_ranges.h"
 #include "exemplar/value_encoding.h"
 #include "gaussian/normality.h"
@@ -209,7 +210,7 @@ MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
                    std::vector<SettledMap>* settled, ProgressPart progress) {
   const MapExemplar& map = planned.map;
   const MapWork work =
-      workOf(planned, fitting.periodic, fitting.transport, !fitting.settled.empty());
+      workOf(planned, fitting.borders.fit, fitting.transport, !fitting.settled.empty());
   const double fitted = work.fit / work.whole();
   const ProgressPart first = progress.part(0.0, fitted), rest = progress.part(fitted, 1.0);
   first.reach(0.0);
@@ -217,7 +218,7 @@ MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
     return jointTables(map, constantFit(map), bits, rest);
   if (planned.kind == MapKind::gaussianOnly) {
     Gaussianized image =
-        gaussianImage(exemplar::asStored(map), fitting.periodic, fitting.precision, first);
+        gaussianImage(exemplar::asStored(map), fitting.borders, fitting.precision, first);
     rest.reach(0.0);
     Table gaussian = gaussianTable(image, bits);
     return {std::move(image), std::move(gaussian), std::nullopt};
@@ -243,24 +244,27 @@ std::vector<PlannedMap> plannedMaps(std::span<const MapExemplar> maps,
 
 } // namespace
 
-Result<bool> gaussianizeMaps(const std::string& name, std::span<const MapExemplar> maps,
-                             const GaussianizationOptions& options, const MapConsumer& consume) {
+Result<gaussian::Borders> gaussianizeMaps(const std::string& name,
+                                          std::span<const MapExemplar> maps,
+                                          const GaussianizationOptions& options,
+                                          const MapConsumer& consume) {
   if (Result<void> checked = checkOptions(maps, options); !checked)
     return checked.error();
   try {
-    const bool periodic = bordersFit(maps, options.periodic);
+    const gaussian::Borders borders{bordersFit(maps, options.periodic),
+                                    exemplar::grainOf(maps.front())};
     const ProgressPart progress(options.progress);
     const bool detects = detectsGaussian(maps.size(), options.gaussian);
     const double begin = detects ? kKindWork / (kKindWork + 1.0) : 0.0;
     const std::vector<PlannedMap> planned = plannedMaps(maps, options, progress.part(0.0, begin));
     const auto workOfMap = [&](const PlannedMap& map) {
-      return workOf(map, periodic, options.transport, &map != &planned.front()).whole();
+      return workOf(map, borders.fit, options.transport, &map != &planned.front()).whole();
     };
     double whole = 0.0;
     for (const PlannedMap& map : planned)
       whole += workOfMap(map);
     MapFitOptions fitting;
-    fitting.periodic = periodic;
+    fitting.borders = borders;
     fitting.precision =
         options.bits == 8 ? gaussian::Precision::bits8 : gaussian::Precision::bits16;
     fitting.transport = options.transport;
@@ -278,7 +282,7 @@ Result<bool> gaussianizeMaps(const std::string& name, std::span<const MapExempla
       part.reach(1.0);
       done = after;
     }
-    return periodic;
+    return borders;
   } catch (const Interrupted&) {
     return Error{ErrorKind::environment, name + ": interrupted"};
   }

@@ -28,13 +28,14 @@ struct GaussianizedMap {
 
 using MapConsumer = std::function<void(GaussianizedMap)>;
 
-/// Passes each map to `consume`, in the order given; maps of one set correlate. Returns whether the
-/// exemplar was treated as periodic. `name` is that of the noise, with which the tables' names
-/// begin. Errors and requirements: as bakeTiling(), but throws std::bad_alloc.
-[[nodiscard]] Result<bool> gaussianizeMaps(const std::string& name,
-                                           std::span<const MapExemplar> maps,
-                                           const GaussianizationOptions& options,
-                                           const MapConsumer& consume);
+/// Passes each map to `consume`, in the order given; maps of one set correlate. Returns what the
+/// exemplar's borders were treated as, with the grain of its first map. `name` is that of the
+/// noise, with which the tables' names begin. Errors and requirements: as bakeTiling(), but throws
+/// std::bad_alloc.
+[[nodiscard]] Result<gaussian::Borders> gaussianizeMaps(const std::string& name,
+                                                        std::span<const MapExemplar> maps,
+                                                        const GaussianizationOptions& options,
+                                                        const MapConsumer& consume);
 
 /// The message when memory runs out.
 [[nodiscard]] std::string noMemoryToBake(const std::string& name,

@@ -102,7 +102,7 @@ MapFit fitWith(const MapExemplar& map, const exemplar::ColorSpace& space, float 
   transport.progress = options.progress.part(0.0, 0.7);
   MapFit fit{
       share,
-      gaussianize(map, points, space.dimensions(), options.periodic, options.precision, transport),
+      gaussianize(map, points, space.dimensions(), options.borders, options.precision, transport),
       {}};
   std::vector<float> values(map.values.size());
   std::transform(map.values.begin(), map.values.end(), values.begin(),
@@ -163,11 +163,11 @@ MapFit fitAlone(const MapExemplar& map, const exemplar::ColorSpace& space,
     return fitWith(map, space, expectedShare(map, space, options.largestShare), options);
   if (!isTriedOnMiddle(map))
     return bestTrial(map, space, options);
-  const FitWork work = fitWork(map, options.periodic, options.transport);
+  const FitWork work = fitWork(map, options.borders.fit, options.transport);
   const double tried = work.trial / (work.trial + work.fit);
   MapFitOptions trial = options;
   trial.progress = options.progress.part(0.0, tried);
-  trial.periodic = false;
+  trial.borders.fit = false;
   const float share = bestTrial(middleOf(map), space, trial).share;
   MapFitOptions whole = options;
   whole.progress = options.progress.part(tried, 1.0);
@@ -200,7 +200,7 @@ MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,
   MapFit fit = fitAlone(map, space, alone);
   fit.gaussian =
       withCrossCovariances(map, space, options.settled, std::move(fit.gaussian), fit.table,
-                           options.periodic, options.progress.part(kAloneOfProgress, 1.0));
+                           options.borders, options.progress.part(kAloneOfProgress, 1.0));
   return fit;
 }
 

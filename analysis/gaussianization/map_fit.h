@@ -31,7 +31,7 @@ struct MapFit {
 };
 
 struct MapFitOptions {
-  bool periodic = true;
+  gaussian::Borders borders{};
   gaussian::Precision precision = gaussian::Precision::bits8;
   TransportEffort transport = TransportEffort::standard;
   std::optional<float> share; ///< chosen if absent, in [-0.25, largestShare]

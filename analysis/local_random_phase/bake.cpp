@@ -102,10 +102,11 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
     data.push_back(own);
     bake.noise.maps.push_back(std::move(map.map));
   };
-  const Result<bool> periodic = gaussianization::gaussianizeMaps(name, maps, options, append);
-  if (!periodic)
-    return periodic.error();
-  bake.exemplarWasPeriodic = periodic.value();
+  const Result<gaussian::Borders> borders =
+      gaussianization::gaussianizeMaps(name, maps, options, append);
+  if (!borders)
+    return borders.error();
+  bake.exemplarWasPeriodic = borders.value().fit;
 
   const std::array<int, 2> cells = cellsOfOctave0(shared.texelsPerTileX, shared.texelsPerTileY);
   shared.columns = cells[0];

@@ -180,10 +180,11 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
     data.push_back(own);
     bake.noise.maps.push_back(std::move(map.map));
   };
-  const Result<bool> periodic = gaussianization::gaussianizeMaps(name, maps, options, append);
-  if (!periodic)
-    return periodic.error();
-  bake.exemplarWasPeriodic = periodic.value();
+  const Result<gaussian::Borders> borders =
+      gaussianization::gaussianizeMaps(name, maps, options, append);
+  if (!borders)
+    return borders.error();
+  bake.exemplarWasPeriodic = borders.value().fit;
   if (options.spectrum)
     if (Result<void> replaced = spectra::replaceSpectra(*options.spectrum, spectra); !replaced)
       return replaced.error();

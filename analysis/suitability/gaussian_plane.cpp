@@ -3,6 +3,7 @@
 #include "gaussian_plane.h"
 
 #include "exemplar/color_space.h"
+#include "exemplar/grain.h"
 #include "gaussian/cross_fade.h"
 #include "gaussian/gaussian_distribution.h"
 #include "transport/rank_matching.h"
@@ -55,7 +56,7 @@ std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic
       transport::matchedByRank(exemplar::transportPoints(component, space), stratified);
   progress.reach(kRanked);
   if (!periodic) {
-    image = gaussian::crossFadeBorders(image, map.width, map.height);
+    image = gaussian::crossFadeBorders(image, map.width, map.height, exemplar::grainOf(map));
     progress.reach(kFaded);
     image = transport::matchedByRank(image, stratified);
   }

@@ -28,10 +28,12 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     map.map.data = tiling;
     bake.noise.maps.push_back(std::move(map.map));
   };
-  const Result<bool> periodic = gaussianization::gaussianizeMaps(name, maps, options, append);
-  if (!periodic)
-    return periodic.error();
-  bake.exemplarWasPeriodic = periodic.value();
+  const Result<gaussian::Borders> borders =
+      gaussianization::gaussianizeMaps(name, maps, options, append);
+  if (!borders)
+    return borders.error();
+  bake.noise.data = TilingNoise{borders.value().grain};
+  bake.exemplarWasPeriodic = borders.value().fit;
   return bake;
 }
 

@@ -69,7 +69,7 @@ double levelSeconds(const SrgbImage& image) {
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
   const std::vector<Point> points = exemplar::transportPoints(map, space);
   const Gaussianized gaussian =
-      gaussianize(map, points, space.dimensions(), true, gaussian::Precision::bits8, {});
+      gaussianize(map, points, space.dimensions(), {}, gaussian::Precision::bits8, {});
   const Table table = gaussianTable(gaussian, 8);
   const std::vector<exemplar::ChannelMatrix> lost = lostVariance(table, space.dimensions());
   const std::vector<float> roots = exemplar::asStored(map).values;

@@ -109,9 +109,10 @@ struct Measure {
 
 std::vector<Row> resultRows() {
   Measure color, lattice, spectrum, seam;
-  const LatticeView view{{}, 1.0 / kExemplarSide, 1.0 / kExemplarSide};
   for (const Exemplar& exemplar : exemplars256()) {
     const Bundle bundle = bakedBundle(exemplar.image);
+    const LatticeView view{infiniteLattice(bundle.noises[0].as<TilingNoise>().grain),
+                           1.0 / kExemplarSide, 1.0 / kExemplarSide};
     const auto meanOf = [&](int side, auto measure) {
       double sum = 0.0;
       for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)

@@ -13,7 +13,7 @@ using namespace gaussianization;
 Baked baked(MapExemplar map, bool periodic, gaussian::Precision precision) {
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
   std::vector<Point> points = exemplar::transportPoints(map, space);
-  Gaussianized gaussian = gaussianize(map, points, space.dimensions(), periodic, precision,
+  Gaussianized gaussian = gaussianize(map, points, space.dimensions(), {periodic}, precision,
                                       transport::TransportOptions{});
   return {std::move(map), std::move(points), std::move(gaussian)};
 }

@@ -147,7 +147,7 @@ TEST_CASE("the share of a large map is fitted on its middle", "[large]") {
   const MapExemplar middle = test::cropped(whole, 4, 0, 512, 64);
   MapFitOptions options;
   const float share = fitMap(whole, exemplar::colorSpaceOf(whole), options).share;
-  options.periodic = false;
+  options.borders.fit = false;
   CHECK(share == fitMap(middle, exemplar::colorSpaceOf(whole), options).share);
   // The content matters: the same values in random order have no patches, and the share is smaller.
   MapExemplar shuffled = test::cropped(middle, 0, 0, 64, 64);
@@ -207,7 +207,7 @@ TEST_CASE("a fitted share preserves detail that the default share loses", "[larg
     light.push_back(srgbToLinear(value));
   const transport::TransportOptions transport{};
   const Gaussianized usual =
-      gaussianize(map, points, space.dimensions(), true, gaussian::Precision::bits8, transport);
+      gaussianize(map, points, space.dimensions(), {}, gaussian::Precision::bits8, transport);
   const InverseTable usualTable = fitInverseTable(usual, points, light, 3, transport);
   const double usualError = spectrumErrorDb(map, usual, usualTable);
   INFO("with the usual share " << usualError << " dB");

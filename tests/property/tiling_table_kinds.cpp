@@ -131,7 +131,7 @@ TEST_CASE("a Gaussian image has mean 1/2 and covariance I/36 as it is stored") {
   for (const gaussian::Precision precision :
        {gaussian::Precision::bits8, gaussian::Precision::bits16})
     for (const bool periodic : {true, false}) {
-      const Gaussianized image = gaussianImage(map, periodic, precision);
+      const Gaussianized image = gaussianImage(map, {periodic}, precision);
       std::vector<float> values;
       for (const Point& p : image.image)
         values.insert(values.end(), {p.x, p.y, p.z});

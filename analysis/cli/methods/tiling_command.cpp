@@ -57,6 +57,13 @@ public:
     result.json["periodic"] = bake.exemplarWasPeriodic;
     result.json["table"] = nameOf(tableKindOf(first));
     result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "blended");
+    if (const Grain grain = bake.noise.as<TilingNoise>().grain; grain != Grain::none) {
+      result.json["grain"] = nameOf(grain);
+      result.facts.emplace_back("Grain", fmt::format("along {}", nameOf(grain)));
+      result.notes.push_back(fmt::format("long streaks along {}: the noise repeats less along them; "
+                                         "a streak ends after about the length of the picture",
+                                         nameOf(grain)));
+    }
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
     return result;

@@ -7,6 +7,7 @@
 #include <lichen/result.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -72,10 +73,17 @@ struct Measure {
 /// latticeVisibility().
 [[nodiscard]] Result<Measure> measureLattice(const SrgbImage& result, const LatticeView& view);
 
-/// Measures how strongly the gradients of the luminance prefer one direction: the difference of
-/// their energies across and along it, divided by the sum. In [0, 1]: 0 for no preference or an
-/// image without variance, 1 for straight stripes. Throws std::bad_alloc.
-/// Source: coherence of the structure tensor [BG87].
+/// The direction that gradients prefer.
+struct GradientDirection {
+  /// The difference of their energies along the direction and across it, divided by the sum. In
+  /// [0, 1]: 0 for no preference or a plane without variance, 1 for straight stripes.
+  double anisotropy = 0.0;
+  double angle = 0.0; ///< radians, in [-pi / 2, pi / 2], from x to y, which points down
+};
+/// Measures it over a plane of width * height values. Source: structure tensor [BG87].
+[[nodiscard]] GradientDirection gradientDirection(std::span<const float> plane, int width,
+                                                  int height);
+/// The anisotropy of the luminance. Throws std::bad_alloc.
 [[nodiscard]] double gradientAnisotropy(const SrgbImage& image);
 
 } // namespace lichen
