@@ -7,8 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-
 namespace lichen::cli {
 
 Result<BakeVerdict> judgeBake(const Bundle& bundle, std::span<const MapExemplar> maps,
@@ -33,12 +31,6 @@ Result<BakeVerdict> judgeBake(const Bundle& bundle, std::span<const MapExemplar>
          m == 0 ? std::span<const Measure>(judged.measures) : std::span<const Measure>()});
   judged.verdict = verdictOn(all, bordersWereKept);
   return judged;
-}
-
-double visibleSeams(std::span<const Measure> measures) {
-  const auto seams = std::ranges::find(measures, kSeamVisibilityName, &Measure::name);
-  const double value = seams != measures.end() ? seams->value.value_or(0.0) : 0.0;
-  return value > kVisibleSeams ? value : 0.0;
 }
 
 std::string verdictLine(const Verdict& verdict, bool severalMaps) {

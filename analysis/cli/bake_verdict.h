@@ -27,9 +27,6 @@ struct BakeVerdict {
                                             Periodic borders, bool bordersWereKept,
                                             const SharedOptions& options);
 
-/// The seam_visibility if viewers see it, otherwise 0.
-[[nodiscard]] double visibleSeams(std::span<const Measure> measures);
-
 /// The line to print: "verdict: good".
 [[nodiscard]] std::string verdictLine(const Verdict& verdict, bool severalMaps);
 

@@ -135,10 +135,9 @@ struct JudgedBake {
   BakeVerdict judged;
 };
 
-/// Bakes, and judges what it baked. `step` is on the progress line.
-Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exemplar,
-                             const std::string& step) {
-  ProgressLine progress(step, arguments.shared);
+/// Bakes, and judges what it baked.
+Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exemplar, Notes& notes) {
+  ProgressLine progress("bake", arguments.shared);
   const auto bake = [&](std::span<const MapExemplar> maps) {
     return arguments.chosen().bake(
         {exemplar.name, maps, exemplar.borders, arguments.bits, progress.asProgress()});
@@ -164,37 +163,13 @@ Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exempla
   result.about.material.seed = arguments.seed;
   result.bundle.materialNames = {result.bundle.noises.front().name};
   result.bundle.materials = {result.about.material};
+  if (arguments.exemplar.set.periodic == Periodic::detect && result.about.bordersWereBlended)
+    notes.add("the exemplar's borders do not fit together; the bake blends them");
   Result<BakeVerdict> judged = judgeBake(result.bundle, exemplar.maps, exemplar.borders,
                                          !result.about.bordersWereBlended, arguments.shared);
   if (!judged)
     return judged.error();
   return JudgedBake{std::move(result), std::move(judged).value()};
-}
-
-/// Bakes; if the borders were found to fit, yet the noise shows seams, bakes again with blended
-/// borders, and keeps what shows less.
-Result<JudgedBake> bakeWithoutSeams(const Arguments& arguments, Exemplar& exemplar, Notes& notes) {
-  Result<JudgedBake> first = bakeNoise(arguments, exemplar, "bake");
-  const bool detects = arguments.exemplar.set.periodic == Periodic::detect;
-  if (!first || !detects)
-    return first;
-  const double seams = visibleSeams(first.value().judged.measures);
-  if (first.value().baked.about.bordersWereBlended) {
-    notes.add("the exemplar's borders do not fit together; the bake blends them");
-    return first;
-  }
-  if (seams == 0.0)
-    return first;
-  Exemplar blended = exemplar;
-  blended.borders = Periodic::no;
-  blended.preparation.periodic = false;
-  Result<JudgedBake> second = bakeNoise(arguments, blended, "bake again");
-  if (!second || visibleSeams(second.value().judged.measures) >= seams)
-    return second ? std::move(first) : std::move(second);
-  notes.add("the exemplar's borders seemed to fit together, but the noise showed seams; the bake "
-            "blends the borders");
-  exemplar = std::move(blended);
-  return second;
 }
 
 Result<BundleFile> makeBundleFile(const Arguments& arguments, LayeredBake& bake) {
@@ -250,11 +225,11 @@ Result<int> run(Arguments& arguments) {
   Result<Exemplar> read = readAndChoose(arguments, notes);
   if (!read)
     return read.error();
-  Exemplar& exemplar = read.value();
+  const Exemplar& exemplar = read.value();
   notes.say(); // before the work: the user may prefer another photograph
   times.end("Reading and preparing the images");
 
-  Result<JudgedBake> made = bakeWithoutSeams(arguments, exemplar, notes);
+  Result<JudgedBake> made = bakeNoise(arguments, exemplar, notes);
   if (!made)
     return made.error();
   times.end("Baking and judging the noise");

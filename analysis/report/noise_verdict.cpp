@@ -34,7 +34,7 @@ constexpr std::array<Fault, 4> kFaults{{
      "its features differ in size or direction from the photograph's by {:.2f}",
      "because they are larger than the tiles, or in an order"},
     {kSeamVisibilityName,
-     {kVisibleSeams, 1.6},
+     {1.25, 1.6},
      "its straight edges are {:.1f} times the photograph's",
      "which show as seams"},
     {kLatticeVisibilityName,

@@ -38,9 +38,6 @@ struct JudgedMap {
   std::span<const Measure> measures; ///< may be empty
 };
 
-/// The seam_visibility from which viewers see seams.
-inline constexpr double kVisibleSeams = 1.25;
-
 struct Verdict {
   enum class Level { good, acceptable, unsuitable };
 
