@@ -17,10 +17,11 @@ namespace {
 /// Describes how map `m` was made. Moves its unflattened original out of `originals`, unless that
 /// is empty.
 ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Flattened& flattened,
-                        std::size_t filled, const std::vector<MapExemplar>& maps,
+                        std::size_t filled, const MaterialSet& set,
                         std::vector<MapExemplar>& originals) {
+  const std::vector<MapExemplar>& maps = set.maps;
   ExemplarOrigin origin;
-  if (options.crop)
+  if (set.crop)
     origin.steps.emplace_back("cropped");
   if (options.set.size)
     origin.steps.emplace_back("resized");
@@ -53,23 +54,23 @@ bool has(std::span<const MapExemplar> maps, MapTarget target) {
 
 /// The part of the largest file that was used, unless --size hides how large that is.
 std::optional<PhotographPart> photographPart(const ExemplarOptions& options,
-                                             std::span<const MapExemplar> maps) {
-  if (options.crop) {
-    const auto [x, y, width, height] = *options.crop;
-    return PhotographPart{double(x), double(y), double(width), double(height)};
-  }
+                                             const MaterialSet& set) {
+  if (set.crop)
+    return PhotographPart{double(set.crop->x), double(set.crop->y), double(set.crop->width),
+                          double(set.crop->height)};
   if (options.set.size)
     return std::nullopt;
   const auto largest = std::ranges::max_element(
-      maps, {}, [](const MapExemplar& map) { return double(map.width) * map.height; });
+      set.maps, {}, [](const MapExemplar& map) { return double(map.width) * map.height; });
   return PhotographPart{0.0, 0.0, double(largest->width), double(largest->height)};
 }
 
 Preparation preparationOf(const ExemplarOptions& options, const MaterialSet& set,
                           const Flattened& flattened, std::vector<FilledPlace> filled) {
   Preparation made;
-  if (options.crop)
-    std::ranges::copy(*options.crop, made.crop.emplace().begin());
+  if (set.crop)
+    made.crop = {std::uint32_t(set.crop->x), std::uint32_t(set.crop->y),
+                 std::uint32_t(set.crop->width), std::uint32_t(set.crop->height)};
   if (options.set.size)
     std::ranges::copy(*options.set.size, made.size.emplace().begin());
   made.isGreenDown =
@@ -137,8 +138,10 @@ std::string describe(const Preparation& preparation) {
 
 void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, const std::string& flattenPreset,
                         const std::string& flattenDefault) {
-  addValue(verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
-           "Use only the W x H pixels from column X and row Y on, counted in the largest map");
+  addValue(
+      verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
+      "Use only the W x H pixels from column X and row Y on, counted in the largest map; without "
+      "it, a frame around the picture is cut off");
   addValue(verb, "--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
            "Resample every map to this size, after --crop");
   const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},
@@ -185,14 +188,14 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
   if (!flattened)
     return flattened.error();
   Result<std::vector<FilledPlace>> filled =
-      applyOutliers(maps, options.outliers, set.value().periodic, photographPart(options, maps),
-                    shared, set.value().notes);
+      applyOutliers(maps, options.outliers, set.value().periodic,
+                    photographPart(options, set.value()), shared, set.value().notes);
   if (!filled)
     return filled.error();
   ReadExemplar read{std::move(set).value(), {}, {}};
   for (std::size_t m = 0; m < read.set.maps.size(); ++m)
     read.origins.push_back(
-        originOf(m, options, flattened.value(), filled.value().size(), read.set.maps, originals));
+        originOf(m, options, flattened.value(), filled.value().size(), read.set, originals));
   read.preparation = preparationOf(options, read.set, flattened.value(), std::move(filled).value());
   return read;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Image files -> maps. The steps, in order: read, crop, fill invisible colours, resample, join.
 #include "borders.h"
+#include "frame.h"
 #include "invisible_color.h"
 #include "joined_channels.h"
 #include "map_values.h"
@@ -295,6 +296,28 @@ void noteContent(const std::vector<NamedMap>& maps, std::vector<std::string>& no
     noteSize("take long to bake and need much memory");
 }
 
+/// The part inside the frame of the base colour, in pixels of the largest map, with a note.
+std::optional<PixelRectangle> withoutFrame(const std::vector<NamedMap>& maps,
+                                           std::vector<std::string>& notes) {
+  const NamedMap* const color = findMap(maps, MapTarget::baseColor);
+  if (color == nullptr)
+    return std::nullopt;
+  const std::optional<PixelRectangle> inside = insideOfFrame(color->map);
+  if (!inside)
+    return std::nullopt;
+  const MapExemplar& largest = largestOf(maps).map;
+  const double x = double(largest.width) / color->map.width;
+  const double y = double(largest.height) / color->map.height;
+  const auto scaled = [](int pixels, double by) { return int(std::lround(pixels * by)); };
+  const PixelRectangle part{scaled(inside->x, x), scaled(inside->y, y), scaled(inside->width, x),
+                            scaled(inside->height, y)};
+  notes.push_back(fmt::format("{}: a frame is cut off, which leaves {} x {} pixels from column {} "
+                              "and row {} on; a crop of all {} x {} pixels keeps it",
+                              color->name, part.width, part.height, part.x, part.y, largest.width,
+                              largest.height));
+  return part;
+}
+
 /// As readMaterialSet(), but throws std::bad_alloc.
 Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
                              const MaterialSetOptions& options) {
@@ -304,15 +327,16 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
   if (!found)
     return found.error();
   const SetFiles& files = found.value();
-  MaterialSet set{files.name, {}, options.periodic, files.notes};
+  MaterialSet set{files.name, {}, options.periodic, {}, files.notes};
   std::vector<NamedMap> maps;
   for (const SetFile& file : files.files)
     if (Result<void> read = appendMaps(file, files, options, maps, set.notes); !read)
       return read.error();
   if (Result<void> checked = checkOneOpacity(maps); !checked)
     return checked.error();
-  if (options.crop)
-    if (Result<void> done = crop(maps, *options.crop); !done)
+  set.crop = options.crop ? options.crop : withoutFrame(maps, set.notes);
+  if (set.crop)
+    if (Result<void> done = crop(maps, *set.crop); !done)
       return done.error();
   fillInvisibleColors(maps);
   const bool wraps = keepsBorders(maps, options.periodic, &NamedMap::map);

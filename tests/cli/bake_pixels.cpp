@@ -82,6 +82,27 @@ TEST_CASE("--crop gives the same bake as a file with only that part") {
          unrecorded(workplace, {cut}, {})));
 }
 
+TEST_CASE("a frame is cut off like a crop, from all maps, and recorded") {
+  const Workplace workplace;
+  std::filesystem::create_directory(workplace.path("scan"));
+  SrgbImage color = speckled(64, 48, 3);
+  for (int y = 0; y < color.height; ++y)
+    for (int x = 0; x < color.width; ++x)
+      if (x < 4 || x >= 62 || y < 6)
+        std::fill_n(color.pixel(x, y), 3, 1.0f);
+  workplace.write("scan/diff.png", color);
+  workplace.write("scan/rough.png", speckled(32, 24, 1));
+  const Arguments scan{workplace.path("scan")};
+  const std::string inside = "6,8,54,40"; // without two more pixels beside the frame
+  json report;
+  const std::string bundle = bundleOf(workplace, scan, {}, &report);
+  CHECK_THAT(report.at("notes").dump(), Catch::Contains("a frame is cut off") &&
+                                            Catch::Contains("54 x 40 pixels from column 6"));
+  CHECK(bundle == bundleOf(workplace, scan, {"--crop", inside}));
+  bundleOf(workplace, scan, {"--crop", "0,0,64,48"}, &report);
+  CHECK(report.at("width") == 64);
+}
+
 TEST_CASE("--crop cuts the same part out of the smaller maps of a set") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("whole"));

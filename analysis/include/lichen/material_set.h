@@ -41,7 +41,8 @@ struct PixelRectangle {
 struct MaterialSetOptions {
   NormalConvention normal = NormalConvention::openGl; ///< for files whose names do not say
   AlphaUse alpha = AlphaUse::ignore;
-  /// The crop, applied first, in pixels of the largest map. Other maps are cropped to match.
+  /// The crop, applied first, in pixels of the largest map. Other maps are cropped to match. Without
+  /// one, a frame around the base colour is cut off: the border of a scan or a screenshot.
   std::optional<PixelRectangle> crop;
   /// Width and height to which every map is resampled, [1, kMaxImageSide]. Resampling averages
   /// light for colours, slopes for normals and values for other maps.
@@ -60,7 +61,8 @@ struct MaterialSet {
   /// Whether the maps' borders match, if that was measured. It is measured before resampling, which
   /// smooths the differences that a seam is compared with.
   Periodic periodic = Periodic::detect;
-  std::vector<std::string> notes; ///< notes for the user, one sentence each
+  std::optional<PixelRectangle> crop; ///< that of the options, or the part inside a frame
+  std::vector<std::string> notes;     ///< notes for the user, one sentence each
 };
 
 /// Reads one image, several images or the images of one folder. File names determine the maps
