@@ -2,12 +2,13 @@
 // A map -> the axis along its streaks.
 #include "grain.h"
 
+#include "reduced_plane.h"
+
 #include <lichen/measures.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 namespace lichen::exemplar {
 namespace {
@@ -17,41 +18,6 @@ constexpr int kMeasuredSide = 256; // pixels, about: finer detail blurs the dire
 constexpr double kAnisotropy = 0.5;
 constexpr double kLag = 2.0 / 7.0; // of the side: as long as a cell of the lattice
 constexpr double kCorrelation = 0.2;
-
-/// A brightness per pixel, without its mean.
-struct Plane {
-  int width = 0, height = 0;
-  std::vector<float> values;
-
-  [[nodiscard]] float at(int x, int y) const {
-    return values[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-  }
-};
-
-/// Means of squares of pixels and of all channels.
-Plane reducedPlane(const MapExemplar& map) {
-  const int side = std::max(1, std::min(map.width, map.height) / kMeasuredSide);
-  const auto channels = int(map.channels.size());
-  Plane plane{map.width / side, map.height / side, {}};
-  plane.values.reserve(std::size_t(plane.width) * std::size_t(plane.height));
-  double sum = 0.0;
-  for (int y = 0; y < plane.height; ++y)
-    for (int x = 0; x < plane.width; ++x) {
-      float total = 0.0f;
-      for (int dy = 0; dy < side; ++dy) {
-        const std::size_t row = std::size_t(y * side + dy) * std::size_t(map.width);
-        const auto* begin = &map.values[(row + std::size_t(x * side)) * std::size_t(channels)];
-        for (int k = 0; k < side * channels; ++k)
-          total += begin[k];
-      }
-      plane.values.push_back(total / float(side * side * channels));
-      sum += double(plane.values.back());
-    }
-  const auto mean = float(sum / double(plane.values.size()));
-  for (float& value : plane.values)
-    value -= mean;
-  return plane;
-}
 
 /// The correlation of pixels that lie (dx, dy) apart.
 double correlation(const Plane& plane, int dx, int dy) {
@@ -72,7 +38,7 @@ double correlation(const Plane& plane, int dx, int dy) {
 Grain grainOf(const MapExemplar& map) {
   if (map.encoding == ValueEncoding::slope || std::min(map.width, map.height) < kSmallestSide)
     return Grain::none;
-  const Plane plane = reducedPlane(map);
+  const Plane plane = reducedPlane(map, kMeasuredSide);
   const GradientDirection direction = gradientDirection(plane.values, plane.width, plane.height);
   if (direction.anisotropy < kAnisotropy)
     return Grain::none;

@@ -40,7 +40,7 @@ Measure spectrumMeasure(const SrgbImage& exemplar) {
 
 /// Uses the largest support, up to the default, that fits both images.
 Result<double> autocovarianceErrorOf(const SrgbImage& exemplar, const SrgbImage& result) {
-  constexpr int kSupport = 32, kSmallestSupport = 2, kSupportsPerSide = 4;
+  constexpr int kSupport = 32, kSmallestSupport = 2, kSupportsPerSide = 16;
   const int room = std::min(shorterSide(exemplar), shorterSide(result)) / kSupportsPerSide;
   return autocovarianceError(exemplar, result, std::clamp(room, kSmallestSupport, kSupport));
 }

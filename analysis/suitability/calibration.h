@@ -20,6 +20,7 @@ inline constexpr Calibration kPhaseCoherence{0.15, 0.3};
 inline constexpr Calibration kColorSpacing{10.0, 20.0};
 inline constexpr Calibration kSlowVariation{0.03, 0.05};
 inline constexpr Calibration kClippedShare{0.02, 0.15};
+inline constexpr Calibration kUnevenScale{0.8, 1.6};
 
 /// Above this, slow variation is an object with an outline, not light. The geometric mean of 3.3,
 /// the largest value of light and clouds, and 5.4, the smallest value of objects, in

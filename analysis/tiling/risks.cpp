@@ -12,9 +12,12 @@
 #include "suitability/phase_coherence.h"
 #include "suitability/risk_of.h"
 #include "suitability/slow_variation.h"
+#include "suitability/uneven_scale.h"
 
 #include <lichen/flatten.h>
 #include <lichen/suitability.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -139,6 +142,15 @@ Risk clippingRisk(const MapExemplar& map, const FewColors& few) {
                                                : "a photograph with more exposure"});
 }
 
+Risk unevenScaleRisk(const MapExemplar& map) {
+  const double octaves = unevenScale(map);
+  return riskOf("uneven-scale", scoreOf(octaves, kUnevenScale),
+                fmt::format("fine detail is {:.1f} times as strong at one side as at the other",
+                            std::exp2(0.5 * octaves)),
+                "as in a slanted or partly blurred photograph, so near and far will mix",
+                {{}, "a photograph from straight in front, in focus everywhere"});
+}
+
 /// Cloudiness and low frequency; `seen` is the map, or its slopes if those are what shows.
 std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
                             const HalfSpectrum& spectrum, bool periodic, double firstPixels) {
@@ -180,6 +192,7 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPix
   // A material of one colour may well be white.
   risks.push_back(plane ? clippingRisk(map, few)
                         : riskOf("clipping", 0.0, "the image has one colour", {}, {}));
+  risks.push_back(unevenScaleRisk(map));
   return risks;
 }
 

@@ -56,7 +56,7 @@ TEST_CASE("a bake begins with its verdict, and the JSON lists all risks") {
   CHECK(verdict.at("map") == "baseColor");
   CHECK(verdict.at("risk") == "cloudiness");
   const nlohmann::json risks = jsonOf(workplace, asItIs).at("risks");
-  REQUIRE(risks.size() == 4);
+  REQUIRE(risks.size() == 5);
   for (const nlohmann::json& risk : risks) {
     CHECK(risk.at("map") == "baseColor");
     CHECK(risk.at("score").is_number());

@@ -341,15 +341,40 @@ TEST_CASE("the spacing of codes follows their distribution, and few colours are 
   CHECK(fewColors(grey(2, 1, {0.0f, 1.0f})).spacing == 0.0); // data may be 0 or 1
 }
 
+TEST_CASE("a picture that loses its fine detail toward one side has an uneven scale") {
+  constexpr int kSide = 256, kWidestBlur = 3; // pixels on both sides
+  for (const exemplars::Material& material : exemplars::kMaterials) {
+    INFO(material.name);
+    const SrgbImage sharp = material.generate(kSide);
+    CHECK(named(risksOf(baseColor(sharp)), "uneven-scale").level == Risk::Level::none);
+    SrgbImage down = sharp, across = sharp; // blurred along x toward the bottom or the right
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x)
+        for (int c = 0; c < 3; ++c) {
+          const auto mean = [&](int radius) {
+            float sum = 0.0f;
+            for (int k = -radius; k <= radius; ++k)
+              sum += sharp.pixel((x + k + kSide) % kSide, y)[c];
+            return sum / float(2 * radius + 1);
+          };
+          down.pixel(x, y)[c] = mean(kWidestBlur * y / (kSide - 1));
+          across.pixel(x, y)[c] = mean(kWidestBlur * x / (kSide - 1));
+        }
+    CHECK(named(risksOf(baseColor(down)), "uneven-scale").level != Risk::Level::none);
+    CHECK(named(risksOf(baseColor(across)), "uneven-scale").level != Risk::Level::none);
+  }
+}
+
 TEST_CASE("maps of any size and content have all risks, in order, with scores in [0, 1]") {
   const auto check = [](const MapExemplar& map) {
     for (const bool periodic : {true, false}) {
       const std::vector<Risk> risks = risksOf(map, periodic);
-      REQUIRE(risks.size() == 4);
+      REQUIRE(risks.size() == 5);
       CHECK(risks[0].name == "cloudiness");
       CHECK(risks[1].name == "structure");
       CHECK(risks[2].name == "low-frequency");
       CHECK(risks[3].name == "clipping");
+      CHECK(risks[4].name == "uneven-scale");
       for (const Risk& risk : risks) {
         CHECK(risk.score >= 0.0);
         CHECK(risk.score <= 1.0);

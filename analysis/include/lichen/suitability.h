@@ -22,9 +22,9 @@ struct BakeSetting {
 struct Risk {
   enum class Level { none, mild, severe };
 
-  std::string_view
-      name; ///< "cloudiness", "structure", "low-frequency", "clipping"; textons: see below
-  double score = 0.0; ///< [0, 1], calibrated: below 1/3 none, below 2/3 mild, else severe
+  std::string_view name; ///< "cloudiness", "structure", "low-frequency", "clipping",
+                         ///< "uneven-scale"; textons: see below
+  double score = 0.0;    ///< [0, 1], calibrated: below 1/3 none, below 2/3 mild, else severe
   Level level = Level::none;
   std::string sentence; ///< the visible effect, with the measured number; no full stop
   /// What helps, each by itself; both are empty if the level is none.
