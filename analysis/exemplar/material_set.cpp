@@ -308,9 +308,11 @@ std::optional<PixelRectangle> withoutFrame(const std::vector<NamedMap>& maps,
   const MapExemplar& largest = largestOf(maps).map;
   const double x = double(largest.width) / color->map.width;
   const double y = double(largest.height) / color->map.height;
-  const auto scaled = [](int pixels, double by) { return int(std::lround(pixels * by)); };
-  const PixelRectangle part{scaled(inside->x, x), scaled(inside->y, y), scaled(inside->width, x),
-                            scaled(inside->height, y)};
+  const auto first = [](int pixel, double by) { return int(std::ceil(pixel * by)); };
+  const auto behind = [](int pixel, double by) { return int(std::floor(pixel * by)); };
+  const int left = first(inside->x, x), right = behind(inside->x + inside->width, x);
+  const int top = first(inside->y, y), bottom = behind(inside->y + inside->height, y);
+  const PixelRectangle part{left, top, right - left, bottom - top};
   notes.push_back(fmt::format("{}: a frame is cut off, which leaves {} x {} pixels from column {} "
                               "and row {} on; a crop of all {} x {} pixels keeps it",
                               color->name, part.width, part.height, part.x, part.y, largest.width,

@@ -107,19 +107,25 @@ std::vector<Point> streaksOf(const std::vector<Point>& image, const Lines& lines
   return streaks;
 }
 
-/// The correlation of values half a side apart, in [0, 1], over all channels together.
+/// The correlation of values half a side apart, in [0, 1], over all channels together. Channels
+/// that the image does not use are constant.
 double halvesCorrelation(const std::vector<Point>& image, const Lines& lines) {
   const int half = lines.length / 2;
   double product = 0.0, first = 0.0, second = 0.0;
-  for (int l = 0; l < lines.count; ++l)
-    for (int k = 0; k < half; ++k)
-      for (float Point::*const channel : kChannels) {
-        const double a = double(image[lines.at(l, k)].*channel) - kGaussianMean;
-        const double b = double(image[lines.at(l, k + half)].*channel) - kGaussianMean;
+  for (float Point::*const channel : kChannels) {
+    double mean = 0.0;
+    for (const Point& value : image)
+      mean += double(value.*channel);
+    mean /= double(image.size());
+    for (int l = 0; l < lines.count; ++l)
+      for (int k = 0; k < half; ++k) {
+        const double a = double(image[lines.at(l, k)].*channel) - mean;
+        const double b = double(image[lines.at(l, k + half)].*channel) - mean;
         product += a * b;
         first += a * a;
         second += b * b;
       }
+  }
   const double norm = std::sqrt(first * second);
   return norm > 0.0 ? std::clamp(product / norm, 0.0, 1.0) : 0.0;
 }

@@ -46,7 +46,7 @@ std::vector<Point> streaks(int width, int height, double length) {
   for (int y = 0; y < height; ++y) {
     double value = normal(bits);
     for (int x = 0; x < width; ++x) {
-      image.push_back({float(0.5 + value / 6.0), 0.5f, 0.5f});
+      image.push_back({float(0.5 + value / 6.0), 0.0f, 0.0f}); // unused channels are 0
       value = kept * value + fresh * normal(bits);
     }
   }
