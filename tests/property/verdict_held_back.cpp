@@ -3,7 +3,7 @@
 //
 // A false alarm is a picture with a good noise whose verdict is not good. A miss is a picture with
 // a faulty noise whose verdict is good. Both rates must be below a tenth, at a confidence of 95 %.
-// No limit was chosen with these pictures; docs/decisions/035-verdict.md says what they changed.
+// The limits are from other pictures; docs/decisions/035-verdict.md says what these changed.
 #include "verdict_held_back_pictures.h"
 
 #include <lichen/flatten.h>
