@@ -60,9 +60,10 @@ public:
     if (const Grain grain = bake.noise.as<TilingNoise>().grain; grain != Grain::none) {
       result.json["grain"] = nameOf(grain);
       result.facts.emplace_back("Grain", fmt::format("along {}", nameOf(grain)));
-      result.notes.push_back(fmt::format("long streaks along {}: the noise repeats less along them; "
-                                         "a streak ends after about the length of the picture",
-                                         nameOf(grain)));
+      result.notes.push_back(
+          fmt::format("long streaks along {}: cells are twice as long along them; "
+                      "a streak ends after about the length of the picture",
+                      nameOf(grain)));
     }
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
