@@ -110,6 +110,8 @@ struct Exemplar {
 
 /// Also chooses the method, if the user left that to it.
 Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
+  if (!arguments.layers.labels.empty())
+    arguments.exemplar.set.cutsFrame = false; // the labels are of the whole picture
   Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
   if (!read)
     return read.error();

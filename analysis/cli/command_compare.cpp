@@ -118,6 +118,7 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments, Materi
                              arguments.exemplar)};
   ExemplarOptions asItIs;
   asItIs.outliers.keeps = true;
+  asItIs.set.cutsFrame = false;
   const Result<ReadExemplar> result = readExemplar({arguments.result}, asItIs, arguments.shared);
   if (!result)
     return result.error();
@@ -300,8 +301,9 @@ Result<int> run(Arguments& arguments) {
     arguments.asBaked.bakeMemory = memoryOfMethods();
     if (!isGiven(*arguments.verb, "--flatten"))
       arguments.asBaked.flattening.automatic = true; // as in a bake
-  } else {
+  } else { // the bundle records what was filled and cut off
     arguments.asBaked.outliers.recorded.emplace();
+    arguments.asBaked.set.cutsFrame = false;
   }
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",

@@ -10,6 +10,7 @@
 namespace lichen::exemplar {
 namespace {
 
+// docs/decisions/038-frames.md says how these were chosen.
 constexpr int kFewestLines = 16;
 constexpr double kLargestShare = 0.25; // of the side, for the frame at one border
 constexpr double kContrast = 0.25;     // of the median of all lines
@@ -22,20 +23,21 @@ double medianOf(std::vector<double> values) {
   return *middle;
 }
 
-/// The first line that is kept, and the line behind the last.
-struct Range {
+/// Lines [begin, end).
+struct LineRange {
   int begin = 0, end = 0;
 };
 
-/// Means and contrasts of an image's lines, by the mean of their channels.
-class Lines {
+/// Means and contrasts of all rows, or all columns, by the mean of their channels.
+class LineStatistics {
 public:
   void add(double sum, double squares, int count) {
     means_.push_back(sum / count);
     contrasts_.push_back(std::sqrt(std::max(0.0, squares / count - means_.back() * means_.back())));
   }
 
-  [[nodiscard]] Range kept() const {
+  /// The lines inside the frame; all, if there is none.
+  [[nodiscard]] LineRange insideFrame() const {
     const int count = int(means_.size());
     if (count < kFewestLines)
       return {0, count};
@@ -48,7 +50,7 @@ public:
       const auto i = std::size_t(line);
       return contrasts_[i] < kContrast * contrast && distances[i] > kFarMean * scatter;
     };
-    Range inside{0, count};
+    LineRange inside{0, count};
     while (inside.begin < count && isFrame(inside.begin))
       ++inside.begin;
     while (inside.end > inside.begin && isFrame(inside.end - 1))
@@ -82,7 +84,7 @@ double brightness(const MapExemplar& map, int x, int y) {
 
 /// Adds a line of `count` pixels; brightnessAt(k) is that of its k-th.
 template <typename BrightnessAt>
-void addLine(Lines& lines, int count, const BrightnessAt& brightnessAt) {
+void addLine(LineStatistics& lines, int count, const BrightnessAt& brightnessAt) {
   double sum = 0.0, squares = 0.0;
   for (int k = 0; k < count; ++k) {
     const double value = brightnessAt(k);
@@ -95,14 +97,14 @@ void addLine(Lines& lines, int count, const BrightnessAt& brightnessAt) {
 } // namespace
 
 std::optional<PixelRectangle> insideOfFrame(const MapExemplar& map) {
-  Lines rows, columns;
+  LineStatistics rows, columns;
   for (int y = 0; y < map.height; ++y)
     addLine(rows, map.width, [&](int x) { return brightness(map, x, y); });
-  const Range vertical = rows.kept();
+  const LineRange vertical = rows.insideFrame();
   const int height = vertical.end - vertical.begin;
   for (int x = 0; x < map.width; ++x)
     addLine(columns, height, [&](int y) { return brightness(map, x, vertical.begin + y); });
-  const Range horizontal = columns.kept();
+  const LineRange horizontal = columns.insideFrame();
   const int width = horizontal.end - horizontal.begin;
   if (width == map.width && height == map.height)
     return std::nullopt;

@@ -13,7 +13,7 @@ namespace lichen::exemplar {
 /// the side wide, at one or more borders. Each of its lines has at most a quarter of the contrast
 /// of the lines inside, and a mean far from theirs. Two more pixels are left out, where edges are
 /// smoothed. Lines like those of the frame inside the picture, such as grout, mean that there is no
-/// frame. Throws std::bad_alloc.
+/// frame; so do fewer than 16 lines. Throws std::bad_alloc.
 [[nodiscard]] std::optional<PixelRectangle> insideOfFrame(const MapExemplar& map);
 
 } // namespace lichen::exemplar

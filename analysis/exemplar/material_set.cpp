@@ -298,9 +298,11 @@ void noteContent(const std::vector<NamedMap>& maps, std::vector<std::string>& no
 
 /// The part inside the frame of the base colour, in pixels of the largest map, with a note.
 std::optional<PixelRectangle> withoutFrame(const std::vector<NamedMap>& maps,
+                                           const MaterialSetOptions& options,
                                            std::vector<std::string>& notes) {
   const NamedMap* const color = findMap(maps, MapTarget::baseColor);
-  if (color == nullptr)
+  if (!options.cutsFrame || options.periodic == Periodic::yes || color == nullptr ||
+      findMap(maps, MapTarget::opacity) != nullptr)
     return std::nullopt;
   const std::optional<PixelRectangle> inside = insideOfFrame(color->map);
   if (!inside)
@@ -336,7 +338,7 @@ Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
       return read.error();
   if (Result<void> checked = checkOneOpacity(maps); !checked)
     return checked.error();
-  set.crop = options.crop ? options.crop : withoutFrame(maps, set.notes);
+  set.crop = options.crop ? options.crop : withoutFrame(maps, options, set.notes);
   if (set.crop)
     if (Result<void> done = crop(maps, *set.crop); !done)
       return done.error();

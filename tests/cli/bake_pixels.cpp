@@ -85,12 +85,7 @@ TEST_CASE("--crop gives the same bake as a file with only that part") {
 TEST_CASE("a frame is cut off like a crop, from all maps, and recorded") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("scan"));
-  SrgbImage color = speckled(64, 48, 3);
-  for (int y = 0; y < color.height; ++y)
-    for (int x = 0; x < color.width; ++x)
-      if (x < 4 || x >= 62 || y < 6)
-        std::fill_n(color.pixel(x, y), 3, 1.0f);
-  workplace.write("scan/diff.png", color);
+  workplace.write("scan/diff.png", framed(speckled(64, 48, 3), 4, 6, 2));
   workplace.write("scan/rough.png", speckled(32, 24, 1));
   const Arguments scan{workplace.path("scan")};
   const std::string inside = "6,8,54,40"; // without two more pixels beside the frame
@@ -99,8 +94,46 @@ TEST_CASE("a frame is cut off like a crop, from all maps, and recorded") {
   CHECK_THAT(report.at("notes").dump(), Catch::Contains("a frame is cut off") &&
                                             Catch::Contains("54 x 40 pixels from column 6"));
   CHECK(bundle == bundleOf(workplace, scan, {"--crop", inside}));
-  bundleOf(workplace, scan, {"--crop", "0,0,64,48"}, &report);
-  CHECK(report.at("width") == 64);
+}
+
+TEST_CASE("maps of other sizes lose the frame of the base colour at whole pixels inside of it") {
+  const Workplace workplace;
+  for (const char* const folder : {"scan", "inside"})
+    std::filesystem::create_directory(workplace.path(folder));
+  // The frame and two more pixels, 5, are 7.5 of the roughness: 8, and 5.33 of the colour again: 5.
+  const SrgbImage color = framed(speckled(64, 48, 3), 3, 0, 3);
+  const SrgbImage rough = framed(speckled(96, 72, 1), 4, 0, 4);
+  workplace.write("scan/diff.png", color);
+  workplace.write("scan/rough.png", rough);
+  workplace.write("inside/diff.png", part(color, 5, 0, 54, 48));
+  workplace.write("inside/rough.png", part(rough, 8, 0, 80, 72));
+  CHECK((unrecorded(workplace, {workplace.path("scan")}, {}) ==
+         unrecorded(workplace, {workplace.path("inside")}, {})));
+}
+
+TEST_CASE("a frame stays if the whole picture is asked for, or its opacity, period or labels") {
+  const Workplace workplace;
+  const std::string scan = workplace.write("scan.png", framed(speckled(64, 48, 3), 4, 6, 2));
+  SrgbImage halves(64, 48, 3);
+  for (int x = 0; x < 32; ++x)
+    for (int y = 0; y < 48; ++y)
+      halves.pixel(x, y)[0] = 1.0f;
+  std::filesystem::create_directory(workplace.path("leaf"));
+  std::filesystem::copy_file(scan, workplace.path("leaf/diff.png"));
+  workplace.write("leaf/opacity.png", speckled(64, 48, 1));
+  const std::pair<Arguments, Arguments> uses[] = {
+      {{scan}, {"--crop", "0,0,64,48"}},
+      {{scan}, {"--periodic", "yes"}},
+      {{scan}, {"--labels", workplace.write("halves.png", halves)}},
+      {{workplace.path("leaf")}, {}}};
+  for (const auto& [inputs, options] : uses) {
+    json report;
+    bundleOf(workplace, inputs, options, &report);
+    INFO(report.dump());
+    CHECK(report.at("width") == 64);
+    CHECK(report.at("height") == 48);
+    CHECK_THAT(report.at("notes").dump(), !Catch::Contains("frame"));
+  }
 }
 
 TEST_CASE("--crop cuts the same part out of the smaller maps of a set") {

@@ -167,6 +167,14 @@ SrgbImage brickwork(int side) {
   return image;
 }
 
+SrgbImage framed(SrgbImage image, int left, int top, int right) {
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      if (x < left || x >= image.width - right || y < top)
+        std::fill_n(image.pixel(x, y), image.channels, 1.0f);
+  return image;
+}
+
 SrgbImage speckled(int width, int height, int channels) {
   LinearImage noise(width, height, 1);
   std::uint32_t state = 1;

@@ -55,6 +55,8 @@ private:
 
 /// Speckles one or two texels wide, mostly dark or light; every channel differs.
 [[nodiscard]] SrgbImage speckled(int width, int height, int channels);
+/// Returns the image with a white frame of these widths, and none at the bottom. [pixels]
+[[nodiscard]] SrgbImage framed(SrgbImage image, int left, int top, int right);
 /// A running bond of bricks of 32 x 16 pixels, each of another grey, with light joints. Tileable if
 /// the side is a multiple of 32.
 [[nodiscard]] SrgbImage brickwork(int side);

@@ -100,6 +100,15 @@ TEST_CASE("only the colour distance finds a shift of all colours, and it misses 
   CHECK(shifted.measures.at("spectrum_distance_db").at("met") == true);
 }
 
+TEST_CASE("an image is compared with the photograph as it is, with its frame") {
+  const Workplace workplace;
+  const SrgbImage image = speckled(64, 64, 3);
+  const std::string scan = workplace.write("scan.png", framed(image, 8, 8, 8));
+  const Compared without = compared(scan, workplace.write("moss.png", image));
+  CHECK(without.value("color_distance") > 0.1); // a third of the pixels are white in one of them
+  CHECK_THAT(runLichen({"compare", scan, scan}).errors, !Catch::Contains("frame"));
+}
+
 TEST_CASE("the result may have another size than the exemplar, which gives a note") {
   const Workplace workplace;
   const SrgbImage image = speckled(64, 64, 3);

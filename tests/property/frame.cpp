@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <exemplar/frame.h>
 #include <materials.h>
+#include <random>
 #include <unsuitable.h>
 
 using namespace lichen;
@@ -49,6 +50,24 @@ TEST_CASE("a frame is found at all borders that have one, with its width") {
         CHECK(inside->width == kSide - cut(widths.left) - cut(widths.right));
         CHECK(inside->height == kSide - cut(widths.top) - cut(widths.bottom));
       }
+}
+
+TEST_CASE("a frame is found although it is dark grey, has the noise of a JPEG, and is not square") {
+  constexpr float kNoise = 2.0f / 255.0f;
+  SrgbImage image(kSide, kSide / 2, 3);
+  const SrgbImage square = exemplars::granite(kSide);
+  std::copy_n(square.values.begin(), image.values.size(), image.values.begin());
+  image = framed(std::move(image), {6, 6, 6, 6}, 0.1f);
+  std::minstd_rand random(7);
+  std::uniform_real_distribution<float> noise(-kNoise, kNoise);
+  for (float& value : image.values)
+    value = std::clamp(value + noise(random), 0.0f, 1.0f);
+  const auto inside = insideOfFrame(baseColor(image));
+  REQUIRE(inside);
+  CHECK(inside->x == 8);
+  CHECK(inside->y == 8);
+  CHECK(inside->width == kSide - 16);
+  CHECK(inside->height == kSide / 2 - 16);
 }
 
 TEST_CASE("materials, and what they have of lines themselves, are no frames") {

@@ -41,9 +41,11 @@ struct PixelRectangle {
 struct MaterialSetOptions {
   NormalConvention normal = NormalConvention::openGl; ///< for files whose names do not say
   AlphaUse alpha = AlphaUse::ignore;
-  /// The crop, applied first, in pixels of the largest map. Other maps are cropped to match. Without
-  /// one, a frame around the base colour is cut off: the border of a scan or a screenshot.
+  /// The crop, applied first, in pixels of the largest map. Other maps are cropped to match.
   std::optional<PixelRectangle> crop;
+  /// Whether to cut off a frame around the base colour, the border of a scan or a screenshot, if
+  /// there is no crop. A material with opacity or with periodic borders has none.
+  bool cutsFrame = true;
   /// Width and height to which every map is resampled, [1, kMaxImageSide]. Resampling averages
   /// light for colours, slopes for normals and values for other maps.
   std::optional<std::array<int, 2>> size;
