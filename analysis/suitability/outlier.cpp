@@ -46,22 +46,32 @@ Plane codesOf(const MapExemplar& map, std::size_t channel) {
   return plane;
 }
 
+/// What the difference of Gaussians leaves of each wave of the spectrum, in its order.
+std::vector<float> gainsAt(double scale, const HalfSpectrum& spectrum) {
+  std::vector<float> gains;
+  gains.reserve(spectrum.values.size());
+  for (int v = 0; v < spectrum.height; ++v)
+    for (int u = 0; u < spectrum.columns(); ++u) {
+      const double turn =
+          2.0 * std::numbers::pi * scale *
+          std::hypot(double(u) / spectrum.width, double(spectrum.signedRow(v)) / spectrum.height);
+      const auto gain = [&](double deviation) {
+        return std::exp(-0.5 * deviation * deviation * turn * turn);
+      };
+      gains.push_back(float(gain(kPlace) - gain(kSurroundings)));
+    }
+  return gains;
+}
+
 /// The differences of all places from their surroundings: (pixels, channels).
 Eigen::MatrixXd differences(std::span<const HalfSpectrum> channels, int width, int height,
                             double scale) {
   Eigen::MatrixXd result(Eigen::Index(width) * height, Eigen::Index(channels.size()));
+  const std::vector<float> gains = gainsAt(scale, channels.front());
   for (std::size_t c = 0; c < channels.size(); ++c) {
     HalfSpectrum band = channels[c];
-    for (int v = 0; v < band.height; ++v)
-      for (int u = 0; u < band.columns(); ++u) {
-        const double turn =
-            2.0 * std::numbers::pi * scale *
-            std::hypot(double(u) / band.width, double(band.signedRow(v)) / band.height);
-        const auto gain = [&](double deviation) {
-          return std::exp(-0.5 * deviation * deviation * turn * turn);
-        };
-        band.at(u, v) *= float(gain(kPlace) - gain(kSurroundings));
-      }
+    for (std::size_t i = 0; i < gains.size(); ++i)
+      band.values[i] *= gains[i];
     const std::vector<float> plane = inverseFft(band);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
