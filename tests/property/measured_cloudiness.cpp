@@ -10,15 +10,6 @@
 
 namespace lichen::test {
 
-MapExemplar baseColor(const SrgbImage& image) {
-  MapExemplar map;
-  map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
-  map.width = image.width;
-  map.height = image.height;
-  map.values = image.values;
-  return map;
-}
-
 double mean(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values)

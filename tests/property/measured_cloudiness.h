@@ -2,15 +2,13 @@
 // Measures visible cloudiness with the tables of a bake.
 #pragma once
 
-#include <lichen/image.h>
+#include "base_color.h"
+
 #include <lichen/tiling.h>
 
 #include <vector>
 
 namespace lichen::test {
-
-/// Returns the image as a base-colour map (RGB).
-[[nodiscard]] MapExemplar baseColor(const SrgbImage& image);
 
 [[nodiscard]] double mean(const std::vector<double>& values);
 [[nodiscard]] double variance(const std::vector<double>& values);
