@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fifteen kinds of pictures whose noise shows a fault.
+// Sixteen kinds of pictures whose noise shows a fault.
 #include "verdict_held_back_drawing.h"
 #include "verdict_held_back_pictures.h"
 
@@ -300,31 +300,87 @@ SrgbImage writing(int side, Random& random) {
   });
 }
 
-/// Gravel to the horizon, which is just above the picture: stones at the bottom are about ten times
-/// as wide as at the top.
-SrgbImage horizon(int side, Random& random) {
-  const Palette tones = paletteOf(random, 0.3f, 0.45f);
-  const std::uint32_t seed = random.bits();
-  const float above = float(side) * random.range(0.1f, 0.15f);
-  const float width = random.range(26.0f, 40.0f); // of a stone at the bottom
-  const float reach = (float(side) + above) / width;
-  return painted(side, [&](int sx, int sy) {
-    const float depth = (float(side) + above) / (pixelOf(sy) + above); // 1 at the bottom
-    const float x = reach * depth * (pixelOf(sx) / float(side) - 0.5f), y = 1.5f * reach * depth;
-    float first = std::numeric_limits<float>::max(), second = first, tone = 0.0f;
-    for (int j = int(std::floor(y)) - 1; j <= int(std::floor(y)) + 1; ++j)
-      for (int i = int(std::floor(x)) - 1; i <= int(std::floor(x)) + 1; ++i) {
-        const float away =
-            std::hypot(x - float(i) - hashed(i, j, seed), y - float(j) - hashed(i, j, seed + 1));
-        second = std::min(second, std::max(first, away));
-        if (away < first) {
-          first = away;
-          tone = hashed(i, j, seed + 2);
-        }
+/// The inverse of the square by which Canvas::resolve() approximates the sRGB curve, in 8 bits.
+float codeOf(float light) {
+  return std::round(255.0f * std::sqrt(std::clamp(light, 0.0f, 1.0f))) / 255.0f;
+}
+
+/// Any material on level ground, photographed at 52 to 66 degrees from straight down, with any side
+/// of the picture up: what is nearest is 2.3 to 5.4 times as wide as what is farthest.
+SrgbImage slantedGround(int side, Random& random) {
+  constexpr float kHalfView = 0.306f; // tangent of 17 degrees, from the middle to a side
+  constexpr float kMagnified = 2.0f;  // pixels per pixel of the material, where that is nearest
+  constexpr int kSamples = 10; // per pixel along each axis; the farthest pixels see much ground
+  const SoundKind& kind = soundKinds()[random.bits() % soundKinds().size()];
+  Canvas ground = kind.draw(2 * side, random); // repeats
+  const float tilt = random.range(52.0f, 66.0f) * kTau / 360.0f;
+  const float roll =
+      0.25f * kTau * std::floor(random.range(0.0f, 4.0f)) + random.range(-0.2f, 0.2f);
+  const float cosine = std::cos(roll), sine = std::sin(roll);
+  const float down = std::cos(tilt), ahead = std::sin(tilt);
+  const float perPixel = 2.0f * kHalfView / float(side);
+  const float height = (down + kHalfView * ahead) / (perPixel * kMagnified);
+  const auto sampleAt = [&](float x, float y) -> const Color& {
+    const auto wrapped = [&](float pixels) {
+      const int sample = int(std::floor(pixels * float(kSamplesPerPixel))) % ground.side();
+      return sample < 0 ? sample + ground.side() : sample;
+    };
+    return ground.at(wrapped(x), wrapped(y));
+  };
+  SrgbImage image(side, side, 3);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      std::array<float, 3> light{};
+      for (int k = 0; k < kSamples * kSamples; ++k) {
+        const float dx = float(x) + (float(k % kSamples) + 0.5f) / float(kSamples);
+        const float dy = float(y) + (float(k / kSamples) + 0.5f) / float(kSamples);
+        const float right = perPixel * dx - kHalfView, below = perPixel * dy - kHalfView;
+        const float u = right * cosine - below * sine, v = right * sine + below * cosine;
+        const float reach = height / (down - v * ahead);
+        const Color& seen = sampleAt(reach * u, reach * (ahead + v * down));
+        light[0] += seen.r * seen.r;
+        light[1] += seen.g * seen.g;
+        light[2] += seen.b * seen.b;
       }
-    const Color stone = mix(tones.dark, tones.light, 0.3f + 0.7f * tone);
-    return scaled(stone, 0.6f + 0.4f * smoothStep(0.0f, 0.25f, second - first));
-  });
+      for (std::size_t c = 0; c < 3; ++c)
+        image.pixel(x, y)[c] = codeOf(light[c] / float(kSamples * kSamples));
+    }
+  return image;
+}
+
+/// Any material that is sharp in a band or in a disc, anywhere in the picture, whose half width is
+/// 10 to 20 % of the side. Elsewhere the lens spreads each point over a disc. Its radius grows with
+/// the distance, to 3 to 5 % of the side at half a side from there.
+SrgbImage partlyBlurred(int side, Random& random) {
+  const float most = float(side) * random.range(0.03f, 0.05f);
+  const float sharpHalf = float(side) * random.range(0.1f, 0.2f);
+  const float x0 = float(side) * random.range(0.1f, 0.9f);
+  const float y0 = float(side) * random.range(0.1f, 0.9f);
+  const Direction across = randomDirection(random);
+  const bool isBand = random.chance(0.5f);
+  const int spare = int(std::ceil(most)) + 1;
+  const SrgbImage sharp = anyMaterial(side + 2 * spare, random);
+  SrgbImage image(side, side, 3);
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      const float dx = float(x) - x0, dy = float(y) - y0;
+      const float away = isBand ? std::abs(dx * across.x + dy * across.y) : std::hypot(dx, dy);
+      const float radius = most * std::clamp(2.0f * (away - sharpHalf) / float(side), 0.0f, 1.0f);
+      const int reach = int(std::ceil(radius));
+      std::array<float, 3> light{};
+      float sum = 0.0f;
+      for (int j = -reach; j <= reach; ++j)
+        for (int i = -reach; i <= reach; ++i) {
+          const float weight = coverage(radius + 0.5f - std::hypot(float(i), float(j)));
+          sum += weight;
+          const float* const from = sharp.pixel(x + spare + i, y + spare + j);
+          for (std::size_t c = 0; c < 3; ++c)
+            light[c] += weight * from[c] * from[c];
+        }
+      for (std::size_t c = 0; c < 3; ++c)
+        image.pixel(x, y)[c] = codeOf(light[c] / sum);
+    }
+  return image;
 }
 
 /// Boards of different widths from one side of the picture to the other.
@@ -348,8 +404,8 @@ SrgbImage boards(int side, Random& random) {
 
 } // namespace
 
-const std::array<FaultyKind, 15>& faultyKinds() {
-  static constexpr std::array<FaultyKind, 15> kKinds{{{"hexagons", hexagons},
+const std::array<FaultyKind, 16>& faultyKinds() {
+  static constexpr std::array<FaultyKind, 16> kKinds{{{"hexagons", hexagons},
                                                       {"herringbone", herringbone},
                                                       {"shingles", shingles},
                                                       {"tartan", tartan},
@@ -362,7 +418,8 @@ const std::array<FaultyKind, 15>& faultyKinds() {
                                                       {"underexposed", underexposed},
                                                       {"overexposed", overexposed},
                                                       {"writing", writing},
-                                                      {"horizon", horizon},
+                                                      {"slanted ground", slantedGround},
+                                                      {"partly blurred", partlyBlurred},
                                                       {"boards", boards}}};
   return kKinds;
 }

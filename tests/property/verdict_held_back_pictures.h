@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Pictures for the error rates of the verdict. No threshold was chosen with them.
+// Pictures for the error rates of the verdict.
 //
-// Each has its own seed, side, colours, sizes and contrast. Whether its noise is good was decided
-// for each kind before any was judged, by what a person sees in such a noise.
+// Each has its own seed, colours, sizes and contrast, and in the large group its own side. Whether
+// its noise is good was decided for each kind before any was judged, by what a person sees in such
+// a noise. The seeds were fixed before the first run of all pictures, and none was changed after.
+//
+// Pictures with other seeds, of most of these kinds, changed the verdict twice: the support of
+// autocovariance_error is shorter because of the materials, and the risk "uneven-scale" exists
+// because of another slanted ground. So the materials are held back from all limits but that
+// support. `slanted ground` and `partly blurred` are younger than the risk and its thresholds;
+// their author knew how it measures, but no score of them. The other limits are from the pictures
+// that decisions 013, 034 and 035 name.
 #pragma once
 
 #include <lichen/image.h>
@@ -13,21 +21,23 @@
 
 namespace lichen::test {
 
-/// Draws a material that tiles, with features of at most a tenth of kSmallestHeldBackSide.
+/// Draws a material that tiles, with features of up to about a tenth of kSmallestHeldBackSide.
 using DrawMaterial = exemplars::Canvas (*)(int sidePixels, exemplars::Random& random);
 /// Draws a picture whose noise shows a fault.
 using DrawFaulty = SrgbImage (*)(int sidePixels, exemplars::Random& random);
 
 inline constexpr int kSmallestHeldBackSide = 176, kLargestHeldBackSide = 208; // pixels
 
-/// What a bake repairs by default. All but `tiles` are parts of larger pictures.
+/// What happens to a material on its photograph. All but `tiles` are parts of larger pictures. A
+/// bake removes uneven light and fills what occurs once, if it finds them; it leaves the traces of
+/// a camera.
 enum class Condition {
   tiles,
   cropped,
-  vignette,
+  vignette,   ///< uneven light, as are the next two
   gradient,   ///< light falls off from one side to the other
   shadow,     ///< its soft edge crosses the picture
-  compressed, ///< quantized in blocks, as JPEG is
+  compressed, ///< by a camera: quantized in blocks, as JPEG is
   noisy,      ///< noise of a camera
   fold,       ///< occurs once, as do the next two
   stain,
@@ -47,7 +57,7 @@ struct FaultyKind {
 };
 
 [[nodiscard]] const std::array<SoundKind, 12>& soundKinds();
-[[nodiscard]] const std::array<FaultyKind, 15>& faultyKinds();
+[[nodiscard]] const std::array<FaultyKind, 16>& faultyKinds();
 
 /// A part of the picture, at a random place.
 [[nodiscard]] SrgbImage cropped(const SrgbImage& image, int sidePixels, exemplars::Random& random);
