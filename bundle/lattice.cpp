@@ -30,18 +30,23 @@ Lattice periodicLattice(double widthTiles, double heightTiles, Grain grain) {
 }
 
 namespace {
-constexpr std::int64_t kColumnsOfStep = 7; // 3.5 columns per tile, or 1.75
+
+constexpr std::int64_t kColumnsOfStep = 7;
+constexpr std::int64_t kTilesOfStep = 2, kTilesOfStretchedStep = 4;
+static_assert(kTilesOfStep * kLatticeColumnsPerTile == kColumnsOfStep);
+static_assert(kTilesOfStretchedStep * kLatticeColumnsPerTile / kGrainStretch == kColumnsOfStep);
+
+} // namespace
+
+std::int64_t latticeOriginStep(Grain grain) {
+  return grain == Grain::x ? kTilesOfStretchedStep : kTilesOfStep;
 }
 
-std::int64_t latticeOriginStep(const Lattice& lattice) {
-  return std::int64_t(double(kColumnsOfStep) / lattice.columnsPerTile);
-}
-
-std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY,
-                                        const Lattice& lattice) {
+std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY, Grain grain) {
   // I = columnsPerTile x - J / 2 and J = rowsPerTile y, modulo 2^32.
-  const auto steps = std::uint64_t(tileX / latticeOriginStep(lattice));
-  const std::uint64_t halfJ = std::uint64_t(lattice.rowsPerTile / 2.0) * std::uint64_t(tileY);
+  const auto steps = std::uint64_t(tileX / latticeOriginStep(grain));
+  const auto halfRows = std::uint64_t(infiniteLattice(grain).rowsPerTile / 2.0);
+  const std::uint64_t halfJ = halfRows * std::uint64_t(tileY);
   return {std::int32_t(std::uint32_t(std::uint64_t(kColumnsOfStep) * steps - halfJ)),
           std::int32_t(std::uint32_t(2u * halfJ))};
 }

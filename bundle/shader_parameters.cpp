@@ -59,12 +59,12 @@ void setCells(shader::LichenMaterial& result, const shader::LichenNoise& noise,
         withinPeriod(material.offset[1], placement.tileOriginY, placement.periodTilesY);
     return;
   }
-  const std::array<std::int64_t, 2> step = format.originStep(lattice);
+  const std::array<std::int64_t, 2> step = format.originStep(noise, material);
   const SplitOrigin x = splitOrigin(placement.tileOriginX, material.offset[0], step[0]);
   const SplitOrigin y = splitOrigin(placement.tileOriginY, material.offset[1], step[1]);
   result.offsetX = x.offset;
   result.offsetY = y.offset;
-  const std::array<std::int32_t, 2> cell = format.cellOf(lattice, x.tile, y.tile);
+  const std::array<std::int32_t, 2> cell = format.cellOf(noise, material, x.tile, y.tile);
   result.cellI = cell[0];
   result.cellJ = cell[1];
 }
@@ -86,7 +86,7 @@ void setPlanes(shader::LichenTriplanarMaterial& planes, const shader::LichenNois
   shader::LichenMaterial& result = planes.material;
   const MethodFormat& format = formatOf(Method(noise.method));
   const Lattice lattice = format.cells(noise, material, {});
-  const std::array<std::int64_t, 2> step = format.originStep(lattice);
+  const std::array<std::int64_t, 2> step = format.originStep(noise, material);
   const double aspect = double(noise.tileTexelsX) / double(noise.tileTexelsY); // square texels
   const double cosine = std::cos(material.rotation);
   const double sine = std::sin(material.rotation);
@@ -99,7 +99,7 @@ void setPlanes(shader::LichenTriplanarMaterial& planes, const shader::LichenNois
                                        aspect * (cosine * down - sine * right)};
     const SplitOrigin x = splitOrigin(origin[0], material.offset[0], step[0]);
     const SplitOrigin y = splitOrigin(origin[1], material.offset[1], step[1]);
-    const std::array<std::int32_t, 2> cell = format.cellOf(lattice, x.tile, y.tile);
+    const std::array<std::int32_t, 2> cell = format.cellOf(noise, material, x.tile, y.tile);
     const std::uint32_t seedWord = latticeSeed(material.seed, std::uint32_t(axis));
     if (axis > 0) {
       (axis == 1 ? planes.planeY : planes.planeZ) = {cell[0],  cell[1], x.offset, y.offset,

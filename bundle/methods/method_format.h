@@ -55,16 +55,21 @@ public:
   [[nodiscard]] virtual std::array<std::uint32_t, 2> tileSize(const Bundle& bundle,
                                                               const Noise& noise) const = 0;
 
-  /// The noise's cells on texture coordinates (cells), and the cell of an integer tile origin
-  /// (cellOf), modulo 2^32, at the corner of which the origin lies. Of tiles that are multiples of
-  /// originStep() alone, which may depend on the cells.
+  /// The noise's cells on texture coordinates.
   [[nodiscard]] virtual Lattice cells(const shader::LichenNoise& noise,
                                       const MaterialNoise& material,
                                       const Placement& placement) const = 0;
-  [[nodiscard]] virtual std::array<std::int64_t, 2> originStep(const Lattice&) const {
+  /// The number of tiles along x and y between origins that lie at the corner of a cell, if the
+  /// cells have no period.
+  [[nodiscard]] virtual std::array<std::int64_t, 2> originStep(const shader::LichenNoise&,
+                                                               const MaterialNoise&) const {
     return {1, 1};
   }
-  [[nodiscard]] virtual std::array<std::int32_t, 2> cellOf(const Lattice& cells, std::int64_t tileX,
+  /// The cell, modulo 2^32, whose corner lies at an integer tile origin. The origin must be a
+  /// multiple of originStep().
+  [[nodiscard]] virtual std::array<std::int32_t, 2> cellOf(const shader::LichenNoise& noise,
+                                                           const MaterialNoise& material,
+                                                           std::int64_t tileX,
                                                            std::int64_t tileY) const = 0;
 
   /// Sets the constants that only this method has: of a map, of a noise, and of a material, of

@@ -292,11 +292,24 @@ TEST_CASE("an integer tile origin matches the skewed coordinates exactly") {
   CHECK(latticeCell(-2, 0) == std::array{-7, 0});
 }
 
+TEST_CASE("an origin step has a whole number of columns and is as short as possible") {
+  for (const Grain grain : kGrains) {
+    const Lattice lattice = infiniteLattice(grain);
+    const std::int64_t step = latticeOriginStep(grain);
+    REQUIRE(step >= 1);
+    for (std::int64_t tiles = 1; tiles <= step; ++tiles) {
+      const double columns = double(tiles) * lattice.columnsPerTile;
+      INFO("grain " << int(grain) << ", " << tiles << " tiles");
+      CHECK((columns == std::floor(columns)) == (tiles == step));
+    }
+  }
+}
+
 TEST_CASE("a point has the same triangle and weights from any tile origin, with any grain") {
   constexpr std::int64_t kFar = std::int64_t(1) << 40;
   for (const Grain grain : kGrains) {
     const Lattice lattice = infiniteLattice(grain);
-    const std::int64_t step = latticeOriginStep(lattice);
+    const std::int64_t step = latticeOriginStep(grain);
     CHECK(step == (grain == Grain::x ? 4 : 2));
     for (const std::int64_t tileX : {std::int64_t(0), step, -step, 2500000 * step, kFar, -kFar})
       for (const std::int64_t tileY :
@@ -310,7 +323,7 @@ TEST_CASE("a point has the same triangle and weights from any tile origin, with 
           };
           const auto here = skewed(x, y);
           const auto fromZero = skewed(double(tileX) + x, double(tileY) + y);
-          const auto cell = latticeCell(tileX, tileY, lattice);
+          const auto cell = latticeCell(tileX, tileY, grain);
           INFO("grain " << int(grain) << ", tile " << tileX << ", " << tileY);
           for (std::size_t axis = 0; axis < 2; ++axis) {
             const auto column = std::int64_t(std::floor(here[axis]));

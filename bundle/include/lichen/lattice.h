@@ -98,11 +98,11 @@ tileOffsetTexels(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::
           (steps[1] << tileOffsetShift(height)) % height};
 }
 
-/// The axis of an exemplar along which its streaks run, as those of wood do.
+/// The axis nearest to the long streaks of an exemplar such as wood; none without such streaks.
 enum class Grain { none, x, y };
 
-/// Cells are longer along the grain by this factor, so that borders of tiles cut half as many
-/// streaks.
+/// The lattice of a noise with a grain has cells longer along it by this factor, so that borders of
+/// tiles cut half as many streaks. docs/decisions/036-grain.md chose it.
 inline constexpr double kGrainStretch = 2.0;
 
 /// The lattice that a material uses: infinite, or periodic with an integer number of cells.
@@ -125,12 +125,12 @@ struct Lattice {
 
 /// The number of tiles side by side in which an infinite lattice has a whole number of columns: 2,
 /// or 4 with a grain along x.
-[[nodiscard]] std::int64_t latticeOriginStep(const Lattice& lattice);
+[[nodiscard]] std::int64_t latticeOriginStep(Grain grain);
 
 /// The cell of an integer tile origin in the skewed coordinates of an infinite lattice, modulo 2^32
-/// as in the hash. `tileX` is a multiple of latticeOriginStep(): between, the origin is not at the
-/// corner of a cell.
+/// as in the hash. `tileX` must be a multiple of latticeOriginStep(): other origins do not lie at
+/// the corner of a cell.
 [[nodiscard]] std::array<std::int32_t, 2> latticeCell(std::int64_t tileX, std::int64_t tileY,
-                                                      const Lattice& lattice = {});
+                                                      Grain grain = Grain::none);
 
 } // namespace lichen

@@ -109,15 +109,19 @@ Lattice LocalRandomPhaseFormat::cells(const shader::LichenNoise& noise, const Ma
   return lattice;
 }
 
-std::array<std::int64_t, 2> LocalRandomPhaseFormat::originStep(const Lattice&) const {
+std::array<std::int64_t, 2> LocalRandomPhaseFormat::originStep(const shader::LichenNoise&,
+                                                               const MaterialNoise&) const {
   return {kOctaveTiles, kOctaveTiles};
 }
 
-std::array<std::int32_t, 2> LocalRandomPhaseFormat::cellOf(const Lattice& cells, std::int64_t tileX,
+std::array<std::int32_t, 2> LocalRandomPhaseFormat::cellOf(const shader::LichenNoise& noise,
+                                                           const MaterialNoise& material,
+                                                           std::int64_t tileX,
                                                            std::int64_t tileY) const {
+  const Lattice lattice = cells(noise, material, {});
   // I = columns x - J / 2 and J = rows y, modulo 2^32; x and y in units of kOctaveTiles tiles.
-  const auto columns = std::uint64_t(std::llround(cells.columnsPerTile * kOctaveTiles));
-  const auto halfRows = std::uint64_t(std::llround(0.5 * cells.rowsPerTile * kOctaveTiles));
+  const auto columns = std::uint64_t(std::llround(lattice.columnsPerTile * kOctaveTiles));
+  const auto halfRows = std::uint64_t(std::llround(0.5 * lattice.rowsPerTile * kOctaveTiles));
   const auto x = std::uint64_t(tileX / kOctaveTiles);
   const auto y = std::uint64_t(tileY / kOctaveTiles);
   return {std::int32_t(std::uint32_t(columns * x - halfRows * y)),

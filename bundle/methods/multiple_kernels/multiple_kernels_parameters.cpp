@@ -21,11 +21,13 @@ Lattice MultipleKernelsFormat::cells(const shader::LichenNoise&, const MaterialN
   return lattice;
 }
 
-std::array<std::int64_t, 2> MultipleKernelsFormat::originStep(const Lattice&) const {
+std::array<std::int64_t, 2> MultipleKernelsFormat::originStep(const shader::LichenNoise&,
+                                                              const MaterialNoise&) const {
   return {kKernelTiles, kKernelTiles};
 }
 
-std::array<std::int32_t, 2> MultipleKernelsFormat::cellOf(const Lattice&, std::int64_t tileX,
+std::array<std::int32_t, 2> MultipleKernelsFormat::cellOf(const shader::LichenNoise&,
+                                                          const MaterialNoise&, std::int64_t tileX,
                                                           std::int64_t tileY) const {
   const auto group = [](std::int64_t tile) {
     return std::int32_t(std::uint32_t(std::uint64_t(tile / kKernelTiles)));

@@ -24,7 +24,9 @@ public:
                                                       const Noise& noise) const override;
   [[nodiscard]] Lattice cells(const shader::LichenNoise& noise, const MaterialNoise& material,
                               const Placement& placement) const override;
-  [[nodiscard]] std::array<std::int32_t, 2> cellOf(const Lattice& cells, std::int64_t tileX,
+  [[nodiscard]] std::array<std::int32_t, 2> cellOf(const shader::LichenNoise& noise,
+                                                   const MaterialNoise& material,
+                                                   std::int64_t tileX,
                                                    std::int64_t tileY) const override;
   void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
               shader::LichenMap& constants) const override;

@@ -97,9 +97,10 @@ Lattice TextonFormat::cells(const shader::LichenNoise& noise, const MaterialNois
   return impactGrid(shapeOf(noise), material.impacts, placement);
 }
 
-std::array<std::int32_t, 2> TextonFormat::cellOf(const Lattice& cells, std::int64_t tileX,
+std::array<std::int32_t, 2> TextonFormat::cellOf(const shader::LichenNoise& noise,
+                                                 const MaterialNoise& material, std::int64_t tileX,
                                                  std::int64_t tileY) const {
-  return impactGridCell(cells, tileX, tileY);
+  return impactGridCell(cells(noise, material, {}), tileX, tileY);
 }
 
 void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& map,

@@ -16,6 +16,11 @@ float offsetStep(std::uint32_t sizeTexels) {
   return float(double(1u << tileOffsetShift(sizeTexels)) / double(sizeTexels));
 }
 
+/// Tiles that are rotated have no grain: their streaks run in all directions.
+Grain grainOf(const shader::LichenNoise& noise, const MaterialNoise& material) {
+  return material.tileRotation > 1 ? Grain::none : Grain(tilingPart(noise).grain);
+}
+
 static_assert(int(Grain::none) == LICHEN_GRAIN_NONE && int(Grain::x) == LICHEN_GRAIN_X &&
               int(Grain::y) == LICHEN_GRAIN_Y);
 
@@ -23,18 +28,20 @@ static_assert(int(Grain::none) == LICHEN_GRAIN_NONE && int(Grain::x) == LICHEN_G
 
 Lattice TilingFormat::cells(const shader::LichenNoise& noise, const MaterialNoise& material,
                             const Placement& placement) const {
-  const Grain grain = material.tileRotation > 1 ? Grain::none : Grain(tilingPart(noise).grain);
+  const Grain grain = grainOf(noise, material);
   return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY, grain)
                             : infiniteLattice(grain);
 }
 
-std::array<std::int64_t, 2> TilingFormat::originStep(const Lattice& cells) const {
-  return {latticeOriginStep(cells), 1};
+std::array<std::int64_t, 2> TilingFormat::originStep(const shader::LichenNoise& noise,
+                                                     const MaterialNoise& material) const {
+  return {latticeOriginStep(grainOf(noise, material)), 1};
 }
 
-std::array<std::int32_t, 2> TilingFormat::cellOf(const Lattice& cells, std::int64_t tileX,
+std::array<std::int32_t, 2> TilingFormat::cellOf(const shader::LichenNoise& noise,
+                                                 const MaterialNoise& material, std::int64_t tileX,
                                                  std::int64_t tileY) const {
-  return latticeCell(tileX, tileY, cells);
+  return latticeCell(tileX, tileY, grainOf(noise, material));
 }
 
 void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
