@@ -2,6 +2,7 @@
 // Layered noises in the engine plugin's plan layer: properties, bindings, blocks and switches.
 #include "plugin_plan.h"
 
+#include <lichen/bundle_merge.h>
 #include <lichen/layered_noise.h>
 #include <lichen/shader_parameters.h>
 
@@ -9,6 +10,8 @@
 
 #include <array>
 #include <cstring>
+#include <string>
+#include <utility>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -82,4 +85,49 @@ TEST_CASE(
                                             "-DLICHEN_LAYERS=2 -DLICHEN_LAYER_METHODS=8 "));
   parameters.mapping = LICHEN_MAPPING_SURFACE;
   CHECK(fill(parameters).message == "mapping 2 (surface) does not fit the noise: it has layers");
+}
+
+TEST_CASE("a grain of the second layer counts for the switches and is a property of that layer") {
+  const auto layerOf = [](Grain grain) {
+    Bundle layer = example::smallest().bundle;
+    layer.noises[0].as<TilingNoise>().grain = grain;
+    layer.noises[0].maps[0].target = MapTarget::occlusionRoughnessMetallic;
+    layer.noises[0].maps[0].channels = {MapChannel::occlusion};
+    return layer;
+  };
+  Bundle index = example::smallestKernels().bundle;
+  index.noises[0].maps[0].target = MapTarget::occlusionRoughnessMetallic;
+  index.noises[0].maps[0].channels = {MapChannel::occlusion};
+  const Bundle plain = layerOf(Grain::none);
+  const Table& image = plain.tables[plain.noises[0].maps[0].as<TilingMap>().gaussian];
+  auto& kernels = index.noises[0].as<MultipleKernelsNoise>();
+  kernels.texelsPerTileX = int(image.width); // all tiles have one shape
+  kernels.texelsPerTileY = int(image.height);
+  for (const Grain grain : {Grain::none, Grain::x}) {
+    const Bundle second = layerOf(grain);
+    BundleFile file;
+    Result<Bundle> layered =
+        layerNoises("layered", std::array{BundledNoise{&plain, 0}, BundledNoise{&second, 0}},
+                    std::array{BundledNoise{&index, 0}}, {{0, 0.3, 0.2, {false, 1}, {false, 0}}});
+    INFO((layered ? "" : layered.error().message));
+    REQUIRE(layered);
+    file.bundle = std::move(layered).value();
+    file.previews.emplace_back();
+    file.shape = PreviewShape::none;
+    const OwnedBundle bundle(file);
+    const LichenMaterialParameters parameters = parametersOf(bundle.handle);
+    const LichenMaterialParameters* const all[] = {&parameters};
+    std::array<char, LICHEN_SWITCH_BYTES> text{};
+    REQUIRE(lichenGetShaderSwitches(all, 1, nullptr, text.data(), text.size(), nullptr) ==
+            LICHEN_SUCCESS);
+    const std::string switches = text.data();
+    CHECK((switches.find("-DLICHEN_GRAIN=0") != std::string::npos) == (grain == Grain::none));
+    LichenNoiseProperties noise;
+    LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+    REQUIRE(lichenGetNoiseProperties(bundle.handle, 0, &noise) == LICHEN_SUCCESS);
+    CHECK(noise.hasGrain == 0);
+    REQUIRE(noise.layerCount == 2);
+    REQUIRE(lichenGetNoiseProperties(bundle.handle, noise.layers[1], &noise) == LICHEN_SUCCESS);
+    CHECK(noise.hasGrain == (grain == Grain::none ? 0u : 1u));
+  }
 }

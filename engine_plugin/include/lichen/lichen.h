@@ -182,7 +182,7 @@ typedef struct LichenNoiseProperties {
   uint32_t layers[4];
   uint32_t indices[3];
   /* 1 if a tiling noise has a grain, 0 of other noises. LICHEN_GRAIN of the shader library may be 0
-   * where no noise has one. */
+   * where no noise and no layer has one. It saves time only if LICHEN_PERIODIC_LATTICE is 0 too. */
   uint32_t hasGrain;
 } LichenNoiseProperties;
 
