@@ -10,20 +10,14 @@
 
 namespace lichen::gaussian {
 
-/// What the borders of an image are like.
-struct Borders {
-  bool fit = true;
-  Grain grain = Grain::none; ///< of what is faded if they do not fit
-};
-
 /// Cross-fades a band of an eighth of the side along each border pair with the image displaced by
 /// half its size, which is continuous there. The blend preserves the variance of independent
 /// values: mean + (a (g - mean) + b (h - mean)) / sqrt(a^2 + b^2), [HN18] eq. 8.
 ///
-/// With a grain, the streaks, which are the image averaged along it, have a band of half the side
-/// at the borders that they cross, so that they end there at different places; docs/decisions/
-/// 036-grain.md. Their variance is preserved for values that correlate as the halves of the streaks
-/// do.
+/// With a grain, the image's average along it, which holds the streaks, has a band of half the side
+/// at the borders that the streaks cross. Each streak then ends at a place of its own:
+/// docs/decisions/036-grain.md. The blend preserves the variance of streaks whose halves correlate
+/// as those of this image do.
 [[nodiscard]] std::vector<Point> crossFadeBorders(const std::vector<Point>& image, int width,
                                                   int height, Grain grain = Grain::none);
 

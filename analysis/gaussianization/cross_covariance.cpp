@@ -333,7 +333,7 @@ bool isNegligible(const MatrixXd& missing) {
 
 Gaussianized withCrossCovariances(const MapExemplar& map, const exemplar::ColorSpace& space,
                                   std::span<const SettledMap> settled, Gaussianized alone,
-                                  const InverseTable& table, gaussian::Borders borders,
+                                  const InverseTable& table, gaussian::BorderTreatment borders,
                                   ProgressPart progress) {
   const CrossCovariances covariances(map, space, settled, table);
   const bool onLine = space.dimensions() == 1;

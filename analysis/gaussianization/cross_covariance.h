@@ -42,6 +42,7 @@ struct SettledMap {
                                                 const exemplar::ColorSpace& space,
                                                 std::span<const SettledMap> settled,
                                                 Gaussianized alone, const InverseTable& table,
-                                                gaussian::Borders borders, ProgressPart progress);
+                                                gaussian::BorderTreatment borders,
+                                                ProgressPart progress);
 
 } // namespace lichen::gaussianization

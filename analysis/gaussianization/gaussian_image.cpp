@@ -8,7 +8,7 @@
 
 namespace lichen::gaussianization {
 
-Gaussianized gaussianImage(const MapExemplar& map, gaussian::Borders borders,
+Gaussianized gaussianImage(const MapExemplar& map, gaussian::BorderTreatment borders,
                            gaussian::Precision precision, ProgressPart progress) {
   // Part of the progress; whitening takes the rest.
   constexpr double kPoints = 0.3, kFaded = 0.6;

@@ -12,7 +12,7 @@ namespace lichen::gaussianization {
 /// must be positive definite. If the borders do not fit they are then cross-faded. Mean 1/2 and
 /// covariance I/36 are exact, even in 8 bits, where values beyond three standard deviations are
 /// clamped. `matched` is empty.
-[[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, gaussian::Borders borders,
+[[nodiscard]] Gaussianized gaussianImage(const MapExemplar& map, gaussian::BorderTreatment borders,
                                          gaussian::Precision precision, ProgressPart progress = {});
 
 } // namespace lichen::gaussianization

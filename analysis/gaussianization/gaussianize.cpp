@@ -2,6 +2,7 @@
 // Exemplar points (width * height) -> Gaussian points, by optimal transport [HN18] eq. 21.
 #include "gaussianize.h"
 
+#include "gaussian/cross_fade.h"
 #include "transport/rank_matching.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ std::vector<Point> rematched(const std::vector<Point>& sources, const std::vecto
 
 /// `near` with other points matched to its pixels and an image made from them.
 Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched,
-                       gaussian::Borders borders, const TransportOptions& options) {
+                       gaussian::BorderTreatment borders, const TransportOptions& options) {
   Gaussianized result{near.width, near.height, near.dimensions, {}, std::move(matched)};
   result.image = borders.fit ? result.matched
                              : rematched(gaussian::crossFadeBorders(result.matched, near.width,
@@ -48,7 +49,7 @@ Gaussianized withImage(const Gaussianized& near, std::vector<Point> matched,
 } // namespace
 
 Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points, int dimensions,
-                         gaussian::Borders borders, gaussian::Precision precision,
+                         gaussian::BorderTreatment borders, gaussian::Precision precision,
                          const TransportOptions& options) {
   Gaussianized result{map.width, map.height, dimensions, {}, {}};
   const std::vector<Point> stratified =
@@ -69,7 +70,7 @@ Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& point
 }
 
 Gaussianized gaussianizeNear(const Gaussianized& near, const std::vector<Point>& points,
-                             gaussian::Borders borders, const TransportOptions& options) {
+                             gaussian::BorderTreatment borders, const TransportOptions& options) {
   TransportOptions part = options;
   part.progress = options.progress.part(0.0, borders.fit ? 1.0 : 0.5);
   std::vector<Point> matched = rematched(points, near.matched, near.dimensions, part);
@@ -78,7 +79,7 @@ Gaussianized gaussianizeNear(const Gaussianized& near, const std::vector<Point>&
 }
 
 Gaussianized gaussianizeInOrder(const Gaussianized& near, const std::vector<std::uint32_t>& order,
-                                gaussian::Borders borders) {
+                                gaussian::BorderTreatment borders) {
   return withImage(near, transport::matchedInOrder(order, near.matched), borders, {});
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "exemplar/color_space.h"
-#include "gaussian/cross_fade.h"
+#include "gaussian/border_treatment.h"
 #include "gaussian/gaussian_distribution.h"
 #include "transport/assignment.h"
 
@@ -30,7 +30,7 @@ struct Gaussianized {
 /// Matches the exemplar's points to the stratified Gaussian set. If the borders do not
 /// fit, they are then cross-faded and the image is matched to the set again.
 [[nodiscard]] Gaussianized gaussianize(const MapExemplar& map, const std::vector<Point>& points,
-                                       int dimensions, gaussian::Borders borders,
+                                       int dimensions, gaussian::BorderTreatment borders,
                                        gaussian::Precision precision,
                                        const transport::TransportOptions& options);
 
@@ -38,12 +38,12 @@ struct Gaussianized {
 /// that start from the matching of `near`.
 [[nodiscard]] Gaussianized gaussianizeNear(const Gaussianized& near,
                                            const std::vector<Point>& points,
-                                           gaussian::Borders borders,
+                                           gaussian::BorderTreatment borders,
                                            const transport::TransportOptions& options);
 
 /// The same for points in one dimension; `order` lists them from smallest to largest.
 [[nodiscard]] Gaussianized gaussianizeInOrder(const Gaussianized& near,
                                               const std::vector<std::uint32_t>& order,
-                                              gaussian::Borders borders);
+                                              gaussian::BorderTreatment borders);
 
 } // namespace lichen::gaussianization

@@ -244,15 +244,15 @@ std::vector<PlannedMap> plannedMaps(std::span<const MapExemplar> maps,
 
 } // namespace
 
-Result<gaussian::Borders> gaussianizeMaps(const std::string& name,
-                                          std::span<const MapExemplar> maps,
-                                          const GaussianizationOptions& options,
-                                          const MapConsumer& consume) {
+Result<gaussian::BorderTreatment> gaussianizeMaps(const std::string& name,
+                                                  std::span<const MapExemplar> maps,
+                                                  const GaussianizationOptions& options,
+                                                  UsesGrain usesGrain, const MapConsumer& consume) {
   if (Result<void> checked = checkOptions(maps, options); !checked)
     return checked.error();
   try {
-    const gaussian::Borders borders{bordersFit(maps, options.periodic),
-                                    exemplar::grainOf(maps.front())};
+    const Grain grain = usesGrain == UsesGrain::yes ? exemplar::grainOf(maps.front()) : Grain::none;
+    const gaussian::BorderTreatment borders{bordersFit(maps, options.periodic), grain};
     const ProgressPart progress(options.progress);
     const bool detects = detectsGaussian(maps.size(), options.gaussian);
     const double begin = detects ? kKindWork / (kKindWork + 1.0) : 0.0;

@@ -28,14 +28,17 @@ struct GaussianizedMap {
 
 using MapConsumer = std::function<void(GaussianizedMap)>;
 
-/// Passes each map to `consume`, in the order given; maps of one set correlate. Returns what the
-/// exemplar's borders were treated as, with the grain of its first map. `name` is that of the
-/// noise, with which the tables' names begin. Errors and requirements: as bakeTiling(), but throws
-/// std::bad_alloc.
-[[nodiscard]] Result<gaussian::Borders> gaussianizeMaps(const std::string& name,
-                                                        std::span<const MapExemplar> maps,
-                                                        const GaussianizationOptions& options,
-                                                        const MapConsumer& consume);
+/// Whether a bake treats the streaks of wood apart: docs/decisions/036-grain.md.
+enum class UsesGrain { no, yes };
+
+/// Passes each map to `consume`, in the order given; maps of one set correlate. Returns how it
+/// treated the exemplar's borders. With UsesGrain::yes the streaks of all maps fade along the grain
+/// of the first. `name` is that of the noise, with which the tables' names begin. Errors and
+/// requirements: as bakeTiling(), but throws std::bad_alloc.
+[[nodiscard]] Result<gaussian::BorderTreatment>
+gaussianizeMaps(const std::string& name, std::span<const MapExemplar> maps,
+                const GaussianizationOptions& options, UsesGrain usesGrain,
+                const MapConsumer& consume);
 
 /// The message when memory runs out.
 [[nodiscard]] std::string noMemoryToBake(const std::string& name,

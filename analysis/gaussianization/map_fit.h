@@ -31,7 +31,7 @@ struct MapFit {
 };
 
 struct MapFitOptions {
-  gaussian::Borders borders{};
+  gaussian::BorderTreatment borders{};
   gaussian::Precision precision = gaussian::Precision::bits8;
   TransportEffort transport = TransportEffort::standard;
   std::optional<float> share; ///< chosen if absent, in [-0.25, largestShare]

@@ -102,8 +102,8 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
     data.push_back(own);
     bake.noise.maps.push_back(std::move(map.map));
   };
-  const Result<gaussian::Borders> borders =
-      gaussianization::gaussianizeMaps(name, maps, options, append);
+  const Result<gaussian::BorderTreatment> borders =
+      gaussianization::gaussianizeMaps(name, maps, options, gaussianization::UsesGrain::no, append);
   if (!borders)
     return borders.error();
   bake.exemplarWasPeriodic = borders.value().fit;

@@ -180,8 +180,8 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
     data.push_back(own);
     bake.noise.maps.push_back(std::move(map.map));
   };
-  const Result<gaussian::Borders> borders =
-      gaussianization::gaussianizeMaps(name, maps, options, append);
+  const Result<gaussian::BorderTreatment> borders =
+      gaussianization::gaussianizeMaps(name, maps, options, gaussianization::UsesGrain::no, append);
   if (!borders)
     return borders.error();
   bake.exemplarWasPeriodic = borders.value().fit;

@@ -3,7 +3,6 @@
 #include "gaussian_plane.h"
 
 #include "exemplar/color_space.h"
-#include "exemplar/grain.h"
 #include "gaussian/cross_fade.h"
 #include "gaussian/gaussian_distribution.h"
 #include "transport/rank_matching.h"
@@ -41,8 +40,8 @@ MapExemplar principalComponent(const MapExemplar& map) {
   return component;
 }
 
-std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic,
-                                           ProgressPart progress) {
+std::optional<GaussianPlane>
+gaussianPlane(const MapExemplar& map, gaussian::BorderTreatment borders, ProgressPart progress) {
   progress.reach(0.0);
   const MapExemplar component = principalComponent(map);
   progress.reach(kProjected);
@@ -55,8 +54,8 @@ std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic
   std::vector<Point> image =
       transport::matchedByRank(exemplar::transportPoints(component, space), stratified);
   progress.reach(kRanked);
-  if (!periodic) {
-    image = gaussian::crossFadeBorders(image, map.width, map.height, exemplar::grainOf(map));
+  if (!borders.fit) {
+    image = gaussian::crossFadeBorders(image, map.width, map.height, borders.grain);
     progress.reach(kFaded);
     image = transport::matchedByRank(image, stratified);
   }

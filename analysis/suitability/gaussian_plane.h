@@ -2,6 +2,7 @@
 // The plane that random blending blends, in one channel and without the bake's transport.
 #pragma once
 
+#include "gaussian/border_treatment.h"
 #include "progress_part.h"
 
 #include <lichen/exemplar.h>
@@ -22,10 +23,11 @@ struct GaussianPlane {
 /// Throws std::bad_alloc.
 [[nodiscard]] MapExemplar principalComponent(const MapExemplar& map);
 
-/// The principal component of the map, Gaussianized by rank. If not `periodic`, its borders are
-/// cross-faded as in the bake. Nothing if the map varies by no more than its rounding. Throws
-/// std::bad_alloc.
-[[nodiscard]] std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map, bool periodic,
+/// The principal component of the map, Gaussianized by rank. Borders that do not fit are
+/// cross-faded as in the bake of a noise with this grain. Nothing if the map varies by no more than
+/// its rounding. Throws std::bad_alloc.
+[[nodiscard]] std::optional<GaussianPlane> gaussianPlane(const MapExemplar& map,
+                                                         gaussian::BorderTreatment borders,
                                                          ProgressPart progress = {});
 
 } // namespace lichen::suitability

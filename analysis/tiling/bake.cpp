@@ -28,8 +28,8 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
     map.map.data = tiling;
     bake.noise.maps.push_back(std::move(map.map));
   };
-  const Result<gaussian::Borders> borders =
-      gaussianization::gaussianizeMaps(name, maps, options, append);
+  const Result<gaussian::BorderTreatment> borders = gaussianization::gaussianizeMaps(
+      name, maps, options, gaussianization::UsesGrain::yes, append);
   if (!borders)
     return borders.error();
   bake.noise.data = TilingNoise{borders.value().grain};

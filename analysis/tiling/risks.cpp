@@ -164,28 +164,28 @@ std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
 }
 
 /// The same for a height map, measured on its slopes, which lighting shows.
-std::vector<Risk> slopeRisks(const MapExemplar& height, bool periodic, double firstPixels,
-                             ProgressPart progress) {
-  const MapExemplar slopes = slopesOfHeight(height, periodic);
-  const std::optional<GaussianPlane> plane = gaussianPlane(slopes, periodic, progress);
-  return slowRisks(height, slopes, spectrumOf(plane), periodic, firstPixels);
+std::vector<Risk> slopeRisks(const MapExemplar& height, gaussian::BorderTreatment borders,
+                             double firstPixels, ProgressPart progress) {
+  const MapExemplar slopes = slopesOfHeight(height, borders.fit);
+  const std::optional<GaussianPlane> plane = gaussianPlane(slopes, borders, progress);
+  return slowRisks(height, slopes, spectrumOf(plane), borders.fit, firstPixels);
 }
 
-std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPixels,
-                          ProgressPart progress) {
+std::vector<Risk> risksOf(const MapExemplar& map, gaussian::BorderTreatment borders,
+                          double firstPixels, ProgressPart progress) {
   const bool isHeight = map.target == MapTarget::height;
   const ProgressPart first = isHeight ? progress.part(0.0, kSlopesOfProgress) : ProgressPart();
   const ProgressPart rest = isHeight ? progress.part(kSlopesOfProgress, 1.0) : progress;
   std::vector<Risk> risks;
   if (isHeight)
-    risks = slopeRisks(map, periodic, firstPixels, first);
+    risks = slopeRisks(map, borders, firstPixels, first);
   const std::optional<GaussianPlane> plane =
-      gaussianPlane(map, periodic, rest.part(0.0, kPlaneOfProgress));
+      gaussianPlane(map, borders, rest.part(0.0, kPlaneOfProgress));
   rest.reach(kPlaneOfProgress);
   const HalfSpectrum spectrum = spectrumOf(plane);
   rest.reach(kTransformOfProgress);
   if (!isHeight)
-    risks = slowRisks(map, map, spectrum, periodic, firstPixels);
+    risks = slowRisks(map, map, spectrum, borders.fit, firstPixels);
   const FewColors few = fewColors(map);
   risks.insert(risks.begin() + 1,
                structureRisk(spectrum, few, rest.part(kTransformOfProgress, 1.0)));
@@ -199,8 +199,11 @@ std::vector<Risk> risksOf(const MapExemplar& map, bool periodic, double firstPix
 } // namespace
 
 Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
-                                            const Progress& progress, double firstPixels) {
-  return assessed(map, [&] { return risksOf(map, periodic, firstPixels, ProgressPart(progress)); });
+                                            const Progress& progress, double firstPixels,
+                                            Grain grain) {
+  return assessed(map, [&] {
+    return risksOf(map, {periodic, grain}, firstPixels, ProgressPart(progress));
+  });
 }
 
 } // namespace lichen

@@ -92,7 +92,7 @@ std::vector<float> standardized(int width, int height, const ValueAt& valueAt) {
 }
 
 double predictedCloudiness(const MapExemplar& map) {
-  const std::optional<GaussianPlane> plane = gaussianPlane(map, true);
+  const std::optional<GaussianPlane> plane = gaussianPlane(map, {true});
   REQUIRE(plane.has_value());
   return cloudiness(forwardFft(plane->values, plane->width, plane->height));
 }
@@ -227,7 +227,7 @@ TEST_CASE("the extension of an exemplar that does not tile is continuous across 
   for (int i = 0; i < kSide * kSide; ++i)
     ramp.push_back(float(i % kSide) / kSide);
   const auto jump = [&](bool periodic) {
-    const std::optional<GaussianPlane> plane = gaussianPlane(grey(kSide, kSide, ramp), periodic);
+    const std::optional<GaussianPlane> plane = gaussianPlane(grey(kSide, kSide, ramp), {periodic});
     REQUIRE(plane.has_value());
     double sum = 0.0;
     for (int y = 0; y < kSide; ++y) {

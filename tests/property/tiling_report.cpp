@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What is measured of a tiling noise's result: how much its contrast follows the lattice.
+// What the report on a tiling noise measures of its result and of its exemplar.
 #include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/noise_comparison.h>
+#include <lichen/noise_report.h>
+#include <lichen/suitability.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -26,6 +29,13 @@ double latticeVisibilityOf(const Bundle& bundle, const MapExemplar& exemplar,
       return measure.value.value();
   FAIL("no lattice_visibility");
   return 0.0;
+}
+
+std::vector<double> scoresOf(const std::vector<Risk>& risks) {
+  std::vector<double> scores;
+  for (const Risk& risk : risks)
+    scores.push_back(risk.score);
+  return scores;
 }
 
 } // namespace
@@ -46,4 +56,22 @@ TEST_CASE("lattice_visibility follows the lattice of the noise, with any grain")
       INFO("grain " << nameOf(grain) << ", rotation " << rotation);
       CHECK(latticeVisibilityOf(bundle, exemplar, rotation) > 2.5);
     }
+}
+
+TEST_CASE("the risks of all maps are those of borders that fade along the grain of the noise") {
+  // Neither map has a grain of its own.
+  const std::vector<MapExemplar> maps{threeMaterials(64, 64, 5), threeMaterials(64, 64, 6)};
+  Noise noise;
+  for (const Grain grain : {Grain::none, Grain::y}) {
+    noise.data = TilingNoise{grain};
+    const auto risks = assessNoise(noise, maps, Periodic::no).value();
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+      const auto with = [&](Grain assumed) {
+        return scoresOf(assessSuitability(maps[m], false, {}, 1.0, assumed).value());
+      };
+      INFO("map " << m << ", grain " << nameOf(grain));
+      CHECK(scoresOf(risks[m]) == with(grain));
+      CHECK(scoresOf(risks[m]) != with(grain == Grain::none ? Grain::y : Grain::none));
+    }
+  }
 }

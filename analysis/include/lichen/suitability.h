@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lichen/exemplar.h>
+#include <lichen/lattice.h>
 #include <lichen/progress.h>
 #include <lichen/result.h>
 
@@ -48,13 +49,15 @@ using SettingWords = std::string (*)(const BakeSetting& setting);
 /// `periodic` says whether the exemplar's opposite borders match. A map without variance has no
 /// risk. For a height map, cloudiness and low-frequency measure its slopes, which lighting shows.
 /// `firstPixels`, above 0, is the length of one pixel of this map in pixels of the first map of the
-/// set; a setting that is a period for flatten() counts in those.
+/// set; a setting that is a period for flatten() counts in those. `grain` is that of the noise: the
+/// bake fades streaks along it at borders that do not match.
 /// Errors: usage for maps outside the ranges of MapExemplar, resources if memory runs out,
 /// environment if `progress` stops it. Thread-safe; same result for any number of threads.
 /// O(N log N) in the number of pixels. Source: docs/decisions/013-suitability.md.
 [[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
                                                           const Progress& progress = {},
-                                                          double firstPixels = 1.0);
+                                                          double firstPixels = 1.0,
+                                                          Grain grain = Grain::none);
 
 /// Assesses the risks of a texton noise of one map, "histogram", "outlines" and "low-frequency":
 /// whether the material is a Gaussian texture, and whether `support` texels can hold it. The noise

@@ -97,7 +97,8 @@ Result<std::vector<Risk>> TilingReport::assess(const AssessedMap& assessed,
                                                const Progress& progress) const {
   const MapExemplar& map = assessed.map();
   return assessSuitability(map, assessed.bordersFit, progress,
-                           firstPixelsOf(map, assessed.maps.front()));
+                           firstPixelsOf(map, assessed.maps.front()),
+                           assessed.noise.as<TilingNoise>().grain);
 }
 
 Result<void> TilingReport::measure(const ComparedResult&, NoiseComparison& comparison) const {
