@@ -11,29 +11,31 @@
 namespace lichen::gaussian {
 namespace {
 
-/// Width of the cross-faded band on each side of a seam, as a share of the side: an eighth in
-/// total, or a half.
+/// Width of the cross-faded band on each side of a border, as a share of the side. The total is an
+/// eighth; docs/decisions/036-grain.md chose a half for streaks.
 constexpr double kBandPerSide = 1.0 / 16.0;
 constexpr double kStreakBandPerSide = 1.0 / 4.0;
-/// Deviation of the average that leaves the streaks, as a share of the side along the grain.
-constexpr double kStreakAverage = 3.0 / 64.0;
+/// Deviation of the average that leaves the streaks, as a share of the side along the grain:
+/// docs/decisions/036-grain.md.
+constexpr double kStreakAveragePerSide = 3.0 / 64.0;
 
 enum class Axis { x, y };
 
-/// An image's lines along an axis.
-struct Lines {
+/// The rows of an image, which lie along x, or its columns, which lie along y.
+struct AxisLines {
   int count;
-  int length;
+  int length; ///< pixels of a line
   std::size_t lineStride;
-  std::size_t stride;
+  std::size_t pixelStride;
 
-  Lines(Axis along, int width, int height)
+  AxisLines(Axis along, int width, int height)
       : count(along == Axis::x ? height : width), length(along == Axis::x ? width : height),
         lineStride(along == Axis::x ? std::size_t(width) : 1u),
-        stride(along == Axis::x ? 1u : std::size_t(width)) {}
+        pixelStride(along == Axis::x ? 1u : std::size_t(width)) {}
 
-  [[nodiscard]] std::size_t at(int line, int k) const {
-    return std::size_t(line) * lineStride + std::size_t(k) * stride;
+  /// The index in the image of pixel k of a line.
+  [[nodiscard]] std::size_t pixel(int line, int k) const {
+    return std::size_t(line) * lineStride + std::size_t(k) * pixelStride;
   }
 };
 
@@ -48,18 +50,18 @@ double seamWeight(int k, int side, double bandPerSide) {
 }
 
 /// Fades the borders at the ends of an axis. Values half a side apart have this correlation.
-void fade(std::vector<Point>& image, const Lines& lines, double mean, double bandPerSide,
+void fade(std::vector<Point>& image, const AxisLines& lines, double mean, double bandPerSide,
           double correlation) {
   std::vector<Point> line(std::size_t(lines.length));
   for (int l = 0; l < lines.count; ++l) {
     for (int k = 0; k < lines.length; ++k)
-      line[std::size_t(k)] = image[lines.at(l, k)];
+      line[std::size_t(k)] = image[lines.pixel(l, k)];
     for (int k = 0; k < lines.length; ++k) {
       const double b = seamWeight(k, lines.length, bandPerSide), a = 1.0 - b;
       const double scale = 1.0 / std::sqrt(a * a + b * b + 2.0 * correlation * a * b);
       const Point& displaced = line[std::size_t((k + lines.length / 2) % lines.length)];
       for (float Point::*const channel : kChannels)
-        image[lines.at(l, k)].*channel =
+        image[lines.pixel(l, k)].*channel =
             float(mean + scale * (a * (double(line[std::size_t(k)].*channel) - mean) +
                                   b * (double(displaced.*channel) - mean)));
     }
@@ -67,8 +69,8 @@ void fade(std::vector<Point>& image, const Lines& lines, double mean, double ban
 }
 
 void fadeBoth(std::vector<Point>& image, int width, int height, double mean) {
-  fade(image, Lines(Axis::x, width, height), mean, kBandPerSide, 0.0);
-  fade(image, Lines(Axis::y, width, height), mean, kBandPerSide, 0.0);
+  fade(image, AxisLines(Axis::x, width, height), mean, kBandPerSide, 0.0);
+  fade(image, AxisLines(Axis::y, width, height), mean, kBandPerSide, 0.0);
 }
 
 /// Replaces each value of a line by the mean of `radius` values on both sides; the line is mirrored
@@ -90,26 +92,26 @@ void average(std::vector<double>& line, int radius) {
 }
 
 /// The average along each line: close to a Gaussian one, of three means.
-std::vector<Point> streaksOf(const std::vector<Point>& image, const Lines& lines) {
-  const double deviation = kStreakAverage * lines.length;
+std::vector<Point> streaksOf(const std::vector<Point>& image, const AxisLines& lines) {
+  const double deviation = kStreakAveragePerSide * lines.length;
   const int radius = std::min(int(std::lround(deviation)), lines.length / 2);
   std::vector<Point> streaks(image.size());
   std::vector<double> line(std::size_t(lines.length));
   for (int l = 0; l < lines.count; ++l)
     for (float Point::*const channel : kChannels) {
       for (int k = 0; k < lines.length; ++k)
-        line[std::size_t(k)] = double(image[lines.at(l, k)].*channel);
+        line[std::size_t(k)] = double(image[lines.pixel(l, k)].*channel);
       for (int pass = 0; pass < 3; ++pass)
         average(line, radius);
       for (int k = 0; k < lines.length; ++k)
-        streaks[lines.at(l, k)].*channel = float(line[std::size_t(k)]);
+        streaks[lines.pixel(l, k)].*channel = float(line[std::size_t(k)]);
     }
   return streaks;
 }
 
 /// The correlation of values half a side apart, in [0, 1], over all channels together. Channels
 /// that the image does not use are constant.
-double halvesCorrelation(const std::vector<Point>& image, const Lines& lines) {
+double halvesCorrelation(const std::vector<Point>& image, const AxisLines& lines) {
   const int half = lines.length / 2;
   double product = 0.0, first = 0.0, second = 0.0;
   for (float Point::*const channel : kChannels) {
@@ -119,8 +121,8 @@ double halvesCorrelation(const std::vector<Point>& image, const Lines& lines) {
     mean /= double(image.size());
     for (int l = 0; l < lines.count; ++l)
       for (int k = 0; k < half; ++k) {
-        const double a = double(image[lines.at(l, k)].*channel) - mean;
-        const double b = double(image[lines.at(l, k + half)].*channel) - mean;
+        const double a = double(image[lines.pixel(l, k)].*channel) - mean;
+        const double b = double(image[lines.pixel(l, k + half)].*channel) - mean;
         product += a * b;
         first += a * a;
         second += b * b;
@@ -131,14 +133,14 @@ double halvesCorrelation(const std::vector<Point>& image, const Lines& lines) {
 }
 
 void fadeAlongGrain(std::vector<Point>& image, int width, int height, Axis grain) {
-  const Lines along(grain, width, height);
+  const AxisLines along(grain, width, height);
   std::vector<Point> streaks = streaksOf(image, along);
   for (std::size_t i = 0; i < image.size(); ++i)
     for (float Point::*const channel : kChannels)
       image[i].*channel -= streaks[i].*channel;
   fadeBoth(image, width, height, 0.0); // without the streaks, about 0
   fade(streaks, along, kGaussianMean, kStreakBandPerSide, halvesCorrelation(streaks, along));
-  fade(streaks, Lines(grain == Axis::x ? Axis::y : Axis::x, width, height), kGaussianMean,
+  fade(streaks, AxisLines(grain == Axis::x ? Axis::y : Axis::x, width, height), kGaussianMean,
        kBandPerSide, 0.0);
   for (std::size_t i = 0; i < image.size(); ++i)
     for (float Point::*const channel : kChannels)
