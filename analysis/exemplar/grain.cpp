@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A map -> the axis along its streaks.
+// A map -> the axis nearest to its streaks.
 #include "grain.h"
 
 #include "reduced_plane.h"
@@ -13,14 +13,16 @@
 namespace lichen::exemplar {
 namespace {
 
-constexpr int kSmallestSide = 64;
-constexpr int kMeasuredSide = 256; // pixels, about: finer detail blurs the direction
-constexpr double kAnisotropy = 0.5;
-constexpr double kLag = 2.0 / 7.0; // of the side: as long as a cell of the lattice
-constexpr double kCorrelation = 0.2;
+// docs/decisions/036-grain.md chose these.
+constexpr int kSmallestSide = 64;         // pixels
+constexpr int kMeasuredSide = 256;        // pixels, about: finer detail hides the direction
+constexpr double kLeastAnisotropy = 0.5;  // three times the energy across the streaks
+constexpr double kLagPerSide = 2.0 / 7.0; // as long as a cell of the lattice without a grain
+constexpr double kLeastCorrelation = 0.2; // of pixels that far apart
+constexpr double kMostAngleError = 6.0 * std::numbers::pi / 180.0;
 
-/// The correlation of pixels that lie (dx, dy) apart.
-double correlation(const Plane& plane, int dx, int dy) {
+/// The correlation of pixels that lie (dx, dy) apart; 0 if no two pixels do.
+double correlationAt(const Plane& plane, int dx, int dy) {
   double product = 0.0, first = 0.0, second = 0.0;
   for (int y = std::max(0, -dy); y < plane.height - std::max(0, dy); ++y)
     for (int x = std::max(0, -dx); x < plane.width - std::max(0, dx); ++x) {
@@ -33,22 +35,38 @@ double correlation(const Plane& plane, int dx, int dy) {
   return norm > 0.0 ? product / norm : 0.0;
 }
 
+/// The largest correlation of pixels `lag` apart along streaks whose measured direction is `angle`.
+/// Differences of pixels favour the axes: the error is about proportional to sin(4 angle), and a
+/// degree is enough to miss a narrow streak.
+double correlationAlong(const Plane& plane, double angle, double lag) {
+  constexpr double kStepPixels = 0.5;
+  const double farthest = kMostAngleError * std::sin(4.0 * angle);
+  const int steps = int(std::ceil(lag * std::abs(farthest) / kStepPixels));
+  double largest = 0.0;
+  for (int step = 0; step <= steps; ++step) {
+    const double direction = angle + farthest * step / std::max(1, steps);
+    const int dx = int(std::lround(lag * std::cos(direction)));
+    const int dy = int(std::lround(lag * std::sin(direction)));
+    largest = std::max(largest, correlationAt(plane, dx, dy));
+  }
+  return largest;
+}
+
 } // namespace
 
 Grain grainOf(const MapExemplar& map) {
   if (map.encoding == ValueEncoding::slope || std::min(map.width, map.height) < kSmallestSide)
     return Grain::none;
   const Plane plane = reducedPlane(map, kMeasuredSide);
-  const GradientDirection direction = gradientDirection(plane.values, plane.width, plane.height);
-  if (direction.anisotropy < kAnisotropy)
+  const GradientDirection across = gradientDirection(plane.values, plane.width, plane.height);
+  if (across.anisotropy < kLeastAnisotropy)
     return Grain::none;
-  const double along = direction.angle + 0.5 * std::numbers::pi;
-  const double lag = kLag * std::min(plane.width, plane.height);
-  const int dx = int(std::lround(lag * std::cos(along)));
-  const int dy = int(std::lround(lag * std::sin(along)));
-  if (correlation(plane, dx, dy) < kCorrelation)
+  const double along = across.angle + 0.5 * std::numbers::pi;
+  const bool isNearX = std::abs(std::cos(along)) >= std::abs(std::sin(along));
+  const double lag = kLagPerSide * (isNearX ? plane.width : plane.height);
+  if (correlationAlong(plane, along, lag) < kLeastCorrelation)
     return Grain::none;
-  return std::abs(dx) >= std::abs(dy) ? Grain::x : Grain::y;
+  return isNearX ? Grain::x : Grain::y;
 }
 
 } // namespace lichen::exemplar
