@@ -19,7 +19,6 @@ constexpr int kMeasuredSide = 256;        // pixels, about: finer detail hides t
 constexpr double kLeastAnisotropy = 0.5;  // three times the energy across the streaks
 constexpr double kLagPerSide = 2.0 / 7.0; // as long as a cell of the lattice without a grain
 constexpr double kLeastCorrelation = 0.2; // of pixels that far apart
-constexpr double kMostAngleError = 6.0 * std::numbers::pi / 180.0;
 
 /// The correlation of pixels that lie (dx, dy) apart; 0 if no two pixels do.
 double correlationAt(const Plane& plane, int dx, int dy) {
@@ -35,23 +34,6 @@ double correlationAt(const Plane& plane, int dx, int dy) {
   return norm > 0.0 ? product / norm : 0.0;
 }
 
-/// The largest correlation of pixels `lag` apart along streaks whose measured direction is `angle`.
-/// Differences of pixels favour the axes: the error is about proportional to sin(4 angle), and a
-/// degree is enough to miss a narrow streak.
-double correlationAlong(const Plane& plane, double angle, double lag) {
-  constexpr double kStepPixels = 0.5;
-  const double farthest = kMostAngleError * std::sin(4.0 * angle);
-  const int steps = int(std::ceil(lag * std::abs(farthest) / kStepPixels));
-  double largest = 0.0;
-  for (int step = 0; step <= steps; ++step) {
-    const double direction = angle + farthest * step / std::max(1, steps);
-    const int dx = int(std::lround(lag * std::cos(direction)));
-    const int dy = int(std::lround(lag * std::sin(direction)));
-    largest = std::max(largest, correlationAt(plane, dx, dy));
-  }
-  return largest;
-}
-
 } // namespace
 
 Grain grainOf(const MapExemplar& map) {
@@ -64,7 +46,9 @@ Grain grainOf(const MapExemplar& map) {
   const double along = across.angle + 0.5 * std::numbers::pi;
   const bool isNearX = std::abs(std::cos(along)) >= std::abs(std::sin(along));
   const double lag = kLagPerSide * (isNearX ? plane.width : plane.height);
-  if (correlationAlong(plane, along, lag) < kLeastCorrelation)
+  const int dx = int(std::lround(lag * std::cos(along)));
+  const int dy = int(std::lround(lag * std::sin(along)));
+  if (correlationAt(plane, dx, dy) < kLeastCorrelation)
     return Grain::none;
   return isNearX ? Grain::x : Grain::y;
 }
