@@ -32,6 +32,6 @@ row() {
 
 row concrete-vignette-58 --flatten none
 row concrete-fold-58 --keep-outliers
-row cloth-shadow-39 --periodic yes --flatten none
+row wood_grain-even --periodic yes
 row rust-frame --crop "0,0,$side,$side"
 convert "${rows[@]}" -append -resize 60% -quality 80 "$1"

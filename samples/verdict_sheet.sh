@@ -23,8 +23,7 @@ done
 panels=()
 for photograph in "${photographs[@]}"; do
   name=$(basename "${photograph%.*}")
-  verdict=$("$bin/lichen" bake "$photograph" -o "$work/noise.glb" --preview none 2>"$work/notes" |
-    grep '^verdict')
+  verdict=$("$bin/lichen" bake "$photograph" -o "$work/noise.glb" --preview none | grep '^verdict')
   echo "$name: $verdict"
   case $verdict in
     "verdict: good"*) color=green3 ;;

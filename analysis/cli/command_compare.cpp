@@ -301,9 +301,8 @@ Result<int> run(Arguments& arguments) {
     arguments.asBaked.bakeMemory = memoryOfMethods();
     if (!isGiven(*arguments.verb, "--flatten"))
       arguments.asBaked.flattening.automatic = true; // as in a bake
-  } else { // the bundle records what was filled and cut off
+  } else {
     arguments.asBaked.outliers.recorded.emplace();
-    arguments.asBaked.set.cutsFrame = false;
   }
   if (!arguments.noise.empty() && !isBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
@@ -325,6 +324,8 @@ Result<int> run(Arguments& arguments) {
     adopted =
         describe(adoptPreparation(baked->noise().preparation, *arguments.verb, arguments.asBaked));
   }
+  // A bundle records what was cut off, but of the exemplars of a mix.
+  arguments.asBaked.set.cutsFrame = arguments.allMethods || (baked && isMix(baked->noise()));
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar && adopted.empty())
     return exemplar.error();

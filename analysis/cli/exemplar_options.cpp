@@ -140,8 +140,8 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, const std::str
                         const std::string& flattenDefault) {
   addValue(
       verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
-      "Use only the W x H pixels from column X and row Y on, counted in the largest map; without "
-      "it, a frame around the picture is cut off");
+      "Use only the W x H pixels from column X and row Y on, counted in the largest map; a bake "
+      "without it cuts off a frame around the picture");
   addValue(verb, "--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
            "Resample every map to this size, after --crop");
   const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},

@@ -10,7 +10,7 @@
 namespace lichen::exemplar {
 namespace {
 
-// docs/decisions/038-frames.md says how these were chosen.
+// docs/decisions/038-frames.md says what these find.
 constexpr int kFewestLines = 16;
 constexpr double kLargestShare = 0.25; // of the side, for the frame at one border
 constexpr double kContrast = 0.25;     // of the median of all lines

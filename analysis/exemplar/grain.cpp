@@ -13,11 +13,11 @@
 namespace lichen::exemplar {
 namespace {
 
-// docs/decisions/036-grain.md chose these.
+// docs/decisions/036-grain.md says what these find.
 constexpr int kSmallestSide = 64;         // pixels
 constexpr int kMeasuredSide = 256;        // pixels, about: finer detail hides the direction
 constexpr double kLeastAnisotropy = 0.5;  // three times the energy across the streaks
-constexpr double kLagPerSide = 2.0 / 7.0; // as long as a cell of the lattice without a grain
+constexpr double kLagPerSide = 2.0 / 7.0; // about as long as a cell of the lattice
 constexpr double kLeastCorrelation = 0.2; // of pixels that far apart
 
 /// The correlation of pixels that lie (dx, dy) apart; 0 if no two pixels do.
@@ -45,7 +45,11 @@ Grain grainOf(const MapExemplar& map) {
     return Grain::none;
   const double along = across.angle + 0.5 * std::numbers::pi;
   const bool isNearX = std::abs(std::cos(along)) >= std::abs(std::sin(along));
-  const double lag = kLagPerSide * (isNearX ? plane.width : plane.height);
+  // Half of the picture overlaps itself at the least, although it may be long and the streaks
+  // steep.
+  const double lag = std::min({kLagPerSide * (isNearX ? plane.width : plane.height),
+                               0.5 * plane.width / std::max(1e-9, std::abs(std::cos(along))),
+                               0.5 * plane.height / std::max(1e-9, std::abs(std::sin(along)))});
   const int dx = int(std::lround(lag * std::cos(along)));
   const int dy = int(std::lround(lag * std::sin(along)));
   if (correlationAt(plane, dx, dy) < kLeastCorrelation)

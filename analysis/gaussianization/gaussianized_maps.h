@@ -28,7 +28,7 @@ struct GaussianizedMap {
 
 using MapConsumer = std::function<void(GaussianizedMap)>;
 
-/// Whether a bake treats the streaks of wood apart: docs/decisions/036-grain.md.
+/// Whether a bake fades streaks over another band than the rest: docs/decisions/036-grain.md.
 enum class UsesGrain { no, yes };
 
 /// Passes each map to `consume`, in the order given; maps of one set correlate. Returns how it

@@ -9,7 +9,7 @@
 namespace lichen {
 
 GradientDirection gradientDirection(std::span<const float> plane, int width, int height) {
-  // Scharr's 3 x 3 operator, whose direction is right to a fraction of a degree. Differences of
+  // [S00] 3 x 3 operator, whose direction is right to a fraction of a degree. Differences of
   // neighbours favour the axes, by up to 5 degrees.
   constexpr double kSide = 3.0 / 32.0, kMiddle = 10.0 / 32.0;
   double xx = 0.0, xy = 0.0, yy = 0.0;

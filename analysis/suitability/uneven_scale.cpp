@@ -16,7 +16,7 @@ using exemplar::Plane;
 
 constexpr int kSide = 256, kSmallestSide = 128; // pixels
 constexpr int kStrips = 8;
-constexpr int kFine = 1, kCoarse = 8; // pixels of kSide per side
+constexpr int kFine = 1, kCoarse = 8; // pixels of kSide per side, or of a smaller picture's own
 
 /// A part of a plane.
 struct Part {
@@ -43,7 +43,8 @@ Plane averaged(const Plane& plane, double side) {
   return line(line(plane, 1, 0), 0, 1);
 }
 
-/// A plane with kSide * scale values on its shorter side, each averaged over `scale` of them.
+/// A plane with kSide * scale values on its shorter side, each averaged over `scale` of them; of a
+/// smaller picture its own pixels.
 struct ScaledPlane {
   Plane plane;
   double scale = 1.0;

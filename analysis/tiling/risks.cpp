@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
+#include "exemplar/grain.h"
 #include "progress_part.h"
 #include "suitability/as_seen.h"
 #include "suitability/calibration.h"
@@ -200,9 +201,10 @@ std::vector<Risk> risksOf(const MapExemplar& map, gaussian::BorderTreatment bord
 
 Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
                                             const Progress& progress, double firstPixels,
-                                            Grain grain) {
+                                            std::optional<Grain> grain) {
   return assessed(map, [&] {
-    return risksOf(map, {periodic, grain}, firstPixels, ProgressPart(progress));
+    return risksOf(map, {periodic, grain ? *grain : exemplar::grainOf(map)}, firstPixels,
+                   ProgressPart(progress));
   });
 }
 

@@ -250,6 +250,19 @@ TEST_CASE("compare measures a mix at the weight of --mix") {
   checkRefusal({"compare", m.dark, m.bundle, "--mix", "2"}, kUsage, {"--mix 2:"});
 }
 
+TEST_CASE("compare cuts a frame off the photograph of a mix, as the mix did") {
+  const Workplace workplace;
+  const std::string dark =
+      workplace.write("dark.png", framed(about(0.3f, speckled(32, 32, 3)), 2, 2, 2));
+  const std::string light = workplace.write("light.png", about(0.7f, speckled(28, 30, 3)));
+  const std::string bundle = workplace.path("mix.glb");
+  REQUIRE(
+      runLichen({"mix", dark, light, "-o", bundle, "--support", "8", "--preview", "none"}).code ==
+      0);
+  const Ended ended = runLichen({"compare", dark, bundle});
+  CHECK_THAT(ended.errors, Catch::Contains("a frame is cut off"));
+}
+
 TEST_CASE("synth shows a mix at one weight or along a ramp") {
   const Made& m = made();
   const auto synth = [&](const Arguments& more) {

@@ -306,7 +306,7 @@ float codeOf(float light) {
 }
 
 /// Any material on level ground, photographed at 52 to 66 degrees from straight down, with any side
-/// of the picture up: what is nearest is 2.3 to 5.4 times as wide as what is farthest.
+/// of the picture up: what is nearest is 2.3 to 5.4 times as wide as what is farthest, in the middle of the picture.
 SrgbImage slantedGround(int side, Random& random) {
   constexpr float kHalfView = 0.306f; // tangent of 17 degrees, from the middle to a side
   constexpr float kMagnified = 2.0f;  // pixels per pixel of the material, where that is nearest

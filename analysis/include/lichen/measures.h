@@ -80,7 +80,8 @@ struct GradientDirection {
   double anisotropy = 0.0;
   double angle = 0.0; ///< radians, in [-pi / 2, pi / 2], from x to y, which points down
 };
-/// Measures it over a plane of width * height values. Source: structure tensor [BG87].
+/// Measures it over a plane of width * height values. Source: structure tensor [BG87], of gradients
+/// by the operator of [S00].
 [[nodiscard]] GradientDirection gradientDirection(std::span<const float> plane, int width,
                                                   int height);
 /// The anisotropy of the luminance. Throws std::bad_alloc.

@@ -7,6 +7,7 @@
 #include <lichen/progress.h>
 #include <lichen/result.h>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,14 +51,14 @@ using SettingWords = std::string (*)(const BakeSetting& setting);
 /// risk. For a height map, cloudiness and low-frequency measure its slopes, which lighting shows.
 /// `firstPixels`, above 0, is the length of one pixel of this map in pixels of the first map of the
 /// set; a setting that is a period for flatten() counts in those. `grain` is that of the noise: the
-/// bake fades streaks along it at borders that do not match.
+/// bake fades streaks along it at borders that do not match. Absent: that of this map.
 /// Errors: usage for maps outside the ranges of MapExemplar, resources if memory runs out,
 /// environment if `progress` stops it. Thread-safe; same result for any number of threads.
 /// O(N log N) in the number of pixels. Source: docs/decisions/013-suitability.md.
 [[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
                                                           const Progress& progress = {},
                                                           double firstPixels = 1.0,
-                                                          Grain grain = Grain::none);
+                                                          std::optional<Grain> grain = {});
 
 /// Assesses the risks of a texton noise of one map, "histogram", "outlines" and "low-frequency":
 /// whether the material is a Gaussian texture, and whether `support` texels can hold it. The noise
