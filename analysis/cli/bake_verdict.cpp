@@ -9,18 +9,18 @@
 
 namespace lichen::cli {
 
-Result<BakeVerdict> judgeBake(const Bundle& bundle, std::span<const MapExemplar> maps,
-                              Periodic borders, bool bordersWereKept,
-                              const SharedOptions& options) {
+Result<BakeVerdict> judgeNoise(const Bundle& bundle, const MaterialNoise& material,
+                               std::span<const MapExemplar> maps, Periodic borders,
+                               bool bordersWereKept, const SharedOptions& options) {
   constexpr double kAssessment = 0.6; // of the progress, by processor time
   ProgressLine line("judge", options);
   const Progress progress = line.asProgress();
   Result<std::vector<std::vector<Risk>>> assessed =
-      assessNoise(bundle.noises.front(), maps, borders, partOf(progress, 0.0, kAssessment));
+      assessNoise(bundle.noises[material.noise], maps, borders, partOf(progress, 0.0, kAssessment));
   if (!assessed)
     return assessed.error();
-  Result<std::vector<Measure>> measures = measureNoise(
-      bundle, *bundle.materials.front(), maps.front(), partOf(progress, kAssessment, 1.0));
+  Result<std::vector<Measure>> measures =
+      measureNoise(bundle, material, maps.front(), partOf(progress, kAssessment, 1.0));
   if (!measures)
     return measures.error();
   BakeVerdict judged{std::move(assessed).value(), std::move(measures).value(), {}};

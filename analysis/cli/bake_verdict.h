@@ -21,11 +21,11 @@ struct BakeVerdict {
   Verdict verdict;
 };
 
-/// Judges the bundle's first material and noise, with a progress line. `maps` are the exemplars as
+/// Judges the noise of a material of the bundle, with a progress line. `maps` are the exemplars as
 /// they were baked.
-[[nodiscard]] Result<BakeVerdict> judgeBake(const Bundle& bundle, std::span<const MapExemplar> maps,
-                                            Periodic borders, bool bordersWereKept,
-                                            const SharedOptions& options);
+[[nodiscard]] Result<BakeVerdict> judgeNoise(const Bundle& bundle, const MaterialNoise& material,
+                                             std::span<const MapExemplar> maps, Periodic borders,
+                                             bool bordersWereKept, const SharedOptions& options);
 
 /// The line to print: "verdict: good".
 [[nodiscard]] std::string verdictLine(const Verdict& verdict, bool severalMaps);

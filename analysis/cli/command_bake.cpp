@@ -167,8 +167,9 @@ Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exempla
   result.bundle.materials = {result.about.material};
   if (arguments.exemplar.set.periodic == Periodic::detect && result.about.bordersWereBlended)
     notes.add("the exemplar's borders do not fit together; the bake blends them");
-  Result<BakeVerdict> judged = judgeBake(result.bundle, exemplar.maps, exemplar.borders,
-                                         !result.about.bordersWereBlended, arguments.shared);
+  Result<BakeVerdict> judged =
+      judgeNoise(result.bundle, *result.bundle.materials.front(), exemplar.maps, exemplar.borders,
+                 !result.about.bordersWereBlended, arguments.shared);
   if (!judged)
     return judged.error();
   return JudgedBake{std::move(result), std::move(judged).value()};

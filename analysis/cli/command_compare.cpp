@@ -166,17 +166,15 @@ void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) 
   }
 }
 
-/// The verdict on a bundle's noise. As `bake` gives it, but from the measures of `maps`.
+/// The verdict on a bundle's noise, as `bake` gives it: from the measures of a small result.
 Result<Verdict> verdictOf(const BakedNoise& baked, const MaterialSet& set,
-                          const std::vector<MapMeasures>& maps) {
-  const Result<std::vector<std::vector<Risk>>> risks =
-      assessNoise(baked.noise(), set.maps, set.periodic);
-  if (!risks)
-    return risks.error();
-  std::vector<JudgedMap> judged;
-  for (std::size_t m = 0; m < maps.size(); ++m)
-    judged.push_back({maps[m].map, risks.value()[m], maps[m].measures});
-  return verdictOn(judged, bordersFit(set.maps, set.periodic));
+                          const SharedOptions& shared) {
+  Result<BakeVerdict> judged =
+      judgeNoise(baked.bundle, materialOf(baked.bundle, baked.index), set.maps, set.periodic,
+                 bordersFit(set.maps, set.periodic), shared);
+  if (!judged)
+    return judged.error();
+  return std::move(judged).value().verdict;
 }
 
 Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, const BakedNoise& baked,
@@ -348,7 +346,7 @@ Result<int> run(Arguments& arguments) {
     return maps.error();
   std::optional<Verdict> verdict;
   if (baked && !isMix(baked->noise())) {
-    const Result<Verdict> judged = verdictOf(*baked, set, maps.value());
+    const Result<Verdict> judged = verdictOf(*baked, set, arguments.shared);
     if (!judged)
       return judged.error();
     verdict = judged.value();

@@ -24,7 +24,7 @@ struct Fault {
   std::string_view consequence; ///< what people see
 };
 
-constexpr std::array<Fault, 4> kFaults{{
+constexpr std::array<Fault, 3> kFaults{{
     {kColorDistanceName,
      {0.006, 0.02},
      "its colours are {:.3f} of the range from the photograph's",
@@ -37,10 +37,6 @@ constexpr std::array<Fault, 4> kFaults{{
      {1.25, 1.6},
      "its straight edges are {:.1f} times the photograph's",
      "which show as seams"},
-    {kLatticeVisibilityName,
-     {0.05, 0.1},
-     "its contrast follows the lattice of tiles by {:.2f}",
-     "which shows as a grid"},
 }};
 
 Risk riskOfMeasure(const Measure& measure, bool bordersWereKept) {

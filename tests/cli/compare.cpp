@@ -109,6 +109,27 @@ TEST_CASE("an image is compared with the photograph as it is, with its frame") {
   CHECK_THAT(runLichen({"compare", scan, scan}).errors, !Catch::Contains("frame"));
 }
 
+TEST_CASE("compare gives the verdict of the bake") {
+  const Workplace workplace;
+  SrgbImage dots(40, 40, 3); // rare ones: a larger result has another colour distance
+  std::uint32_t state = 1;
+  for (int y = 0; y < dots.height; ++y)
+    for (int x = 0; x < dots.width; ++x) {
+      state = state * 1664525u + 1013904223u;
+      std::fill_n(dots.pixel(x, y), 3,
+                  state >> 24u < 8u ? 1.0f : 0.4f + 0.1f * float(state >> 31u));
+    }
+  for (const SrgbImage& image : {dots, speckled(96, 96, 3), brickwork(96)}) {
+    const std::string photograph = workplace.write("photograph.png", image);
+    const std::string bundle = workplace.path("noise.glb");
+    const Ended baked = runLichen({"bake", photograph, "-o", bundle, "--json"});
+    REQUIRE(baked.code == 0);
+    const Ended compared = runLichen({"compare", photograph, bundle, "--json"});
+    CHECK(nlohmann::json::parse(compared.output).at("verdict") ==
+          nlohmann::json::parse(baked.output).at("verdict"));
+  }
+}
+
 TEST_CASE("the result may have another size than the exemplar, which gives a note") {
   const Workplace workplace;
   const SrgbImage image = speckled(64, 64, 3);
