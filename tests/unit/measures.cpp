@@ -8,6 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <vector>
 
 using namespace lichen;
 
@@ -44,16 +45,29 @@ TEST_CASE("stripes have an anisotropy of 1, whatever their direction") {
     const SrgbImage stripes =
         grey(kSide, [=](int x, int y) { return 0.5 + 0.4 * std::sin(u * x + v * y); });
     INFO(degrees);
-    // The two differences of a plane wave are tan(u/2) cos(v/2)... times one function of position,
-    // so the tensor has rank one except for float rounding.
+    // Both gradients of a plane wave are multiples of one function of position, so the tensor has
+    // rank one except for float rounding.
     CHECK(gradientAnisotropy(stripes) == Approx(1.0).margin(1e-6));
+  }
+}
+
+TEST_CASE("the direction of waves of four pixels is right to half a degree") {
+  for (int degrees = 0; degrees <= 90; degrees += 5) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const double u = 1.5 * std::cos(angle), v = 1.5 * std::sin(angle); // radians per pixel
+    std::vector<float> plane;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x)
+        plane.push_back(float(std::sin(u * x + v * y)));
+    const double found = gradientDirection(plane, kSide, kSide).angle;
+    CHECK(std::abs(found) * 180.0 / std::numbers::pi == Approx(degrees).margin(0.5));
   }
 }
 
 TEST_CASE("two equal crossed gratings have no anisotropy, unequal ones that of the closed form") {
   const auto crossed = [](double amplitude) {
-    const double step = 2.0 * std::numbers::pi / 16.0; // whole periods over the 64 squares
-    return grey(kSide + 1, [=](int x, int y) {
+    const double step = 2.0 * std::numbers::pi / 16.0; // whole periods over 64 gradients
+    return grey(kSide + 2, [=](int x, int y) {
       return 0.5 + 0.2 * std::sin(step * x) + 0.2 * amplitude * std::sin(step * y);
     });
   };
