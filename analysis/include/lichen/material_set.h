@@ -44,8 +44,7 @@ struct MaterialSetOptions {
   /// The crop, applied first, in pixels of the largest map. Other maps are cropped to match.
   std::optional<PixelRectangle> crop;
   /// Whether to cut off a frame around the base colour, the border of a scan or a screenshot, if
-  /// there is no crop. None is looked for with Periodic::yes, or beside an
-  /// opacity.
+  /// there is no crop. None is looked for with Periodic::yes, or beside an opacity.
   bool cutsFrame = true;
   /// Width and height to which every map is resampled, [1, kMaxImageSide]. Resampling averages
   /// light for colours, slopes for normals and values for other maps.
