@@ -5,6 +5,7 @@
 #include "materials.h"
 #include "photographs.h"
 #include "scanned_shape.h"
+#include "structured.h"
 #include "terrain.h"
 #include "unsuitable.h"
 
@@ -20,6 +21,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <new>
 #include <options.h>
 #include <string>
@@ -41,6 +43,8 @@ constexpr const char* kTerrain = "terrain"; // written together with its mask
 constexpr const char* kLandscape = "landscape";
 /// Name of the sixty photographs.
 constexpr const char* kPhotographs = "photographs";
+/// Name of the structured materials, with their cells.
+constexpr const char* kStructured = "structured";
 
 /// The materials, then the unsuitable pictures.
 std::vector<exemplars::Material> pictures() {
@@ -56,6 +60,36 @@ int reportWritten(const Result<void>& written, const std::filesystem::path& path
     return fail(written.error().kind, written.error().message);
   std::printf("%s\n", escaped(path.string()).c_str());
   return 0;
+}
+
+using WritePicture = std::function<int(const std::string& name, const SrgbImage& image)>;
+
+int writePhotographs(int side, const WritePicture& write) {
+  int code = 0;
+  std::string material;
+  SrgbImage surface;
+  for (const exemplars::PhotographPlan& plan : exemplars::sixtyPhotographs()) {
+    if (code != 0)
+      break;
+    if (plan.material != material)
+      surface = exemplars::photographedSurface(plan.material, side);
+    material = plan.material;
+    code = write(plan.name(), exemplars::photograph(surface, plan).image);
+  }
+  return code;
+}
+
+int writeStructured(int side, const WritePicture& write) {
+  int code = 0;
+  for (const exemplars::StructuredPlan& plan : exemplars::structuredPlans()) {
+    if (code != 0)
+      break;
+    const exemplars::StructuredPicture picture = exemplars::structured(side, plan);
+    code = write(plan.name(), picture.image);
+    if (code == 0 && !picture.cells.empty())
+      code = write(plan.name() + "-cells", exemplars::coloredCells(side, picture.cells));
+  }
+  return code;
 }
 
 int writeFiles(const std::filesystem::path& folder, int side,
@@ -88,18 +122,10 @@ int writeFiles(const std::filesystem::path& folder, int side,
     code = writePicture(std::string(kTerrain) + "_mask", exemplars::terrainMask(side));
   if (code == 0 && isNamed(kLandscape))
     code = writeMesh(kLandscape, exemplars::landscapeGlb());
-  if (!isNamed(kPhotographs))
-    return code;
-  std::string material;
-  SrgbImage surface;
-  for (const exemplars::PhotographPlan& plan : exemplars::sixtyPhotographs()) {
-    if (code != 0)
-      break;
-    if (plan.material != material)
-      surface = exemplars::photographedSurface(plan.material, side);
-    material = plan.material;
-    code = writePicture(plan.name(), exemplars::photograph(surface, plan).image);
-  }
+  if (code == 0 && isNamed(kPhotographs))
+    code = writePhotographs(side, writePicture);
+  if (code == 0 && isNamed(kStructured))
+    code = writeStructured(side, writePicture);
   return code;
 }
 
@@ -125,6 +151,7 @@ int run(int argc, char** argv) {
   known.emplace_back(kTerrain);
   known.emplace_back(kLandscape);
   known.emplace_back(kPhotographs);
+  known.emplace_back(kStructured);
 
   CLI::App app("Writes the project's example exemplars (8-bit sRGB PNG) and meshes to use them on.",
                "lichen-exemplars");
@@ -155,6 +182,10 @@ int run(int argc, char** argv) {
   if (hasPhotographs && side > exemplars::kLargestPhotograph)
     return failUsage("--size " + std::to_string(side) + ": photographs have at most " +
                      std::to_string(exemplars::kLargestPhotograph) + " pixels a side");
+  const bool hasStructured = std::find(names.begin(), names.end(), kStructured) != names.end();
+  if (hasStructured && side > exemplars::kLargestStructured)
+    return failUsage("--size " + std::to_string(side) + ": structured materials have at most " +
+                     std::to_string(exemplars::kLargestStructured) + " pixels a side");
   if (names.empty())
     for (const exemplars::Material& material : exemplars::kMaterials)
       names.emplace_back(material.name);

@@ -45,6 +45,8 @@ TEST_CASE("lichen-exemplars reports wrong arguments in one line with the valid o
   const std::vector<std::pair<Arguments, std::string>> cases{
       {{out, "foo"}, "foo: no such exemplar; expected granite, "},
       {{out, "--size", "63"}, "--size 63: expected a whole number from 64 to 2048"},
+      {{out, "structured", "--size", "1025"},
+       "--size 1025: structured materials have at most 1024 pixels a side"},
       {{out, "--size"}, "--size: a value is missing"},
       {{out, "--large"}, "--large: no such option"},
       {{}, "OUTDIR is required"}};

@@ -8,11 +8,6 @@ namespace {
 
 using namespace lichen::exemplars;
 
-void round(SrgbImage& image) {
-  for (float& value : image.values)
-    value = std::round(255.0f * std::clamp(value, 0.0f, 1.0f)) / 255.0f;
-}
-
 /// Multiplies the linear light of each pixel by factorAt(x, y), with x and y in [-1, 1].
 template <typename FactorAt>
 void relight(SrgbImage& image, const FactorAt& factorAt) {
@@ -179,11 +174,12 @@ SrgbImage cropped(const SrgbImage& image, int sidePixels, Random& random) {
   return part;
 }
 
-SrgbImage photographed(DrawMaterial draw, int sidePixels, Condition condition, Random& random) {
-  constexpr int kSpare = 48; // pixels of a larger picture
-  if (condition == Condition::tiles)
-    return draw(sidePixels, random).resolve();
-  SrgbImage image = cropped(draw(sidePixels + kSpare, random).resolve(), sidePixels, random);
+void round(SrgbImage& image) {
+  for (float& value : image.values)
+    value = std::round(255.0f * std::clamp(value, 0.0f, 1.0f)) / 255.0f;
+}
+
+void expose(SrgbImage& image, Condition condition, Random& random) {
   switch (condition) {
   case Condition::tiles:
   case Condition::cropped:
@@ -213,6 +209,14 @@ SrgbImage photographed(DrawMaterial draw, int sidePixels, Condition condition, R
     addLeaf(image, random);
     break;
   }
+}
+
+SrgbImage photographed(DrawMaterial draw, int sidePixels, Condition condition, Random& random) {
+  constexpr int kSpare = 48; // pixels of a larger picture
+  if (condition == Condition::tiles)
+    return draw(sidePixels, random).resolve();
+  SrgbImage image = cropped(draw(sidePixels + kSpare, random).resolve(), sidePixels, random);
+  expose(image, condition, random);
   round(image);
   return image;
 }

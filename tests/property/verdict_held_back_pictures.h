@@ -62,6 +62,11 @@ struct FaultyKind {
 /// A part of the picture, at a random place.
 [[nodiscard]] SrgbImage cropped(const SrgbImage& image, int sidePixels, exemplars::Random& random);
 
+/// What the condition does to a picture, apart from the crop. Values may leave [0, 1].
+void expose(SrgbImage& image, Condition condition, exemplars::Random& random);
+/// Rounds to 8 bits.
+void round(SrgbImage& image);
+
 /// A photograph of the material under the condition, of 8 bits.
 [[nodiscard]] SrgbImage photographed(DrawMaterial draw, int sidePixels, Condition condition,
                                      exemplars::Random& random);
