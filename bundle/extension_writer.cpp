@@ -74,6 +74,10 @@ Json describePreparation(const Preparation& preparation) {
     json["size"] = *preparation.size;
   for (const FilledPlace& filled : preparation.filled)
     json["filled"].push_back({{"place", filled.place}, {"from", filled.from}});
+  if (preparation.corners)
+    for (const auto& [x, y] : *preparation.corners)
+      for (const double value : {x, y})
+        json["corners"].push_back(value);
   if (!preparation.flattened.empty()) {
     Json& flattened =
         json["flattened"] = {{"period", preparation.flattenPeriod}, {"maps", Json::array()}};

@@ -70,6 +70,9 @@ std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise
     return name + " is layered itself; expected one that is not";
   if (isMix(noise))
     return name + " is a mix; expected one that is not";
+  if (!formatOf(noise).isLayerable())
+    return name + " has the method " + std::string(nameOf(noise.method())) +
+           ", which layers do not take; expected another";
   if (!areAlike(noise.tileSizeMetres, first.tileSizeMetres))
     return name + " has tiles of " + std::to_string(noise.tileSizeMetres) + " m; expected " +
            std::to_string(first.tileSizeMetres) + " m, as those of " + quoted(first.name);

@@ -79,6 +79,22 @@ void readFilled(ObjectReader& reader, FindingList& findings, Preparation& prepar
   }
 }
 
+/// Eight numbers, x and y of each.
+std::optional<TileCorners> readCorners(ObjectReader& reader) {
+  const auto numbers = reader.numbers("corners", {0.0, double(kMaxTableSide)});
+  if (!numbers)
+    return std::nullopt;
+  TileCorners corners{};
+  for (std::size_t k = 0; k < numbers->size() && k < 2 * corners.size(); ++k)
+    corners[k / 2][k % 2] = (*numbers)[k];
+  if (numbers->size() == 2 * corners.size() && areConvex(corners))
+    return corners;
+  reader.error("preparation-corners", "corners",
+               "expected x and y of upper left, upper right, lower right and lower left corner of "
+               "a convex quadrilateral");
+  return std::nullopt;
+}
+
 } // namespace
 
 Preparation readPreparation(ObjectReader& noise, FindingList& findings) {
@@ -101,6 +117,8 @@ Preparation readPreparation(ObjectReader& noise, FindingList& findings) {
     readFlattened(ObjectReader(*flattened, reader.pointerTo("flattened"), findings), preparation);
   if (reader.has("filled"))
     readFilled(reader, findings, preparation);
+  if (reader.has("corners"))
+    preparation.corners = readCorners(reader);
   reader.warnOfUnknown();
   return preparation;
 }

@@ -157,7 +157,7 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, std::size_t noiseIndex) {
   result.method = shader::uint(noise.method());
   for (const NoiseMap& map : noise.maps)
     result.roles |= 1u << roleOf(map.target);
-  format.setNoise(noise, result);
+  format.setNoise(bundle, noise, result);
   return result;
 }
 
@@ -194,6 +194,7 @@ shader::LichenNoiseConstants shaderConstants(const Bundle& bundle, std::size_t n
   result.noise = shaderNoise(bundle, noiseIndex);
   for (std::size_t map = 0; map < noise.maps.size(); ++map)
     result.maps[roleOf(noise.maps[map].target)] = shaderMap(bundle, noise, map);
+  formatOf(noise).setConstants(noise, result);
   if (noise.layers)
     setLayers(bundle, noise, result);
   return result;

@@ -88,6 +88,9 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
       // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
       if (tiling->dimensions == 1)
         plan.showsGreenAsAlpha[tiling->gaussian] = true;
+    } else if (const auto* quilting = std::get_if<QuiltingMap>(&map.data)) {
+      static_assert(LICHEN_BINDING_CELLS == LICHEN_BINDING_INDEX(0));
+      result.indices[0] = std::uint32_t(quilting->cells);
     } else if (std::holds_alternative<LocalRandomPhaseMap>(map.data) ||
                std::holds_alternative<MultipleKernelsMap>(map.data)) {
       plan.fetchedOnly[imageOf(map)] = true;
@@ -196,6 +199,8 @@ std::size_t imageOf(const NoiseMap& map) {
     return cosines->cosines;
   if (const auto* kernels = std::get_if<MultipleKernelsMap>(&map.data))
     return kernels->kernels;
+  if (const auto* quilting = std::get_if<QuiltingMap>(&map.data))
+    return quilting->image;
   return map.as<TextonMap>().image;
 }
 

@@ -161,6 +161,13 @@ LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* mate
         return result;
       addMaterial(parameters, noise, needs);
     }
+    if (needs.layers > 1 && (needs.methods & (1u << LICHEN_METHOD_QUILTING)) != 0) {
+      writeDiagnostic(diagnostic,
+                      "materials: one has layers and another the method quilting, which "
+                      "shaders with LICHEN_LAYERS above 1 do not draw; ask for the "
+                      "switches of each by itself");
+      return LICHEN_ERROR_USAGE;
+    }
     LichenPlacement where{};
     if (placement != nullptr)
       if (const LichenResult result =

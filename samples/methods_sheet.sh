@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes a sheet of exemplars under the four methods, one exemplar per row: a part of it, and as much
-# of the noise by tiling, textons, local random phase and multiple kernels.
+# Makes a sheet of exemplars under the methods, one exemplar per row: a part of it, and as much
+# of the noise by each method but quilting.
 #   samples/methods_sheet.sh OUTPUT.jpg EXEMPLAR.png...
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail

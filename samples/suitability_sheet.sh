@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes a contact sheet of exemplars that suit and that do not, one per column: the exemplar, its
-# noise with --flatten none, and by default.
+# Makes a contact sheet of exemplars that suit tiling and that do not, one per column: the exemplar,
+# its noise by tiling with --flatten none, and with --flatten auto.
 #   samples/suitability_sheet.sh OUTPUT.jpg
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
@@ -16,7 +16,8 @@ panel=256
 
 for name in $names; do
   for flatten in none auto; do
-    "$bin/lichen" bake "$work/$name.png" -o "$work/noise.glb" --preview none --quiet --flatten "$flatten"
+    "$bin/lichen" bake "$work/$name.png" -o "$work/noise.glb" --method tiling --preview none --quiet \
+      --flatten "$flatten"
     "$bin/lichen" synth "$work/noise.glb" -o "$work/$name-$flatten.png" --size "$((2 * panel))" --quiet
   done
 done

@@ -20,7 +20,7 @@
 // layers), LICHEN_SHADING_POINT, the type of a point, and
 // LICHEN_IMAGE(role) and LICHEN_TABLE(role), which other functions take (likewise).
 // With LICHEN_LAYERS above 1 there are base colour, normals, and occlusion, roughness and metallic,
-// and no surfaces; LICHEN_POINT_ANYWHERE(uv, uvGradientX, uvGradientY, position, gradientX,
+// no surfaces and no quilting; LICHEN_POINT_ANYWHERE(uv, uvGradientX, uvGradientY, position, gradientX,
 // gradientY, normal) is a point of a material with any mapping.
 //
 // A host that knows more at compile time leaves out what it does not need: less code to run. The
@@ -64,6 +64,26 @@ layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
 #endif
 #endif
 
+#ifdef LICHEN_SET
+layout(std140, set = LICHEN_SET,
+       binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_NOISE) uniform LichenNoiseBlock {
+  LichenNoise lichenNoise;
+  LichenMap lichenMaps[LICHEN_MAX_MAPS];
+  LichenLayers lichenLayers;
+  LichenNoise lichenLayerNoises[LICHEN_MAX_LAYERS - 1];
+  LichenNoise lichenIndexNoises[LICHEN_MAX_LAYER_NODES];
+  LichenMap lichenIndexMaps[LICHEN_MAX_LAYER_NODES];
+  uvec4 lichenOffsets[LICHEN_MAX_OFFSETS / 4];
+};
+#if LICHEN_LAYERS == 1
+layout(set = LICHEN_SET,
+       binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_CELLS) uniform texture2D lichenCells;
+#define LICHEN_SAMPLE_CELLS(uv, level)                                                             \
+  textureLod(sampler2D(lichenCells, lichenImageSampler), uv, level)
+#define LICHEN_TILE_OFFSET(index) lichenOffsets[(index) >> 2u][(index) & 3u]
+#endif
+#endif
+
 #include "mapping/mix.glsl"
 #include "mapping/solid.glsl"
 #include "mapping/surface.glsl"
@@ -71,17 +91,6 @@ layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING +
 #include "mapping/uv.glsl"
 
 #ifdef LICHEN_SET
-layout(std140, set = LICHEN_SET,
-       binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_NOISE) uniform LichenNoiseBlock {
-  LichenNoise lichenNoise;
-  LichenMap lichenMaps[LICHEN_MAX_MAPS];
-#if LICHEN_LAYERS > 1
-  LichenLayers lichenLayers;
-  LichenNoise lichenLayerNoises[LICHEN_MAX_LAYERS - 1];
-  LichenNoise lichenIndexNoises[LICHEN_MAX_LAYER_NODES];
-  LichenMap lichenIndexMaps[LICHEN_MAX_LAYER_NODES];
-#endif
-};
 layout(std140, set = LICHEN_SET,
        binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_MATERIAL) uniform LichenMaterialBlock {
   LichenMaterial lichenMaterial;

@@ -20,11 +20,18 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
 namespace lichen::cli {
 namespace {
+
+/// What --method says; nothing: tiling, or quilting of what repeats clearly.
+struct MethodWish {
+  std::optional<Method> method;
+  bool comparesAll = false; ///< "auto"
+};
 
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
@@ -36,8 +43,8 @@ struct Arguments {
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
   ExemplarOptions exemplar;
-  std::optional<Method> wanted; ///< nothing for `auto`
-  Method method{};              ///< what was wanted, or chosen
+  MethodWish wanted;
+  Method method{}; ///< what was wanted, or chosen
   std::optional<double> budget;
   int bits = 0; ///< per channel of the tables
   CommonOptions common;
@@ -50,13 +57,48 @@ struct Arguments {
   [[nodiscard]] const BakeOptions& chosen() const { return *methods[std::size_t(method)]; }
 };
 
+/// The error of an option that only some methods take.
+Error foreignTo(Method method, const char* option, bool (MethodCommand::*takes)() const) {
+  std::string takers;
+  for (const Method other : allMethods())
+    if ((commandOf(other).*takes)())
+      takers += (takers.empty() ? "" : " and ") + std::string(nameOf(other));
+  return {ErrorKind::usage,
+          fmt::format("{}: belongs to --method {}, not to {}", option, takers, nameOf(method))};
+}
+
+/// Whether the method depends on what repeats in the exemplar, which no other option decides.
+bool choosesByStructure(const Arguments& arguments) {
+  return !arguments.wanted.method && !arguments.wanted.comparesAll && !arguments.layers.isGiven() &&
+         !arguments.common.spectrum && !arguments.common.guide &&
+         !givenOf(*arguments.verb, commandOf(Method::tiling).heading());
+}
+
+/// The method before the exemplar is known.
+Method usualMethod(const Arguments& arguments) {
+  const bool isGuided = arguments.common.guide.value_or(0.0) > 0.0;
+  return arguments.wanted.method.value_or(isGuided ? Method::quilting : Method::tiling);
+}
+
+/// Of the method, or of the one among those that may be chosen that needs most.
+BakeMemory memoryOf(const Arguments& arguments) {
+  if (arguments.wanted.comparesAll)
+    return largestMemory(arguments.methods);
+  BakeMemory memory = arguments.chosen().memory();
+  if (choosesByStructure(arguments)) {
+    const BakeMemory other = arguments.methods[std::size_t(Method::quilting)]->memory();
+    memory = {std::max(memory.map, other.map), std::max(memory.largest, other.largest)};
+  }
+  return memory;
+}
+
 /// Checks that the user gave no options of another method than the chosen one.
 Result<void> checkMethodOptions(const Arguments& arguments) {
   if (!arguments.layers.labels.empty() && arguments.layers.count)
     return Error{ErrorKind::usage, "--layers: given with --labels; expected one of the two"};
   if (arguments.layers.softness && !arguments.layers.isGiven())
     return Error{ErrorKind::usage, "--softness: belongs to --labels and --layers"};
-  if (!arguments.wanted) {
+  if (arguments.wanted.comparesAll) {
     if (arguments.common.spectrum)
       return Error{ErrorKind::usage, "--spectrum: auto compares with the exemplar; expected a "
                                      "--method"};
@@ -64,14 +106,11 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
   }
   if (arguments.budget)
     return Error{ErrorKind::usage, "--budget: belongs to --method auto"};
-  if (arguments.common.spectrum && !commandOf(arguments.method).takesSpectrum()) {
-    std::string takers;
-    for (const Method method : allMethods())
-      if (commandOf(method).takesSpectrum())
-        takers += (takers.empty() ? "" : " and ") + std::string(nameOf(method));
-    return Error{ErrorKind::usage, fmt::format("--spectrum: belongs to --method {}, not to {}",
-                                               takers, nameOf(arguments.method))};
-  }
+  const MethodCommand& command = commandOf(arguments.method);
+  if (arguments.common.spectrum && !command.takesSpectrum())
+    return foreignTo(arguments.method, "--spectrum", &MethodCommand::takesSpectrum);
+  if (arguments.wanted.method && arguments.common.guide && !command.takesGuide())
+    return foreignTo(arguments.method, "--guide", &MethodCommand::takesGuide);
   const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
   if (!foreign)
     return {};
@@ -112,17 +151,28 @@ struct Exemplar {
 Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
   if (!arguments.layers.labels.empty())
     arguments.exemplar.set.cutsFrame = false; // the labels are of the whole picture
+  const bool byStructure = choosesByStructure(arguments);
+  arguments.exemplar.findsStructure = byStructure || arguments.method == Method::quilting;
   Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
   if (!read)
     return read.error();
   MaterialSet& set = read.value().set;
-  if (!arguments.wanted) {
+  if (arguments.wanted.comparesAll) {
     Result<MethodChoice> choice =
         chooseMethod(set.maps, set.periodic, arguments.methods, arguments.budget, arguments.shared);
     if (!choice)
       return choice.error();
     arguments.method = choice.value().method;
     notes.add(std::move(choice.value().reason));
+  }
+  const Structure& structure = read.value().structure;
+  if (byStructure && structure.isClear()) {
+    arguments.method = Method::quilting;
+    notes.add(structure.repeats()
+                  ? "the exemplar repeats, so it is baked by quilting, which keeps what repeats; "
+                    "--method tiling scatters it"
+                  : "outlines hold the exemplar together, so it is baked by quilting, which keeps "
+                    "what they enclose; --method tiling blends it");
   }
   for (std::string& line : set.notes)
     notes.add(std::move(line));
@@ -166,7 +216,8 @@ Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exempla
   result.bundle.materialNames = {result.bundle.noises.front().name};
   result.bundle.materials = {result.about.material};
   if (arguments.exemplar.set.periodic == Periodic::detect && result.about.bordersWereBlended)
-    notes.add("the exemplar's borders do not fit together; the bake blends them");
+    notes.add(fmt::format("the exemplar's borders do not fit together; the bake {} them",
+                          result.about.borderTreatment));
   Result<BakeVerdict> judged =
       judgeNoise(result.bundle, *result.bundle.materials.front(), exemplar.maps, exemplar.borders,
                  !result.about.bordersWereBlended, arguments.shared);
@@ -212,7 +263,7 @@ Result<std::vector<std::string>> writeReport(const Arguments& arguments, const E
 
 Result<int> run(Arguments& arguments) {
   StepTimes times;
-  arguments.method = arguments.wanted.value_or(Method{});
+  arguments.method = usualMethod(arguments);
   if (Result<void> checked = checkMethodOptions(arguments); !checked)
     return checked.error();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
@@ -220,8 +271,7 @@ Result<int> run(Arguments& arguments) {
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
   arguments.exemplar.keepsOriginals = !arguments.report.empty();
-  arguments.exemplar.bakeMemory =
-      arguments.wanted ? arguments.chosen().memory() : largestMemory(arguments.methods);
+  arguments.exemplar.bakeMemory = memoryOf(arguments);
   if (arguments.layers.isGiven()) // a part that occurs once may be a layer
     arguments.exemplar.outliers.keeps = true;
   Notes notes(arguments.shared);
@@ -288,16 +338,17 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);
-  Choices<std::optional<Method>> methods;
+  Choices<MethodWish> methods;
   for (const Method method : allMethods())
-    methods.emplace_back(nameOf(method), method);
-  methods.emplace_back("auto", std::nullopt);
+    methods.emplace_back(nameOf(method), MethodWish{method, false});
+  methods.emplace_back("auto", MethodWish{std::nullopt, true});
   addValue(
-      verb, "--method", arguments->wanted, oneOf(methods), "tiling",
+      verb, "--method", arguments->wanted, oneOf(methods), "",
       "tiling keeps the exemplar's histogram; texton makes a Gaussian texture, the smallest on "
       "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification; "
-      "multiple-kernels does so with few kernels, for painted spectra; auto: the cheapest within "
-      "--budget, unless a dearer one looks clearly nearer");
+      "multiple-kernels does so with few kernels, for painted spectra; quilting keeps bricks, "
+      "boards and threads whole; auto: the cheapest within --budget, unless a dearer one looks "
+      "clearly nearer [default: quilting if something repeats clearly, otherwise tiling]");
   addValue(verb, "--budget", arguments->budget, optional(number(kBudgetRange)), "",
            "With --method auto: the most time of a pixel, in plain texture fetches [default: that "
            "of tiling]");
@@ -305,6 +356,10 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
            "Bits per channel of the tables; for textons 16- or 32-bit floats");
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addBakeOptions(verb, arguments->common));
+  addValue(verb, "--guide", arguments->common.guide, orAuto(number(kGuideRange)), "auto",
+           "How closely the noise follows what repeats in the exemplar, such as bricks; 0: not at "
+           "all; auto: as clearly as it repeats")
+      .group("Quilting and local random phase");
   addValue(
       verb, "--spectrum", arguments->common.spectrum, spectrumChoice(), "",
       "A spectrum in place of the exemplar's, which gives the colours: a picture of amplitudes, "

@@ -36,7 +36,7 @@ struct Arguments {
   std::string name;
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
-  ExemplarOptions exemplar{{}, {}, {}, {}, false, kTextonMemory};
+  ExemplarOptions exemplar{.bakeMemory = kTextonMemory};
   TextonMixOptions mix;
   MaterialNoise material;
   PreviewShape preview{};

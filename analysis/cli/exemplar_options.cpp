@@ -17,7 +17,7 @@ namespace {
 /// Describes how map `m` was made. Moves its unflattened original out of `originals`, unless that
 /// is empty.
 ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Flattened& flattened,
-                        std::size_t filled, const MaterialSet& set,
+                        std::size_t filled, const RectifiedPart& part, const MaterialSet& set,
                         std::vector<MapExemplar>& originals) {
   const std::vector<MapExemplar>& maps = set.maps;
   ExemplarOrigin origin;
@@ -33,7 +33,9 @@ ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Fla
   if (filled > 0)
     origin.steps.push_back(filled == 1 ? "one part filled"
                                        : fmt::format("{} parts filled", filled));
-  if (!originals.empty() && (isFlattened || filled > 0))
+  if (part.corners)
+    origin.steps.emplace_back("straightened");
+  if (!originals.empty() && (isFlattened || filled > 0 || part.corners))
     origin.original = std::move(originals[m]);
   return origin;
 }
@@ -66,7 +68,8 @@ std::optional<PhotographPart> photographPart(const ExemplarOptions& options,
 }
 
 Preparation preparationOf(const ExemplarOptions& options, const MaterialSet& set,
-                          const Flattened& flattened, std::vector<FilledPlace> filled) {
+                          const Flattened& flattened, std::vector<FilledPlace> filled,
+                          const std::optional<TileCorners>& corners) {
   Preparation made;
   if (set.crop)
     made.crop = {std::uint32_t(set.crop->x), std::uint32_t(set.crop->y),
@@ -82,6 +85,7 @@ Preparation preparationOf(const ExemplarOptions& options, const MaterialSet& set
     made.flattenPeriod = flattened.periodPixels;
   made.flattened = flattened.maps;
   made.filled = std::move(filled);
+  made.corners = corners;
   return made;
 }
 
@@ -103,6 +107,10 @@ Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, Exempla
   if (isGiven(verb, "--keep-outliers") || isGiven(verb, "--crop") || isGiven(verb, "--size"))
     recorded.filled.clear(); // places in another exemplar
   options.outliers.recorded = recorded.filled;
+  if (isGiven(verb, "--rectify") || isGiven(verb, "--crop") || isGiven(verb, "--size"))
+    recorded.corners.reset();
+  else
+    options.rectification.corners = recorded.corners;
   if (recorded.crop)
     std::ranges::copy(*recorded.crop, options.crop.emplace().begin());
   if (recorded.size)
@@ -133,6 +141,12 @@ std::string describe(const Preparation& preparation) {
   if (!preparation.filled.empty())
     words.push_back(fmt::format("{} part{} filled", preparation.filled.size(),
                                 preparation.filled.size() == 1 ? "" : "s"));
+  if (preparation.corners) {
+    std::vector<double> numbers;
+    for (const auto& [x, y] : *preparation.corners)
+      numbers.insert(numbers.end(), {x, y});
+    words.push_back(fmt::format("--rectify {:.6g}", fmt::join(numbers, ",")));
+  }
   return fmt::format("{}", fmt::join(words, " "));
 }
 
@@ -158,6 +172,9 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, const std::str
   addFlag(verb, "--keep-outliers", options.outliers.keeps,
           "Keep what occurs once, such as a leaf, a fold or a stain, instead of filling its place "
           "from the rest");
+  addValue(verb, "--rectify", options.rectification, rectification(), "auto",
+           "Make the part between four corners the tile, after all that is above; auto: whole "
+           "periods of what repeats, in a bake by quilting");
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
   addValue(verb, "--periodic", options.set.periodic, oneOf(periodic), "auto",
@@ -192,11 +209,16 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
                     photographPart(options, set.value()), shared, set.value().notes);
   if (!filled)
     return filled.error();
-  ReadExemplar read{std::move(set).value(), {}, {}};
+  Result<RectifiedPart> part = applyRectification(maps, options.rectification, set.value().periodic,
+                                                  options.findsStructure, set.value().notes);
+  if (!part)
+    return part.error();
+  ReadExemplar read{std::move(set).value(), {}, {}, part.value().structure};
   for (std::size_t m = 0; m < read.set.maps.size(); ++m)
-    read.origins.push_back(
-        originOf(m, options, flattened.value(), filled.value().size(), read.set, originals));
-  read.preparation = preparationOf(options, read.set, flattened.value(), std::move(filled).value());
+    read.origins.push_back(originOf(m, options, flattened.value(), filled.value().size(),
+                                    part.value(), read.set, originals));
+  read.preparation = preparationOf(options, read.set, flattened.value(), std::move(filled).value(),
+                                   part.value().corners);
   return read;
 }
 

@@ -7,9 +7,11 @@
 #include "command.h"
 #include "memory_need.h"
 #include "outliers_option.h"
+#include "rectify_option.h"
 
 #include <lichen/material_set.h>
 #include <lichen/noise_report.h>
+#include <lichen/structure.h>
 
 #include <array>
 #include <optional>
@@ -19,12 +21,15 @@
 namespace lichen::cli {
 
 struct ExemplarOptions {
-  MaterialSetOptions set; ///< `crop` below replaces its crop
-  std::optional<std::array<int, 4>> crop;
-  Flattening flattening;
-  OutlierUse outliers;
+  MaterialSetOptions set{}; ///< `crop` below replaces its crop
+  std::optional<std::array<int, 4>> crop{};
+  Flattening flattening{};
+  OutlierUse outliers{};
+  Rectification rectification{};
+  bool findsStructure =
+      false; ///< whether to measure what repeats, as automatic rectification needs
   bool keepsOriginals = false; ///< whether to return the maps before flattening and filling
-  BakeMemory bakeMemory;       ///< of the method that bakes; zeros if none does
+  BakeMemory bakeMemory{};     ///< of the method that bakes; zeros if none does
 };
 
 /// Exemplars, and how each was made from its file.
@@ -32,9 +37,11 @@ struct ReadExemplar {
   MaterialSet set;
   std::vector<ExemplarOrigin> origins; ///< one per map
   Preparation preparation;             ///< what the options came to
+  Structure structure;                 ///< if that was to be found
 };
 
-/// Declares --crop, --size, --normal, --alpha, --flatten, --keep-outliers and --periodic. An empty
+/// Declares --crop, --size, --normal, --alpha, --flatten, --keep-outliers, --rectify and
+/// --periodic. An empty
 /// `flattenPreset` leaves --flatten to the verb, which says so in `flattenDefault`.
 void addExemplarOptions(CLI::App& verb, ExemplarOptions& options,
                         const std::string& flattenPreset = "auto",
@@ -46,8 +53,8 @@ Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, Exempla
 /// A preparation in words, of the options where there is one; empty if nothing was done.
 [[nodiscard]] std::string describe(const Preparation& preparation);
 
-/// Reads the files with readMaterialSet(), and flattens and fills the maps as the options ask. The
-/// notes of the set describe all.
+/// Reads the files with readMaterialSet(), and flattens, fills and rectifies the maps as the
+/// options ask. The notes of the set describe all.
 [[nodiscard]] Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
                                                 const ExemplarOptions& options,
                                                 const SharedOptions& shared);

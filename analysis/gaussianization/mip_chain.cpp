@@ -2,69 +2,14 @@
 // Gaussian image (width * height points) -> mip chain -> lost covariance of each mip level.
 #include "mip_chain.h"
 
+#include "exemplar/area_average.h"
 #include "fetch_loss.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace lichen::gaussianization {
 namespace {
-
-struct Plane {
-  int width = 0;
-  int height = 0;
-  int channels = 0;
-  std::vector<float> values;
-};
-
-/// The share of each source texel in the average for destination texel i: the overlap when a side
-/// of `source` texels is reduced to `destination`.
-struct Footprint {
-  int first = 0;
-  std::array<double, 4> weight{}; ///< sums to 1; a ratio of at most 3 touches at most 4 texels
-  int count = 0;
-};
-
-Footprint footprintOf(int i, int source, int destination) {
-  const double ratio = double(source) / destination;
-  const double begin = i * ratio;
-  const double end = (i + 1) * ratio;
-  Footprint footprint;
-  footprint.first = int(begin);
-  for (int k = footprint.first; k < source && double(k) < end - 1e-9; ++k) {
-    const double overlap = std::min(end, k + 1.0) - std::max(begin, double(k));
-    footprint.weight[std::size_t(footprint.count++)] = overlap / ratio;
-  }
-  return footprint;
-}
-
-Plane halved(const Plane& source) {
-  Plane result{std::max(1, source.width / 2), std::max(1, source.height / 2), source.channels, {}};
-  result.values.resize(std::size_t(result.width) * std::size_t(result.height) *
-                       std::size_t(result.channels));
-  tbb::parallel_for(0, result.height, [&](int y) {
-    const Footprint rows = footprintOf(y, source.height, result.height);
-    for (int x = 0; x < result.width; ++x) {
-      const Footprint columns = footprintOf(x, source.width, result.width);
-      float* out = &result.values[(std::size_t(y) * std::size_t(result.width) + std::size_t(x)) *
-                                  std::size_t(result.channels)];
-      for (int c = 0; c < result.channels; ++c) {
-        double sum = 0.0;
-        for (int r = 0; r < rows.count; ++r)
-          for (int k = 0; k < columns.count; ++k)
-            sum += rows.weight[std::size_t(r)] * columns.weight[std::size_t(k)] *
-                   double(source.values[(std::size_t(rows.first + r) * std::size_t(source.width) +
-                                         std::size_t(columns.first + k)) *
-                                            std::size_t(source.channels) +
-                                        std::size_t(c)]);
-        out[c] = float(sum);
-      }
-    }
-  });
-  return result;
-}
 
 /// Covariance of the first `channels` of `stride` interleaved values.
 exemplar::ChannelMatrix covarianceOf(const std::vector<float>& values, int stride, int channels) {
@@ -109,7 +54,7 @@ Table gaussianTable(const Gaussianized& gaussianized, int bits) {
   table.width = std::uint32_t(gaussianized.width);
   table.height = std::uint32_t(gaussianized.height);
   const int channels = channelCount(table.format);
-  Plane level{gaussianized.width, gaussianized.height, channels, {}};
+  exemplar::ImageLevel level{gaussianized.width, gaussianized.height, channels, {}};
   level.values.reserve(gaussianized.image.size() * std::size_t(channels));
   for (const Point& p : gaussianized.image) {
     constexpr float kShift = kStoredGaussianMean - float(gaussian::kGaussianMean);
@@ -118,7 +63,7 @@ Table gaussianTable(const Gaussianized& gaussianized, int bits) {
   }
   appendTexels(table.texels, table.format, level.values);
   while (level.width > 1 || level.height > 1) {
-    level = halved(level);
+    level = exemplar::areaAverage(level);
     appendTexels(table.texels, table.format, level.values);
     ++table.mipLevels;
   }

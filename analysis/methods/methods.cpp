@@ -3,6 +3,7 @@
 #include "local_random_phase/local_random_phase_analysis.h"
 #include "method_analysis.h"
 #include "multiple_kernels/multiple_kernels_analysis.h"
+#include "quilting/quilting_analysis.h"
 #include "texton/texton_analysis.h"
 #include "tiling/tiling_analysis.h"
 
@@ -13,8 +14,9 @@ const MethodAnalysis& analysisOf(Method method) {
   static const TextonAnalysis kTexton;
   static const LocalRandomPhaseAnalysis kLocalRandomPhase;
   static const MultipleKernelsAnalysis kMultipleKernels;
-  static const std::array<const MethodAnalysis*, 4> kAnalyses{
-      &kTiling, &kTexton, &kLocalRandomPhase, &kMultipleKernels};
+  static const QuiltingAnalysis kQuilting;
+  static const std::array<const MethodAnalysis*, 5> kAnalyses{
+      &kTiling, &kTexton, &kLocalRandomPhase, &kMultipleKernels, &kQuilting};
   static_assert(kAnalyses.size() == std::variant_size_v<MethodMap>);
   return *kAnalyses[std::size_t(method)];
 }

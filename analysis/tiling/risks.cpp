@@ -106,13 +106,13 @@ Risk structureRisk(const HalfSpectrum& spectrum, const FewColors& few, ProgressP
   const std::string consequence = "which random blending breaks into pieces";
   const std::string advice = "a photograph without joints, letters or a regular pattern; an image "
                              "that tiles can be repeated as a plain texture instead";
+  const Remedy remedy{{{"method", "quilting"}}, advice};
   if (latticeScore > coherenceScore)
     return riskOf("structure", latticeScore,
-                  percent(lattice) + " of the variation repeats regularly", consequence,
-                  {{{"method", "local-random-phase"}}, advice});
+                  percent(lattice) + " of the variation repeats regularly", consequence, remedy);
   return riskOf("structure", coherenceScore,
                 "outlines, such as joints and letters, are " + percent(coherence) + " coherent",
-                consequence, {{}, advice});
+                consequence, remedy);
 }
 
 /// `seen` is the map, or its slopes if those are what shows.

@@ -41,6 +41,8 @@ public:
   [[nodiscard]] virtual MethodMap readMap(ObjectReader& reader, const Noise& noise,
                                           const NoiseMap& map, const Tables& tables,
                                           FindingList& findings) const = 0;
+  /// Whether a layered noise may have it as a layer.
+  [[nodiscard]] virtual bool isLayerable() const { return true; }
   /// Whether the noise is a mix.
   [[nodiscard]] virtual bool isMix(const Noise&) const { return false; }
 
@@ -76,7 +78,10 @@ public:
   /// which for Mapping::surface and Mapping::solid, where they fit, also the cells.
   virtual void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                       shader::LichenMap& constants) const = 0;
-  virtual void setNoise(const Noise& noise, shader::LichenNoise& constants) const = 0;
+  virtual void setNoise(const Bundle& bundle, const Noise& noise,
+                        shader::LichenNoise& constants) const = 0;
+  /// Sets what a method has in the block of a noise beside `noise` and `maps`.
+  virtual void setConstants(const Noise&, shader::LichenNoiseConstants&) const {}
   virtual void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
                            const Placement& placement, shader::LichenMaterial& constants) const = 0;
 };

@@ -2,6 +2,7 @@
 // The methods of the format, in the order of Method.
 #include "local_random_phase/local_random_phase_format.h"
 #include "multiple_kernels/multiple_kernels_format.h"
+#include "quilting/quilting_format.h"
 #include "texton/texton_format.h"
 #include "tiling/tiling_format.h"
 
@@ -14,8 +15,9 @@ std::span<const MethodFormat* const> methodFormats() {
   static const TextonFormat kTexton;
   static const LocalRandomPhaseFormat kLocalRandomPhase;
   static const MultipleKernelsFormat kMultipleKernels;
-  static const std::array<const MethodFormat*, 4> kFormats{&kTiling, &kTexton, &kLocalRandomPhase,
-                                                           &kMultipleKernels};
+  static const QuiltingFormat kQuilting;
+  static const std::array<const MethodFormat*, 5> kFormats{&kTiling, &kTexton, &kLocalRandomPhase,
+                                                           &kMultipleKernels, &kQuilting};
   static_assert(kFormats.size() == std::variant_size_v<MethodMap>);
   return kFormats;
 }
@@ -24,7 +26,7 @@ const MethodFormat& formatOf(Method method) { return *methodFormats()[std::size_
 
 std::span<const Method> allMethods() {
   static constexpr std::array kMethods{Method::tiling, Method::texton, Method::localRandomPhase,
-                                       Method::multipleKernels};
+                                       Method::multipleKernels, Method::quilting};
   static_assert(kMethods.size() == std::variant_size_v<MethodMap>);
   return kMethods;
 }

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes test_vectors.json: lattice, impacts and planes of README.md, implemented a second time, in Python with
-integers and decimals of any length, so that an implementation in another language can be compared
+"""Writes test_vectors.json: lattice, impacts, planes and quilting of README.md, implemented a second time, in Python
+with integers and decimals of any length, so that an implementation in another language can be compared
 with something that shares no code with it. Run: python3 make_test_vectors.py > test_vectors.json"""
 import json
+import math
 from decimal import Decimal, getcontext
 from fractions import Fraction
 
@@ -199,6 +200,116 @@ def plane_gradients(slopes, rotation):
             "gradients": [[0.0, up, -right], [right, 0.0, -up], [right, up, 0.0]]}
 
 
+# Quilting, whole: a noise of 4 x 4 texels whose cells have 2 x 2, and its values at points.
+QUILT_SIDE = 4
+QUILT_REACH = 0.125
+QUILT_OFFSETS = [[0, 0], [0.5, 0], [0, 0.5], [0.5, 0.5]]
+
+
+def averages(image):
+    """All mip levels of a square image of tuples."""
+    levels = [image]
+    while len(levels[-1]) > 1:
+        rows = levels[-1]
+        levels.append([[tuple(sum(four) / 4 for four in zip(rows[y][x], rows[y][x + 1], rows[y + 1][x],
+                                                            rows[y + 1][x + 1]))
+                        for x in range(0, len(rows), 2)] for y in range(0, len(rows), 2)])
+    return levels
+
+
+def in_bytes(levels):
+    return [[[tuple(math.floor(value * 255 + 0.5) / 255 for value in texel) for texel in row]
+             for row in level] for level in levels]
+
+
+def quilt_images():
+    places = [[(x, y) for x in range(QUILT_SIDE)] for y in range(QUILT_SIDE)]
+    ways = averages([[((x + 1) % 2, (y + 1) % 2) for x, y in row] for row in places])
+    for level, rows in enumerate(ways):  # with the sharpness
+        ways[level] = [[way + (1 if level == 0 else 0,) for way in row] for row in rows]
+    heights = averages([[((x + QUILT_SIDE * y) * 5 % 16 * 16 / 255,) for x, y in row] for row in places])
+    slopes = [[(x / 4 - 1 / 2, 1 / 2 - y / 8) for x, y in row] for row in places]
+    squares = averages([[(a, b, (a * a + b * b) / 2) for a, b in row] for row in slopes])
+    return in_bytes(ways), in_bytes(heights), squares
+
+
+def trilinear(levels, u, v, level):
+    def bilinear(rows):
+        side = len(rows)
+        x, y = u * side - 0.5, v * side - 0.5
+        i, j = math.floor(x), math.floor(y)
+        value = [0.0] * len(rows[0][0])
+        for di, dj in ((0, 0), (1, 0), (0, 1), (1, 1)):
+            weight = (x - i if di else 1 - x + i) * (y - j if dj else 1 - y + j)
+            texel = rows[(j + dj) % side][(i + di) % side]
+            value = [a + weight * b for a, b in zip(value, texel)]
+        return value
+
+    level = min(max(level, 0), len(levels) - 1)
+    low = math.floor(level)
+    high = min(low + 1, len(levels) - 1)
+    return [a + (level - low) * (b - a) for a, b in zip(bilinear(levels[low]), bilinear(levels[high]))]
+
+
+def sharp_level(dpdx, dpdy, side):
+    (a, b), (c, d) = ([side * t for t in dpdx], [side * t for t in dpdy])
+    squared = max(1, a * a + b * b, c * c + d * d)
+    level = math.log2(squared * max(abs(a * d - b * c), math.sqrt(squared), squared / 16)) / 4
+    return max(level / 2, level - 0.5)
+
+
+def quilt_value(slopes, texel):
+    return [*texel[:2], max(0, texel[2] - (texel[0] ** 2 + texel[1] ** 2) / 2)] if slopes else texel
+
+
+def quilting(place, dpdx, dpdy, contrast, has_list, seed, period):
+    ways, heights, squares = quilt_images()
+    columns, rows = 3.5, 4
+    if period:
+        lattice = periodic_lattice(*period)
+        columns, rows = lattice["columns"] / period[0], lattice["rows"] / period[1]
+    a, b = place[0] * columns - place[1] * rows / 2, place[1] * rows
+    i, j = math.floor(a), math.floor(b)
+    corner = 0 if a - i + b - j < 1 else 1
+    level = sharp_level(dpdx, dpdy, QUILT_SIDE)
+    taps, hats = [], []
+    for column, row in ((i + corner, j + corner), (i + 1, j), (i, j + 1)):
+        vertex, shift = [column, row], [0, 0]
+        if period:
+            k = vertex[1] // lattice["rows"]
+            vertex = [vertex[0] + k * lattice["rows"] // 2, vertex[1] - k * lattice["rows"]]
+            q = vertex[0] // lattice["columns"]
+            vertex[0] -= q * lattice["columns"]
+            shift = [q * period[0], k * period[1]]
+        word = vertex_hash(*vertex, lattice_seed(seed, 0))
+        offset = [word % 65536 / 65536, word // 65536 / 65536]
+        if has_list:
+            color = (vertex[0] - vertex[1] + 2**31) % WORD % 3
+            count = (len(QUILT_OFFSETS) - color + 2) // 3
+            offset = QUILT_OFFSETS[3 * ((word // 65536 * count) // 65536) + color]
+        tap = [p - s + o for p, s, o in zip(place, shift, offset)]
+        red, green, sharpness = trilinear(ways, *tap, level)
+        x, y = (QUILT_REACH * (2 * c - 1) for c in (red, green))
+        u, v = a - column + x * columns - y * rows / 2, b - row + y * rows
+        taps.append(tap)
+        hats.append(max(1 - max(abs(u), abs(v), abs(u + v)), 0.001))
+    weights = [max((hat / max(hats)) ** 2 ** (4.6 * sharpness) - 1 / 512, 0) for hat in hats]
+    weights = [weight / sum(weights) for weight in weights]
+    gain = contrast * sum(w * w for w in weights) ** ((sharpness - 1) / 2)
+    values = []
+    for slopes, image in ((False, heights), (True, squares)):
+        mean = quilt_value(slopes, image[-1][0][0])
+        tiles = [quilt_value(slopes, trilinear(image, *tap, level)) for tap in taps]
+        value = [m + gain * sum(w * (tile[c] - m) for w, tile in zip(weights, tiles)) for c, m in enumerate(mean)]
+        if slopes:
+            value[2] = max(value[2], 0)
+        else:
+            value = [min(max(v, 0), 1) for v in value]
+        values.append([round(v, 7) for v in value])
+    return {"position": place, "dpdx": dpdx, "dpdy": dpdy, "contrast": contrast, "hasOffsets": has_list,
+            "seed": seed, "periodTiles": period or [0, 0], "height": values[0], "normal": values[1]}
+
+
 WORDS = [0, 1, 2, 3, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFF, 0x12345678]
 VERTICES = [(0, 0), (1, 0), (0, 1), (-1, -1), (-2147483648, 2147483647), (34641016, -40000000)]
 SEEDS = [(0, 0), (1, 0), (1, 1), (1, 2), (4294967295, 0)]
@@ -213,6 +324,13 @@ NORMALS = [([0, 0, 1], 8), ([0, -2, 0.5], 8), ([1, 1, -1], 8), ([0.9, -1, 0.75],
 ORIGINS = [([0, 0, 0], 0, [0.25, -3.5], [64, 64]), ([3, -2, 7], 0, [0, 0], [64, 48]),
            ([2**40, 1 - 2**40, -77], 0, [0.5, 0], [64, 64]),
            ([10000000, -9999999, 123456789], 0.5, [0, 0], [64, 48])]
+QUILT_PLACES = [(0, 0, 1), (3, 1, 1), (-21, 4, 2), (10, 13, 1), (29, -6, 7), (47, 37, 1)]
+QUILT_WIDTHS = [(0, 1), (0.25, 1), (0.5, 1.5), (2, 1)]
+QUILT_KINDS = [(True, None), (False, None), (True, (1.5, 1.25))]
+QUILT_POINTS = [([x / 16 + 0.01, y / 8 - 0.53], [t, t / 4], [0, t / 2], contrast,
+                 QUILT_KINDS[(place + width) % 3][0], seed, QUILT_KINDS[(place + width) % 3][1])
+                for place, (x, y, seed) in enumerate(QUILT_PLACES)
+                for width, (t, contrast) in enumerate(QUILT_WIDTHS)]
 COUNTS = [0, 1580030168, 1580030169, 3160060337, 3950075422, 4213413783, 4279248374, 4292415292,
           4294609778, 4294923276, 4294962463, 4294966817, 4294967253, 4294967291, 4294967292]
 
@@ -246,4 +364,5 @@ print(json.dumps({
     "planePlaces": [plane_places([0.5, -1.25, 3], rotation, scale, 0.5, texels)
                     for rotation, scale, texels in ((0, 1, [64, 64]), (0.5, 0.75, [64, 48]))],
     "planeGradients": [plane_gradients([0.5, -0.25], rotation) for rotation in (0, 0.5, -2)],
+    "quilting": [quilting(*point) for point in QUILT_POINTS],
 }, indent=1))

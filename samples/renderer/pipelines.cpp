@@ -15,6 +15,7 @@
 #include <depth.frag.kernels.h>
 #include <depth.frag.plane.h>
 #include <depth.frag.plane_kernels.h>
+#include <depth.frag.quilting.h>
 #include <depth.frag.surface.h>
 #include <depth.frag.textons.h>
 #include <depth.frag.tiling.h>
@@ -32,6 +33,7 @@
 #include <scene.frag.layers.h>
 #include <scene.frag.plane.h>
 #include <scene.frag.plane_kernels.h>
+#include <scene.frag.quilting.h>
 #include <scene.frag.surface.h>
 #include <scene.frag.textons.h>
 #include <scene.frag.tiling.h>
@@ -263,6 +265,11 @@ FragmentCode fragmentCodeFor(const NoiseFeatures& noises, bool hasNoise) {
   if (!hasNoise)
     return {scene_frag_bare, depth_frag_bare};
   const bool hasTextons = noises.hasMethod(LICHEN_NOISE_TEXTON);
+  if (noises.hasMethod(LICHEN_NOISE_QUILTING))
+    return hasTextons || noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE) ||
+                   noises.hasMethod(LICHEN_NOISE_MULTIPLE_KERNELS)
+               ? FragmentCode{scene_frag, depth_frag}
+               : FragmentCode{scene_frag_quilting, depth_frag_quilting};
   if (noises.hasMethod(LICHEN_NOISE_MULTIPLE_KERNELS)) {
     if (hasTextons || noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE))
       return {scene_frag, depth_frag};

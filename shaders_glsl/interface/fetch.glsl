@@ -23,6 +23,9 @@
 #endif
 #endif
 
+// Quilting, whose cells all maps share, also needs LICHEN_SAMPLE_CELLS(uv, level), a vec4 of the
+// noise's image of cells, and LICHEN_TILE_OFFSET(index), a uint of the offsets in its block.
+
 #if defined(GL_ES) && __VERSION__ < 310
 /// textureGather of red, which GLSL ES 3.00 lacks.
 vec4 lichenGather(sampler2D image, vec2 uv) {

@@ -26,12 +26,17 @@
 // LichenMap::decoding, from the Gaussian to the decoded value.
 #define LICHEN_DECODING_JOINT 0    // one table over all dimensions
 #define LICHEN_DECODING_GAUSSIAN 1 // an affine map to the stored value, no table
+#define LICHEN_DECODING_NONE 2     // values are as decoded, less their mean, plus 1/2
 
 // LichenNoise::method.
 #define LICHEN_METHOD_TILING 0
 #define LICHEN_METHOD_TEXTON 1
 #define LICHEN_METHOD_LOCAL_RANDOM_PHASE 2
 #define LICHEN_METHOD_MULTIPLE_KERNELS 3
+#define LICHEN_METHOD_QUILTING 4
+
+// Of the list of a quilting noise.
+#define LICHEN_MAX_OFFSETS 24
 
 // LichenTilingNoise::grain.
 #define LICHEN_GRAIN_NONE 0
@@ -74,8 +79,10 @@
 #define LICHEN_BINDING_TABLE_SAMPLER 3
 #define LICHEN_BINDING_IMAGE(role) (4 + (role))
 #define LICHEN_BINDING_TABLE(role) (10 + (role))
-#define LICHEN_BINDING_COUNT 16
-// Where shaders know layers (LICHEN_LAYERS above 1): the image of each node's index map.
+#define LICHEN_BINDING_CELLS 16 // the image of a quilting noise's cells
+#define LICHEN_BINDING_COUNT 17
+// Where shaders know layers (LICHEN_LAYERS above 1), and so no quilting: the image of each node's
+// index map.
 #define LICHEN_BINDING_INDEX(node) (16 + (node))
 #define LICHEN_LAYERED_BINDING_COUNT 19
 
@@ -201,6 +208,13 @@ struct LichenKernelsNoise {
   uint cosines;   // of the pattern in the rows below
 };
 
+/// What only quilting has of a noise: own0 and own1.
+struct LichenQuiltingNoise {
+  float reach;                    // [tiles] of the image of cells
+  float cellTexelsX, cellTexelsY; // its size
+  uint offsets;                   // of the list in the noise's block, 0: none
+};
+
 /// What all maps of a noise share. Fixed by the bundle.
 struct LichenNoise {
   float tileTexelsX, tileTexelsY; // of the exemplar: of tiling, of its widest and its highest map
@@ -252,7 +266,7 @@ struct LichenLayers {
 };
 
 /// The block of a noise. 2,048 bytes, fixed by the bundle. The members after `maps` are 0 but for
-/// layered noises.
+/// layered noises, and for the offsets of quilting.
 struct LichenNoiseConstants {
   LichenNoise noise;
   LichenMap maps[LICHEN_MAX_MAPS]; // by role; of layered noises by slot (mapping/layered.glsl)
@@ -260,7 +274,8 @@ struct LichenNoiseConstants {
   LichenNoise layerNoises[LICHEN_MAX_LAYERS - 1]; // `noise` is the first layer
   LichenNoise indexNoises[LICHEN_MAX_LAYER_NODES];
   LichenMap indexMaps[LICHEN_MAX_LAYER_NODES];
-  uvec4 reserved[6]; // 0: to a multiple of 256 bytes
+  // Of quilting: where tiles are taken from [65,536ths of a tile], x in the lower 16 bits. 24 words.
+  uvec4 offsets[LICHEN_MAX_OFFSETS / 4];
 };
 
 /// A material of a layered noise. 1,344 bytes.

@@ -14,6 +14,9 @@
 #include "local_random_phase.glsl"
 #include "method_choice.glsl"
 #include "multiple_kernels.glsl"
+#ifdef LICHEN_HAS_QUILTING
+#include "quilting.glsl"
+#endif
 #include "texton.glsl"
 #include "tiling_options.glsl"
 

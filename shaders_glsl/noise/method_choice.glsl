@@ -7,9 +7,14 @@
 #include "../interface/lichen_interface.h"
 #include "method_parts.glsl"
 
-// Bit m: the method m (LICHEN_METHOD_...) is compiled. A literal.
+// Bit m: the method m (LICHEN_METHOD_...) is compiled. A literal. Quilting needs
+// LICHEN_SAMPLE_CELLS and LICHEN_TILE_OFFSET (interface/fetch.glsl).
 #ifndef LICHEN_METHODS
+#ifdef LICHEN_SAMPLE_CELLS
+#define LICHEN_METHODS 31
+#else
 #define LICHEN_METHODS 15
+#endif
 #endif
 // Bit m: some noise has the method m, of those that are compiled. A literal, or the host's
 // specialization constant; some drivers take longer to drop the code of such a constant than to
@@ -24,7 +29,8 @@
   LICHEN_EACH_TILING(DO)                                                                           \
   LICHEN_EACH_TEXTON(DO)                                                                           \
   LICHEN_EACH_LOCAL_RANDOM_PHASE(DO)                                                               \
-  LICHEN_EACH_MULTIPLE_KERNELS(DO)
+  LICHEN_EACH_MULTIPLE_KERNELS(DO)                                                                 \
+  LICHEN_EACH_QUILTING(DO)
 #if (LICHEN_METHODS & 1) != 0
 #define LICHEN_EACH_TILING(DO) DO(tiling, LichenTilingTaps, LICHEN_METHOD_TILING)
 #else
@@ -60,6 +66,12 @@
 #define LICHEN_EACH_MULTIPLE_KERNELS(DO)
 #define LICHEN_SURFACE_MULTIPLE_KERNELS(DO)
 #define LICHEN_SOLID_MULTIPLE_KERNELS(DO)
+#endif
+#if (LICHEN_METHODS & 16) != 0
+#define LICHEN_HAS_QUILTING
+#define LICHEN_EACH_QUILTING(DO) DO(quilting, LichenQuiltingPoint, LICHEN_METHOD_QUILTING)
+#else
+#define LICHEN_EACH_QUILTING(DO)
 #endif
 
 // Likewise, for each method that has solids: its member of LichenSolidPoint; see

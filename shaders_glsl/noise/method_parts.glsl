@@ -44,6 +44,11 @@ LichenKernelsNoise lichenKernelsNoise(LichenNoise noise) {
   return LichenKernelsNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w);
 }
 
+LichenQuiltingNoise lichenQuiltingNoise(LichenNoise noise) {
+  return LichenQuiltingNoise(uintBitsToFloat(noise.own0.x), uintBitsToFloat(noise.own0.y),
+                             uintBitsToFloat(noise.own0.z), noise.own0.w);
+}
+
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {
   return LichenCosinesNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w,
                             noise.own1.x, noise.own1.y, noise.own1.z, noise.own1.w);

@@ -11,12 +11,7 @@
 #include "../interface/lichen_interface.h"
 #include "footprint_level.glsl"
 #include "hash.glsl"
-
-/// The triangle of the simplex lattice that holds a point.
-struct LichenTriangle {
-  uvec2 vertex0, vertex1, vertex2; // modulo 2^32
-  vec3 weights; // barycentric, in [0, 1], sum 1
-};
+#include "simplex_lattice.glsl"
 
 /// What all maps of a noise share at one point.
 struct LichenTilingPoint {
@@ -26,28 +21,6 @@ struct LichenTilingPoint {
   float lossShare; // what a fetch loses at this position, over its mean; of the widest map
   float contrast;  // the material's
 };
-
-/// [tiles] -> [HN18] section 3's skewed coordinates, in which the triangles halve the unit squares.
-vec2 lichenSkewed(vec2 position, LichenMaterial material) {
-  float row = position.y * material.rowsPerTile;
-  return vec2(position.x * material.columnsPerTile - 0.5 * row, row);
-}
-
-/// The triangle that holds a point given in skewed coordinates, relative to the noise's cell.
-LichenTriangle lichenTriangle(vec2 skewed, LichenMaterial material) {
-  vec2 cell = floor(skewed);
-  vec2 inside = skewed - cell;
-  float third = 1.0 - inside.x - inside.y;
-  bool isUpper = third <= 0.0;
-  // Through int: float to uint of a negative is undefined.
-  uvec2 corner = uvec2(ivec2(cell)) + uvec2(ivec2(material.cellI, material.cellJ));
-  LichenTriangle triangle;
-  triangle.vertex0 = corner + (isUpper ? 1u : 0u);
-  triangle.vertex1 = corner + uvec2(1u, 0u);
-  triangle.vertex2 = corner + uvec2(0u, 1u);
-  triangle.weights = isUpper ? vec3(-third, 1.0 - inside.yx) : vec3(third, inside);
-  return triangle;
-}
 
 /// The random offset of a vertex's tile, a whole number of texels; images repeat. [tiles]
 vec2 lichenTileOffset(uvec2 vertex, LichenMaterial material, LichenNoise noise) {

@@ -95,6 +95,10 @@ std::vector<std::byte> bricksGlb() {
   return bundleGlb(localRandomPhaseBundle(exemplars::bricks(kShaderExemplarSide)));
 }
 
+std::vector<std::byte> quiltingGlb() {
+  return bundleGlb(quiltingBundle(exemplars::bricks(kShaderExemplarSide)));
+}
+
 std::vector<std::byte> mixGlb() {
   test::SyntheticTexton texton = textons();
   texton.steps = TextonMixOptions{}.steps;

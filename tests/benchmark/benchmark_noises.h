@@ -26,6 +26,8 @@ namespace lichen::bench {
 [[nodiscard]] std::vector<std::byte> layeredGlb();
 /// Bricks as local random-phase noise, which is all structure, with a list of offsets.
 [[nodiscard]] std::vector<std::byte> bricksGlb();
+/// Bricks as a quilting.
+[[nodiscard]] std::vector<std::byte> quiltingGlb();
 /// A mix with as many steps as `lichen mix` makes from two exemplars. It goes from one to the other
 /// over four tiles.
 [[nodiscard]] std::vector<std::byte> mixGlb();

@@ -5,6 +5,7 @@
 
 #include <lichen/image_io.h>
 #include <lichen/multiple_kernels.h>
+#include <lichen/quilting.h>
 #include <lichen/texton.h>
 
 #include <algorithm>
@@ -153,6 +154,11 @@ Bundle localRandomPhaseBundle(const SrgbImage& image, const LocalRandomPhaseOpti
 Bundle multipleKernelsBundle(const SrgbImage& image) {
   const MapExemplar map = baseColorMap(image);
   return bundleOf(bakeMultipleKernels("benchmark", {&map, 1}, {}));
+}
+
+Bundle quiltingBundle(const SrgbImage& image) {
+  const MapExemplar map = baseColorMap(image);
+  return bundleOf(bakeQuilting("benchmark", {&map, 1}, {}));
 }
 
 Bundle bakedBundle(std::span<const MapExemplar> maps, const TilingOptions& options) {

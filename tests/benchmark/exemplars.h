@@ -45,5 +45,7 @@ struct Exemplar {
 
 /// Likewise for multiple-kernels noise of at most 8 kernels.
 [[nodiscard]] Bundle multipleKernelsBundle(const SrgbImage& image);
+/// Likewise for quilting.
+[[nodiscard]] Bundle quiltingBundle(const SrgbImage& image);
 
 } // namespace lichen::bench

@@ -19,6 +19,7 @@
 #include <materials.h>
 #include <multiple_kernels.frag.h>
 #include <plain.frag.h>
+#include <quilting.frag.h>
 #include <stdexcept>
 #include <texton.frag.h>
 #include <texton.frag.mixed.h>
@@ -113,6 +114,7 @@ std::vector<Row> measure() {
       noise("tiling, joint table", tiling_frag_joint, screen, joint, {4.2, 4.2}),
       noise("tiling, nearest table level", tiling_frag_nearest_level, screen, joint, {3.5, 3.7}),
       noise("tiling, Gaussian only", tiling_frag_gaussian, screen, gaussian, {2.8, 3.1}),
+      noise("quilting of bricks", quilting_frag, screen, quiltingGlb(), {5.7, 5.7}),
       noise("texton, 30 impacts", texton_frag, screen, textonGlb(), {36.0, 40.0}),
       noise("mix of textons, 30 impacts", texton_frag_mixed, screen, mixGlb(), {42.0, 46.0}),
       noise("local random phase, 50 cosines", local_random_phase_frag, screen,

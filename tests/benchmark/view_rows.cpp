@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Views from one texel to 100 tiles per pixel, and a camera that moves over a floor, against
-// supersampling: contrast, mean colour, features and shimmer. Covers both methods, on texture
+// supersampling: contrast, mean colour, features and shimmer. Covers tiling and textons, on texture
 // coordinates and triplanar.
 #include "exemplars.h"
 #include "rows.h"

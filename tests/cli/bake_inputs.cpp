@@ -54,7 +54,8 @@ std::vector<double> colourMean(const SrgbImage& image) {
 }
 
 std::vector<nlohmann::json> notesOf(const Workplace& workplace, const std::string& input) {
-  const Ended ended = runLichen({"bake", input, "-o", workplace.path("noted.glb"), "--json"});
+  const Ended ended =
+      runLichen({"bake", input, "-o", workplace.path("noted.glb"), "--method", "tiling", "--json"});
   REQUIRE(ended.code == 0);
   return nlohmann::json::parse(ended.output).at("notes");
 }

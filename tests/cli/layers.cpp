@@ -119,6 +119,10 @@ TEST_CASE("layers that do not fit together are refused by name") {
   const std::string output = workplace.path("out.glb");
   checkRefusal({"layer", one, large, "-o", output}, kUsage, {"has tiles of 2", "expected 1"});
   checkRefusal({"layer", one, wide, "-o", output}, kUsage, {"has tiles of another shape"});
+  const std::string quilting = bake("quilting.glb", {"--method", "quilting"});
+  for (const auto& [first, second] : {std::pair{one, quilting}, {quilting, one}})
+    checkRefusal({"layer", first, second, "-o", output}, kUsage,
+                 {"has the method quilting, which layers do not take; expected another"});
   checkRefusal({"bake", image, "-o", output, "--labels", image, "--layers", "2"}, kUsage,
                {"--layers: given with --labels"});
   checkRefusal({"bake", image, "-o", output, "--layers", "5"}, kUsage, {"--layers 5", "2 to 4"});

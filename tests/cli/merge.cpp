@@ -70,7 +70,7 @@ TEST_CASE("merge preserves order, tables, parameters and pictures of the noises"
   CHECK(same.values == picture.values);
 }
 
-TEST_CASE("merge puts noises of both methods into one bundle") {
+TEST_CASE("merge puts noises of two methods into one bundle") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb");
   const std::string dune = workplace.path("dune.glb");

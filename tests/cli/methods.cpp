@@ -41,8 +41,8 @@ TEST_CASE("auto takes tiling unless the budget allows more, and says what would"
 }
 
 TEST_CASE("auto keeps the method that looks nearest for its cost") {
-  // Rows of bricks come out whole by local random phase, and in pieces by tiling.
-  CHECK(chosenFor(brickwork(128), {"--budget", "100"}).method == "local-random-phase");
+  // Rows of bricks come out whole by quilting, and in pieces by tiling.
+  CHECK(chosenFor(brickwork(128), {"--budget", "100"}).method == "quilting");
   const Chosen speckles = chosenFor(speckled(128, 128, 3), {"--budget", "100"});
   CHECK(speckles.method == "tiling");
   CHECK_THAT(speckles.notes, Catch::Contains("look_distance") && Catch::Contains("texton 0."));

@@ -31,6 +31,7 @@ struct Made {
   [[nodiscard]] Arguments bakeOf(int side) const {
     return {"bake",      workplace.write("photograph.png", smooth(side)),
             "-o",        workplace.path("new.glb"),
+            "--method",  "tiling",
             "--threads", "1",
             "--json"};
   }

@@ -16,7 +16,9 @@ foreach(stage vert frag comp)
       "LICHEN_SET=0;LICHEN_ROLES=1"
       "LICHEN_SET=0;LICHEN_ROLES=32" # without a role that the shader evaluates
       "LICHEN_SET=3;LICHEN_FIRST_BINDING=7;LICHEN_ROLES=63"
-      "OWN_ARRAYS")
+      "OWN_ARRAYS"
+      "OWN_ARRAYS;OWN_CELLS"
+      "OWN_ARRAYS;OWN_CELLS;LICHEN_METHODS=17")
     compile(${stage} "${defines}")
     if(failed)
       message(FATAL_ERROR "${stage} ${defines}: ${output}")

@@ -2,7 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // A host's shader for any stage, with its own short names before and after the include. OWN_ARRAYS:
-// its images are arrays of its own, of which it gives the functions an index.
+// its images are arrays of its own, of which it gives the functions an index. OWN_CELLS: quilting's
+// too.
 #define SCALE 2.0
 struct Taps { float weight; };
 struct Noise { vec4 mean; };
@@ -20,11 +21,17 @@ layout(set = 0, binding = 1) uniform sampler3D tables[8];
 #define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(tables[image], uvw, level)
 #define LICHEN_FETCH_2D(image, texel) texelFetch(images[image], texel, 0)
 #define LICHEN_GATHER_2D(image, uv) textureGather(images[image], uv, 0)
+#include "interface/lichen_interface.h"
+layout(std430, set = 0, binding = 2) readonly buffer Noises { LichenNoiseConstants noises[]; };
+#ifdef OWN_CELLS
+int cellsIndex = 7, noiseIndex = 0;
+#define LICHEN_SAMPLE_CELLS(uv, level) textureLod(images[cellsIndex], uv, level)
+#define LICHEN_TILE_OFFSET(index) noises[noiseIndex].offsets[(index) >> 2u][(index) & 3u]
+#endif
 #endif
 #include "lichen.glsl"
 
 #ifdef OWN_ARRAYS
-layout(std430, set = 0, binding = 2) readonly buffer Noises { LichenNoiseConstants noises[]; };
 layout(std430, set = 0, binding = 3) readonly buffer Materials { LichenMaterial materials[]; };
 #endif
 

@@ -1,14 +1,21 @@
 #version 300 es
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// A host's fragment shader in GLSL ES 3.00, as WebGL 2 has it, with every mapping.
+// A host's fragment shader in GLSL ES 3.00, as WebGL 2 has it, with every mapping. OWN_CELLS: also
+// with quilting.
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp sampler3D;
+#include "interface/lichen_interface.h"
+layout(std140) uniform Noise { LichenNoiseConstants noise; };
+#ifdef OWN_CELLS
+uniform sampler2D cells;
+#define LICHEN_SAMPLE_CELLS(uv, level) textureLod(cells, uv, level)
+#define LICHEN_TILE_OFFSET(index) noise.offsets[(index) >> 2u][(index) & 3u]
+#endif
 #include "lichen.glsl"
 
-layout(std140) uniform Noise { LichenNoiseConstants noise; };
 layout(std140) uniform Material { LichenTriplanarMaterial material; };
 uniform sampler2D image;
 uniform sampler3D table;

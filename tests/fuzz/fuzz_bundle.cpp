@@ -199,6 +199,37 @@ void checkKernels(const NoiseMap& map, const MultipleKernelsNoise& shared, const
   require(!own.inverseTable || *own.inverseTable < bundle.tables.size(), "index of the table");
 }
 
+void checkQuilting(const QuiltingNoise& shared) {
+  require(shared.reach > 0.0 && shared.reach <= kMostCellReach, "reach of cells");
+  require(shared.offsets.empty() || (shared.offsets.size() >= kFewestQuiltingOffsets &&
+                                     shared.offsets.size() <= kMostQuiltingOffsets),
+          "number of offsets");
+  for (const auto& offset : shared.offsets)
+    for (const double axis : offset)
+      require(axis >= 0.0 && axis < 1.0, "an offset");
+}
+
+void checkQuilting(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
+  const auto& own = map.as<QuiltingMap>();
+  require(own.image < bundle.tables.size() && own.cells < bundle.tables.size(),
+          "index of an image");
+  require(own.cells == noise.maps.front().as<QuiltingMap>().cells, "cells of their own");
+  const Table& image = bundle.tables[own.image];
+  const Table& cells = bundle.tables[own.cells];
+  for (const Table* each : {&image, &cells})
+    require(each->depth == 0 && each->mipLevels == std::uint32_t(std::bit_width(
+                                                       std::max(each->width, each->height))),
+            "shape of an image");
+  require(cells.format == TexelFormat::rgba8Unorm, "format of an image of cells");
+  const std::size_t n = map.channels.size();
+  const bool isSlope = map.encoding == ValueEncoding::slope;
+  require(channelCount(image.format) == (isSlope || n == 3 ? 4 : int(n)), "channels of an image");
+  const shader::LichenMap constants =
+      shaderMap(bundle, noise, std::size_t(&map - noise.maps.data()));
+  for (const float mean : {constants.mean.x, constants.mean.y, constants.mean.z})
+    require(std::isfinite(mean), "a mean that is not finite");
+}
+
 void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
   const std::size_t n = map.channels.size();
   require(n >= 1 && n <= 3, "number of channels");
@@ -211,6 +242,8 @@ void checkMap(const NoiseMap& map, const Noise& noise, const Bundle& bundle) {
     checkCosines(map, noise.as<LocalRandomPhaseNoise>(), bundle);
   else if (noise.method() == Method::multipleKernels)
     checkKernels(map, noise.as<MultipleKernelsNoise>(), bundle);
+  else if (noise.method() == Method::quilting)
+    checkQuilting(map, noise, bundle);
   else
     checkTiling(map, bundle);
 }
@@ -222,6 +255,8 @@ void checkContract(const Bundle& bundle) {
       checkShape(noise.as<TextonShape>());
     if (noise.method() == Method::localRandomPhase)
       checkCosines(noise.as<LocalRandomPhaseNoise>());
+    if (noise.method() == Method::quilting)
+      checkQuilting(noise.as<QuiltingNoise>());
     for (const NoiseMap& map : noise.maps)
       checkMap(map, noise, bundle);
   }

@@ -18,7 +18,7 @@ using namespace lichen::fuzz;
 
 namespace {
 
-constexpr std::size_t kGlbSeeds = 5;
+constexpr std::size_t kGlbSeeds = 10;
 
 /// Two noises with separate tables; the first has a future revision.
 Bytes laterRevision() {
@@ -51,12 +51,14 @@ std::vector<Bytes> seeds() {
           encodeGlb(example::smallestTexton()).value(),
           encodeGlb(example::smallestCosines()).value(),
           encodeGlb(example::smallestKernels()).value(),
+          encodeGlb(example::smallestQuilting()).value(),
           encodeGlb(example::layered()).value(),
           encodeGlb(example::smallestStructure()).value(),
           encodeGlb(example::textonMix()).value(),
           cookBundle(example::smallest().bundle),
           cookBundle(example::smallestStructure().bundle),
           cookBundle(example::textonMix().bundle),
+          cookBundle(example::smallestQuilting().bundle),
           cookBundle(example::layered().bundle),
           encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 4, 2, 0, 3)),
           encodeKtx2(example::patternTable("", TexelFormat::rgba8Unorm, 4, 4, 4, 2))};

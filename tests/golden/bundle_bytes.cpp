@@ -36,6 +36,10 @@ TEST_CASE("the smallest bundle of kernels is written as its golden bytes") {
   CHECK(encodeGlb(example::smallestKernels()).value() == golden("bundle_kernels.glb"));
 }
 
+TEST_CASE("the smallest bundle of quilting is written as its golden bytes") {
+  CHECK(encodeGlb(example::smallestQuilting()).value() == golden("bundle_quilting.glb"));
+}
+
 TEST_CASE("a layered bundle is written as its golden bytes") {
   CHECK(encodeGlb(example::layered()).value() == golden("bundle_layers.glb"));
 }
@@ -49,6 +53,7 @@ TEST_CASE("the golden files are read") {
   CHECK(checkBundle(golden("bundle_texton.glb")).empty());
   CHECK(checkBundle(golden("bundle_cosines.glb")).empty());
   CHECK(checkBundle(golden("bundle_kernels.glb")).empty());
+  CHECK(checkBundle(golden("bundle_quilting.glb")).empty());
   CHECK(checkBundle(golden("bundle_layers.glb")).empty());
   const auto table = decodeKtx2(golden("table_mips.ktx2"), "mips");
   REQUIRE(table.ok());

@@ -207,6 +207,7 @@ int main(int argumentCount, char** arguments) {
       report(writeBundle(golden / "bundle_texton.glb", example::smallestTexton())) &&
       report(writeBundle(golden / "bundle_cosines.glb", example::smallestCosines())) &&
       report(writeBundle(golden / "bundle_kernels.glb", example::smallestKernels())) &&
+      report(writeBundle(golden / "bundle_quilting.glb", example::smallestQuilting())) &&
       report(writeBundle(golden / "bundle_layers.glb", example::layered())) &&
       report(replaceFile(golden / "table_mips.ktx2", encodeKtx2(example::tableWithMips()))) &&
       report(writeBundle(examples / "felt.glb", felt)) &&

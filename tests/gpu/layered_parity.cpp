@@ -62,6 +62,8 @@ Bundle bakedAs(Method method, std::span<const MapExemplar> maps) {
     options.kernels = 6;
     return bundleOf(bakeMultipleKernels("noise", maps, with(options)));
   }
+  case Method::quilting: // is no layer
+    break;
   }
   return {};
 }

@@ -168,7 +168,7 @@ TEST_CASE("any failing Vulkan call gives a code and a message, and leaks nothing
       ++ofPool;
       CHECK(created.message ==
             "allocating a descriptor set: the descriptor pool is too small: a set takes 2 uniform "
-            "buffers, 2 samplers and 12 sampled images, with LICHEN_VULKAN_LAYERS 15");
+            "buffers, 2 samplers and 13 sampled images, with LICHEN_VULKAN_LAYERS 15");
     }
     CHECK((created.result == LICHEN_ERROR_OUT_OF_DEVICE_MEMORY ||
            created.result == LICHEN_ERROR_OUT_OF_HOST_MEMORY ||

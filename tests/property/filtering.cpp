@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Noise at every distance. Compares views from eight pixels per texel to one pixel per 100 tiles,
 // and a camera that moves over a floor, with the same pixels supersampled; also checks steps in the
-// level of detail and between tiles. Covers all methods, on texture coordinates and triplanar.
+// level of detail and between tiles. Covers all methods but quilting, on texture coordinates and
+// triplanar.
 #include "bundle_of.h"
 #include "example_exemplar.h"
 #include "filtered_views.h"

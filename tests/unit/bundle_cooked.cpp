@@ -114,7 +114,7 @@ TEST_CASE("a cooked bundle has the plan of its glTF file, copied or in place") {
   masked.bundle.materials[1]->mix = {MixSource::texture, 0.0, {}, {0.0, 1.0}, 2, 1, 0, 3};
   for (const BundleFile& file :
        {example::smallest(), example::everyMap(), example::smallestTexton(),
-        example::smallestCosines(), example::textonMix(), masked}) {
+        example::smallestCosines(), example::smallestQuilting(), example::textonMix(), masked}) {
     const Bytes cooked = cookBundle(file.bundle);
     CHECK(checkBundle(cooked).empty());
     if (file.bundle.materials.back()->mix.source != MixSource::texture) { // GLBs have no textures

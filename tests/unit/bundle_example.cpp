@@ -59,6 +59,32 @@ std::vector<double> halved(const std::vector<double>& image, std::size_t width,
   return half;
 }
 
+/// Sets one channel of all texels of each mip level.
+void setChannel(Table& table, std::size_t channel, const std::vector<float>& valueOfLevel) {
+  const auto channels = std::size_t(channelCount(table.format));
+  std::vector<std::byte> texels;
+  for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
+    std::vector<float> values = decodeLevel(table, level);
+    for (std::size_t i = channel; i < values.size(); i += channels)
+      values[i] = valueOfLevel[level];
+    appendTexels(texels, table.format, values);
+  }
+  table.texels = std::move(texels);
+}
+
+/// Makes the table of a square image, whose side is a power of two, with averages as its mips.
+Table tableWithAverages(std::string name, TexelFormat format, std::vector<double> image,
+                        std::size_t side) {
+  Table table{std::move(name), format, std::uint32_t(side), std::uint32_t(side), 0, 0, {}};
+  for (; side > 0; side /= 2) {
+    appendTexels(table.texels, format, std::vector<float>(image.begin(), image.end()));
+    ++table.mipLevels;
+    if (side > 1)
+      image = halved(image, side, std::size_t(channelCount(format)));
+  }
+  return table;
+}
+
 /// Makes a texton's table, with mips, from an image of its frames with `channels` interleaved
 /// values per texel.
 Table textonTable(std::string name, const TextonShape& shape, TexelFormat format,
@@ -181,14 +207,19 @@ MaterialNoise useOf(std::size_t noise) {
   return use;
 }
 
-/// Adds the only noise of a file without a scene: one map, used by one material.
-void addNoise(BundleFile& file, Noise noise, NoiseMap map) {
-  noise.maps.push_back(std::move(map));
+/// Adds the only noise of a file without a scene, used by one material.
+void addNoise(BundleFile& file, Noise noise) {
   file.bundle.noises.push_back(std::move(noise));
   file.bundle.materials.push_back(useOf(0));
   file.previews.emplace_back();
   file.shape = PreviewShape::none;
   file.generator = "lichen tests";
+}
+
+/// The same of one map.
+void addNoise(BundleFile& file, Noise noise, NoiseMap map) {
+  noise.maps.push_back(std::move(map));
+  addNoise(file, std::move(noise));
 }
 
 } // namespace
@@ -220,15 +251,7 @@ Table gaussianTable(const std::string& name, TexelFormat format, std::uint32_t w
 }
 
 void setLosses(Table& gaussian, const std::vector<float>& losses) {
-  const auto channels = std::size_t(channelCount(gaussian.format));
-  std::vector<std::byte> texels;
-  for (std::uint32_t level = 0; level < gaussian.mipLevels; ++level) {
-    std::vector<float> values = decodeLevel(gaussian, level);
-    for (std::size_t i = channels - 1; i < values.size(); i += channels)
-      values[i] = losses[level];
-    appendTexels(texels, gaussian.format, values);
-  }
-  gaussian.texels = std::move(texels);
+  setChannel(gaussian, std::size_t(channelCount(gaussian.format)) - 1, losses);
 }
 
 Table tableWithMips() {
@@ -376,6 +399,38 @@ BundleFile smallestStructure() {
   table.height = layout.height;
   table.texels.clear();
   appendTexels(table.texels, table.format, texels);
+  return file;
+}
+
+BundleFile smallestQuilting() {
+  BundleFile file;
+  Bundle& bundle = file.bundle;
+  Noise noise;
+  noise.name = "bricks";
+  constexpr double kReach = 0.125; // from a texel to the centre of its cell
+  noise.data = QuiltingNoise{kReach, {{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}}};
+  constexpr std::size_t kSide = 4;
+  std::vector<double> ways, heights, slopes;
+  for (std::size_t i = 0; i < kSide * kSide; ++i) {
+    const std::size_t x = i % kSide, y = i / kSide;
+    ways.insert(ways.end(), {x % 2 == 0 ? 1.0 : 0.0, y % 2 == 0 ? 1.0 : 0.0, 1.0, 1.0});
+    heights.push_back(double(i * 5 % 16 * 16) / 255.0); // averages are whole bytes too
+    const std::array<double, 2> slope{0.25 * double(x) - 0.5, 0.5 - 0.125 * double(y)};
+    slopes.insert(slopes.end(),
+                  {slope[0], slope[1], 0.5 * (slope[0] * slope[0] + slope[1] * slope[1]), 1.0});
+  }
+  Table cells = tableWithAverages("bricks.cells", TexelFormat::rgba8Unorm, ways, kSide);
+  setChannel(cells, 2, {1.0f, 0.0f, 0.0f}); // beyond level 0 the mean way is 0
+  const std::size_t cellTable = addTable(bundle, std::move(cells));
+  const auto addMap = [&](NoiseMap map, Table image) {
+    map.data = QuiltingMap{addTable(bundle, std::move(image)), cellTable};
+    noise.maps.push_back(std::move(map));
+  };
+  addMap(makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear),
+         tableWithAverages("bricks.height.image", TexelFormat::r8Unorm, heights, kSide));
+  addMap(makeMap(MapTarget::normal, {MapChannel::slopeX, MapChannel::slopeY}, ValueEncoding::slope),
+         tableWithAverages("bricks.normal.image", TexelFormat::rgba16Sfloat, slopes, kSide));
+  addNoise(file, std::move(noise));
   return file;
 }
 

@@ -49,6 +49,10 @@ void setLosses(Table& gaussian, const std::vector<float>& losses);
 /// The smallest with cosines, a structure and a list of three offsets.
 [[nodiscard]] BundleFile smallestStructure();
 
+/// A height and a normal map of 4 x 4 texels as quilting: cells of 2 x 2 texels, and four offsets
+/// that move them onto one another. Their image is the first table. About 3 KB as a GLB.
+[[nodiscard]] BundleFile smallestQuilting();
+
 /// A valid PNG of 2 x 2 texels in one colour.
 [[nodiscard]] std::vector<std::byte> tinyPng();
 

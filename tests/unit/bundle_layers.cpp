@@ -83,6 +83,38 @@ TEST_CASE("every fault of layers is found") {
       });
 }
 
+TEST_CASE("quilting is refused as a layer, first or later, with its method in the message") {
+  BundleFile file = example::layered();
+  Bundle& bundle = file.bundle;
+  const Bundle quilting = example::smallestQuilting().bundle;
+  Noise noise = quilting.noises[0];
+  noise.maps.resize(1);
+  noise.maps[0].target = MapTarget::occlusionRoughnessMetallic;
+  noise.maps[0].channels = {MapChannel::occlusion};
+  auto& map = noise.maps[0].as<QuiltingMap>();
+  map.image += bundle.tables.size();
+  map.cells += bundle.tables.size();
+  bundle.tables.insert(bundle.tables.end(), quilting.tables.begin(), quilting.tables.begin() + 2);
+  bundle.noises.push_back(noise);
+  const std::vector<std::byte> sound = encodeGlb(file).value();
+  constexpr std::size_t kQuilting = 3;
+  for (const bool isFirst : {false, true}) {
+    GlbParts parts(sound);
+    rootOf(parts)["above"] = kQuilting;
+    rootOf(parts)["below"] = isFirst ? 1 : 0;
+    if (isFirst) {
+      noiseOf(parts, kQuilting)["layers"] = rootOf(parts);
+      noiseOf(parts, 0).erase("layers");
+    }
+    const std::vector<Finding> findings = checkBundle(parts.join());
+    CHECK(std::ranges::any_of(findings, [&](const Finding& each) {
+      return each.code == "layer-fit" &&
+             each.message == "the noise \"bricks\" has the method quilting, which layers do not "
+                             "take; expected another";
+    }));
+  }
+}
+
 TEST_CASE("a noise with a layer that is ignored shows its first layer alone") {
   GlbParts parts(soundFile());
   noiseOf(parts, 1)["revision"] = 99;

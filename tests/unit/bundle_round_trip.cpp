@@ -100,15 +100,18 @@ TEST_CASE("a table of every format survives the round trip through KTX2") {
 
 TEST_CASE("a bundle survives the round trip through a GLB") {
   for (BundleFile file : {example::smallest(), example::everyMap(), example::smallestTexton(),
-                          example::smallestCosines(), example::textonMix()}) {
-    file.bundle.noises[0].preparation = {.crop = {{1, 2, 3, 4}},
-                                         .size = {{5, 6}},
-                                         .isGreenDown = true,
-                                         .usesAlpha = true,
-                                         .periodic = false,
-                                         .flattenPeriod = 1.0 / 0.011,
-                                         .flattened = {MapTarget::height, MapTarget::baseColor},
-                                         .filled = {{{1, 2, 3, 4}, {5, 6}}, {{0, 0, 1, 1}, {}}}};
+                          example::smallestCosines(), example::smallestKernels(),
+                          example::smallestQuilting(), example::textonMix()}) {
+    file.bundle.noises[0].preparation = {
+        .crop = {{1, 2, 3, 4}},
+        .size = {{5, 6}},
+        .isGreenDown = true,
+        .usesAlpha = true,
+        .periodic = false,
+        .flattenPeriod = 1.0 / 0.011,
+        .flattened = {MapTarget::height, MapTarget::baseColor},
+        .filled = {{{1, 2, 3, 4}, {5, 6}}, {{0, 0, 1, 1}, {}}},
+        .corners = {{{{0.5, 1.25}, {30.0, 0.0}, {31.5, 30.0}, {0.0, 29.0}}}}};
     const auto glb = encodeGlb(file);
     if (!glb.ok())
       FAIL(glb.error().message);
@@ -142,7 +145,8 @@ TEST_CASE("a grain survives a GLB, a cooked bundle and a merge, and is written o
 TEST_CASE("a bundle survives the round trip through a cooked bundle") {
   for (const BundleFile& file :
        {example::smallest(), example::everyMap(), example::smallestTexton(),
-        example::smallestCosines(), example::textonMix()}) {
+        example::smallestCosines(), example::smallestKernels(), example::smallestQuilting(),
+        example::textonMix()}) {
     const auto bundle = parseBundle(cookBundle(file.bundle), "test");
     if (!bundle.ok())
       FAIL(bundle.error().message);

@@ -33,6 +33,7 @@ TEST_CASE("the methods' parts of a noise fit its own words") {
   CHECK(sizeof(lichen::shader::LichenTextonNoise) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenCosinesNoise) <= kOwn);
   CHECK(sizeof(lichen::shader::LichenKernelsNoise) <= kOwn);
+  CHECK(sizeof(lichen::shader::LichenQuiltingNoise) <= kOwn);
 }
 
 TEST_CASE("an array of noise constants fits any device's minUniformBufferOffsetAlignment") {

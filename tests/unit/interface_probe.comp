@@ -17,6 +17,7 @@ struct Interface {
   LichenTextonNoise textonNoise;
   LichenCosinesNoise cosinesNoise;
   LichenKernelsNoise kernelsNoise;
+  LichenQuiltingNoise quiltingNoise;
 };
 
 layout(std140, set = 0, binding = 0) uniform Std140 { Interface std140; };

@@ -87,6 +87,24 @@ TEST_CASE(
   CHECK(fill(parameters).message == "mapping 2 (surface) does not fit the noise: it has layers");
 }
 
+TEST_CASE("layers and quilting get no switches together, and a message that says so") {
+  const OwnedBundle layered(example::layered()), quilting(example::smallestQuilting());
+  const LichenMaterialParameters first = parametersOf(layered.handle),
+                                 second = parametersOf(quilting.handle);
+  const LichenMaterialParameters* const all[] = {&first, &second};
+  std::array<char, LICHEN_SWITCH_BYTES> text{};
+  LichenDiagnostic diagnostic;
+  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+  CHECK(lichenGetShaderSwitches(all, 2, nullptr, text.data(), text.size(), &diagnostic) ==
+        LICHEN_ERROR_USAGE);
+  CHECK_THAT(diagnostic.text, Catch::Contains("one has layers and another the method quilting") &&
+                                  Catch::Contains("ask for the switches of each by itself"));
+  CHECK(std::string(text.data()).empty());
+  for (const LichenMaterialParameters* const& one : all)
+    CHECK(lichenGetShaderSwitches(&one, 1, nullptr, text.data(), text.size(), nullptr) ==
+          LICHEN_SUCCESS);
+}
+
 TEST_CASE("a grain of the second layer counts for the switches and is a property of that layer") {
   const auto layerOf = [](Grain grain) {
     Bundle layer = example::smallest().bundle;

@@ -129,8 +129,9 @@ TEST_CASE("a material's block is that of the bundle library, with any parameters
 TEST_CASE("the blocks of every kind of noise and mapping are those of the bundle library") {
   BundleFile mix = example::textonMix();
   mix.bundle.materials[1]->mix = {MixSource::direction, 0.0, {0.5, -1.0}, {2.0, 3.0}, 0, 0, 0, 0};
-  for (BundleFile& file : std::array{example::everyMap(), example::smallestTexton(),
-                                     example::smallestCosines(), std::move(mix)}) {
+  for (BundleFile& file :
+       std::array{example::everyMap(), example::smallestTexton(), example::smallestCosines(),
+                  example::smallestQuilting(), std::move(mix)}) {
     const OwnedBundle bundle(file);
     for (std::uint32_t noise = 0; noise < file.bundle.noises.size(); ++noise) {
       shader::LichenNoiseConstants block{};
@@ -417,6 +418,18 @@ TEST_CASE("the switches of multiple-kernels noise leave out kinds of kernels tha
         " -DLICHEN_PERIODIC_LATTICE=0");
 }
 
+TEST_CASE("the switches of quilting leave out what only other methods have") {
+  const OwnedBundle quilting(example::smallestQuilting());
+  LichenNoiseProperties noise;
+  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
+  REQUIRE(lichenGetNoiseProperties(quilting.handle, 0, &noise) == LICHEN_SUCCESS);
+  CHECK(noise.method == LICHEN_NOISE_QUILTING);
+  CHECK(noise.mappings == (1u << LICHEN_MAPPING_UV | 1u << LICHEN_MAPPING_TRIPLANAR));
+  CHECK(switchesOf({parametersOf(quilting.handle)}) ==
+        "-DLICHEN_ROLES=18 -DLICHEN_METHODS=16 -DLICHEN_VALUES_ABOVE_ONE=0"
+        " -DLICHEN_OMIT_TRIPLANAR -DLICHEN_TABLES=0 -DLICHEN_PERIODIC_LATTICE=0");
+}
+
 TEST_CASE("the switches keep values above 1 for a noise that has them") {
   BundleFile file = example::smallest();
   NoiseMap& height = file.bundle.noises[0].maps[0];
@@ -435,16 +448,17 @@ TEST_CASE("the longest text of switches fits") {
   // Materials of all methods, in three planes, with an anisotropic sampler. Each switch that is
   // missing excludes longer ones.
   const OwnedBundle tiling(example::smallest()), textons(example::smallestTexton()),
-      cosines(example::smallestCosines()), kernels(example::smallestKernels());
+      cosines(example::smallestCosines()), kernels(example::smallestKernels()),
+      quilting(example::smallestQuilting());
   std::vector<LichenMaterialParameters> materials{
       parametersOf(tiling.handle), parametersOf(textons.handle), parametersOf(cosines.handle),
-      parametersOf(kernels.handle)};
+      parametersOf(kernels.handle), parametersOf(quilting.handle)};
   for (LichenMaterialParameters& material : materials)
     material.mapping = LICHEN_MAPPING_TRIPLANAR;
   LichenPlacement placement = atOrigin();
   placement.maxAnisotropy = 8.0f;
   const std::string text = switchesOf(materials, &placement);
-  CHECK(text == "-DLICHEN_ROLES=16 -DLICHEN_METHODS=15 -DLICHEN_VALUES_ABOVE_ONE=0"
+  CHECK(text == "-DLICHEN_ROLES=18 -DLICHEN_METHODS=31 -DLICHEN_VALUES_ABOVE_ONE=0"
                 " -DLICHEN_OTHER_MAPPINGS=0 -DLICHEN_OMIT_SURFACE -DLICHEN_MIXED_TEXTONS=0 "
                 "-DLICHEN_POISSON_POINTS=0 -DLICHEN_CUBIC_TEXTONS=0"
                 " -DLICHEN_NEAREST_TEXTONS=0 -DLICHEN_TILE_ROTATION=0"

@@ -76,7 +76,7 @@ TEST_CASE("the copies of an image cover its bytes without gaps") {
   }
 }
 
-TEST_CASE("a set has two blocks, two samplers, and an image and a table for each role") {
+TEST_CASE("a set has two blocks, two samplers, an image and a table for each role, and cells") {
   const OwnedBundle bundle(example::smallest()); // one map: a height
   LichenMapProperties height;
   LICHEN_INIT(height, LICHEN_STRUCTURE_MAP_PROPERTIES);
@@ -112,10 +112,32 @@ TEST_CASE("a set has two blocks, two samplers, and an image and a table for each
         CHECK(properties.byteCount == 4); // a placeholder
     }
   }
+  const LichenBinding& cells = bindings[LICHEN_BINDING_CELLS];
+  CHECK(cells.kind == LICHEN_BINDING_SAMPLED_IMAGE);
+  CHECK(cells.sampler == LICHEN_SAMPLER_IMAGE);
+  CHECK(cells.image == bindings[LICHEN_BINDING_IMAGE(LICHEN_BASE_COLOR)].image); // a placeholder
   LichenBinding binding;
   LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
   CHECK(lichenGetBinding(bundle.handle, 0, LICHEN_LAYERED_SET_BINDINGS, &binding) ==
         LICHEN_ERROR_USAGE);
+}
+
+TEST_CASE("the set of a quilting noise has its cells, and no table") {
+  const OwnedBundle bundle(example::smallestQuilting());
+  const auto imageAt = [&](std::uint32_t index) {
+    LichenBinding binding;
+    LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
+    REQUIRE(lichenGetBinding(bundle.handle, 0, index, &binding) == LICHEN_SUCCESS);
+    LichenImageProperties image;
+    LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
+    REQUIRE(lichenGetImageProperties(bundle.handle, binding.image, &image) == LICHEN_SUCCESS);
+    return image;
+  };
+  CHECK(imageAt(LICHEN_BINDING_CELLS).name == std::string("bricks.cells"));
+  CHECK(imageAt(LICHEN_BINDING_CELLS).fetchedOnly == 0);
+  CHECK(imageAt(LICHEN_BINDING_IMAGE(LICHEN_HEIGHT)).name == std::string("bricks.height.image"));
+  CHECK(imageAt(LICHEN_BINDING_IMAGE(LICHEN_NORMAL)).name == std::string("bricks.normal.image"));
+  CHECK(imageAt(LICHEN_BINDING_TABLE(LICHEN_HEIGHT)).byteCount == 4); // a placeholder
 }
 
 TEST_CASE("a noise's block holds the bundle's constants, each map at its role") {

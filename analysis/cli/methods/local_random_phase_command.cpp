@@ -30,7 +30,7 @@ public:
   explicit Bake(const CommonOptions& common) : common_(common) {}
 
   int cosines = 0;
-  std::optional<double> structure, guide;
+  std::optional<double> structure;
   double turbulence = 0.0;
 
   /// As tiling needs, and the spectra of all channels. A structure is at most four times as large
@@ -53,7 +53,7 @@ public:
     LocalRandomPhaseOptions options;
     options.cosines = cosines;
     options.structure = structure;
-    options.guide = guide;
+    options.guide = common_.guide;
     options.turbulence = turbulence;
     if (Result<void> given = setSpectrum(common_.spectrum, input.maps, options.spectrum); !given)
       return given.error();
@@ -81,9 +81,9 @@ public:
           fmt::format("the exemplar repeats, so {:.0f} % of its variation keeps its structure; for "
                       "none, as solids need: --structure 0",
                       100.0 * bake.structure));
-    if (bake.structure == 0.0 && (guide || turbulence > 0.0))
+    if (bake.structure == 0.0 && (common_.guide || turbulence > 0.0))
       result.notes.push_back(fmt::format("{} has no effect, since the noise has no structure",
-                                         guide ? "--guide" : "--turbulence"));
+                                         common_.guide ? "--guide" : "--turbulence"));
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
     return result;
@@ -111,9 +111,6 @@ LocalRandomPhaseCommand::addBakeOptions(CLI::App& verb, const CommonOptions& com
   addValue(verb, "--structure", options->structure, orAuto(number(kStructureRange)), "auto",
            "Share of the power that keeps the phases of the exemplar, and so its structure; auto: "
            "as clearly as the exemplar repeats")
-      .group(kHeading);
-  addValue(verb, "--guide", options->guide, orAuto(number(kGuideRange)), "auto",
-           "How closely tiles of the structure follow what repeats in the exemplar; 0: not at all")
       .group(kHeading);
   addValue(verb, "--turbulence", options->turbulence, number(kTurbulenceRange, "tiles"), "0",
            "Deviation of a smooth random displacement of the structure")

@@ -10,6 +10,7 @@ class LocalRandomPhaseCommand final : public MethodCommand {
 public:
   [[nodiscard]] std::string heading() const override { return "Local random phase"; }
   [[nodiscard]] bool takesSpectrum() const override { return true; }
+  [[nodiscard]] bool takesGuide() const override { return true; }
   [[nodiscard]] std::string optionsFor(Mapping) const override { return "with --structure 0"; }
   [[nodiscard]] std::unique_ptr<const BakeOptions>
   addBakeOptions(CLI::App& verb, const CommonOptions& common) const override;

@@ -19,6 +19,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,7 @@ struct MethodBake {
   std::vector<Table> tables;
   MaterialNoise material; ///< including the method's parameters
   bool bordersWereBlended = false;
+  std::string_view borderTreatment = "blends"; ///< what the bake does with borders that do not fit
   std::vector<std::string> notes;
   nlohmann::ordered_json json = nlohmann::ordered_json::object(); ///< members of `bake --json`
   std::vector<std::pair<std::string, std::string>> facts;         ///< rows of the HTML report
@@ -47,6 +49,7 @@ struct MethodBake {
 /// Options of `lichen bake` that several methods share.
 struct CommonOptions {
   std::optional<SpectrumChoice> spectrum; ///< for methods with takesSpectrum()
+  std::optional<double> guide;            ///< for methods with takesGuide()
 };
 
 /// A method's options for `lichen bake`.
@@ -83,6 +86,8 @@ public:
   [[nodiscard]] virtual std::string heading() const = 0;
   /// Whether a bake can take a spectrum in place of the exemplar's.
   [[nodiscard]] virtual bool takesSpectrum() const { return false; }
+  /// Whether a bake can follow what repeats in the exemplar.
+  [[nodiscard]] virtual bool takesGuide() const { return false; }
   /// Declare the method's options for a verb, under its heading. The result and `common` must
   /// outlive the parse.
   [[nodiscard]] virtual std::unique_ptr<const BakeOptions>

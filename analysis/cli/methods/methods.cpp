@@ -3,6 +3,7 @@
 #include "local_random_phase_command.h"
 #include "method_command.h"
 #include "multiple_kernels_command.h"
+#include "quilting_command.h"
 #include "texton_command.h"
 #include "tiling_command.h"
 
@@ -15,8 +16,9 @@ const MethodCommand& commandOf(Method method) {
   static const TextonCommand kTexton;
   static const LocalRandomPhaseCommand kLocalRandomPhase;
   static const MultipleKernelsCommand kMultipleKernels;
-  static const std::array<const MethodCommand*, 4> kCommands{&kTiling, &kTexton, &kLocalRandomPhase,
-                                                             &kMultipleKernels};
+  static const QuiltingCommand kQuilting;
+  static const std::array<const MethodCommand*, 5> kCommands{&kTiling, &kTexton, &kLocalRandomPhase,
+                                                             &kMultipleKernels, &kQuilting};
   static_assert(kCommands.size() == std::variant_size_v<MethodMap>);
   return *kCommands[std::size_t(method)];
 }

@@ -6,6 +6,7 @@
 #include <lichen/gaussianization.h>
 #include <lichen/result.h>
 #include <lichen/spectrum_picture.h>
+#include <lichen/structure.h>
 
 #include <optional>
 #include <span>
@@ -31,8 +32,7 @@ struct LocalRandomPhaseOptions : GaussianizationOptions {
   std::optional<SpectrumPicture> spectrum;
 };
 inline constexpr NumberRange kCosinesRange{1.0, double(kMostCosines)};
-inline constexpr NumberRange kStructureRange{0.0, 1.0}, kGuideRange{0.0, 1.0},
-    kTurbulenceRange{0.0, 1.0};
+inline constexpr NumberRange kStructureRange{0.0, 1.0}, kTurbulenceRange{0.0, 1.0};
 
 /// The structure that a bake chooses if the options name none: how clearly the maps repeat, but 0
 /// below 0.3, which nobody sees. Maps as in bakeLocalRandomPhase(). O(N log N) in the number of

@@ -2,6 +2,7 @@
 // The methods that comparison and report support, in the order of Method.
 #include "local_random_phase_report.h"
 #include "multiple_kernels_report.h"
+#include "quilting_report.h"
 #include "texton_report.h"
 #include "tiling_report.h"
 
@@ -14,8 +15,9 @@ const MethodReport& reportOf(Method method) {
   static const TextonReport kTexton;
   static const LocalRandomPhaseReport kLocalRandomPhase;
   static const MultipleKernelsReport kMultipleKernels;
-  static const std::array<const MethodReport*, 4> kReports{&kTiling, &kTexton, &kLocalRandomPhase,
-                                                           &kMultipleKernels};
+  static const QuiltingReport kQuilting;
+  static const std::array<const MethodReport*, 5> kReports{&kTiling, &kTexton, &kLocalRandomPhase,
+                                                           &kMultipleKernels, &kQuilting};
   static_assert(kReports.size() == std::variant_size_v<MethodMap>);
   return *kReports[std::size_t(method)];
 }

@@ -5,9 +5,11 @@
 
 #include <lichen/local_random_phase_map.h>
 #include <lichen/multiple_kernels_map.h>
+#include <lichen/quilting_map.h>
 #include <lichen/result.h>
 #include <lichen/table.h>
 #include <lichen/texton_map.h>
+#include <lichen/tile_corners.h>
 #include <lichen/tiling_map.h>
 
 #include <array>
@@ -51,8 +53,9 @@ enum class Mapping { uv, triplanar, surface, solid };
 /// object space, where the noise moves, rotates and scales with the object.
 enum class NoiseSpace { world, object };
 /// The synthesis method: tiling and blending [HN18], sparse convolution of a texton [GLM17], local
-/// random-phase noise [LRP14], or sparse convolution of several kernels [MKN12].
-enum class Method { tiling, texton, localRandomPhase, multipleKernels };
+/// random-phase noise [LRP14], sparse convolution of several kernels [MKN12], or quilting: tiles
+/// cut along the outlines of what they show.
+enum class Method { tiling, texton, localRandomPhase, multipleKernels, quilting };
 
 /// All methods, in the order of the enumeration.
 [[nodiscard]] std::span<const Method> allMethods();
@@ -93,9 +96,10 @@ struct NumberRange {
 
 /// The data of one method: what all maps of a noise share, and what each map has. The alternatives
 /// of both variants follow the order of Method.
-using MethodNoise =
-    std::variant<TilingNoise, TextonShape, LocalRandomPhaseNoise, MultipleKernelsNoise>;
-using MethodMap = std::variant<TilingMap, TextonMap, LocalRandomPhaseMap, MultipleKernelsMap>;
+using MethodNoise = std::variant<TilingNoise, TextonShape, LocalRandomPhaseNoise,
+                                 MultipleKernelsNoise, QuiltingNoise>;
+using MethodMap =
+    std::variant<TilingMap, TextonMap, LocalRandomPhaseMap, MultipleKernelsMap, QuiltingMap>;
 
 /// One map of a noise.
 struct NoiseMap {
@@ -190,6 +194,8 @@ struct Preparation {
   double flattenPeriod = 0.0;   ///< pixels of the first map; 0, or in kFlattenPeriodRange
   std::vector<MapTarget> flattened; ///< the maps that lost their slower variation
   std::vector<FilledPlace> filled;  ///< in order, after flattening; at most kMaxFilledPlaces
+  /// The part that was made the tile, after filling; in pixels of the first map, convex.
+  std::optional<TileCorners> corners;
 
   [[nodiscard]] bool operator==(const Preparation&) const = default;
 };

@@ -99,6 +99,7 @@ shaderLayeredMaterial(std::span<const shader::LichenNoise> layers,
 [[nodiscard]] shader::LichenTextonNoise textonPart(const shader::LichenNoise& noise);
 [[nodiscard]] shader::LichenCosinesNoise cosinesPart(const shader::LichenNoise& noise);
 [[nodiscard]] shader::LichenKernelsNoise kernelsPart(const shader::LichenNoise& noise);
+[[nodiscard]] shader::LichenQuiltingNoise quiltingPart(const shader::LichenNoise& noise);
 void setPart(shader::LichenMaterial& material, const shader::LichenTilingMaterial& part);
 void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part);
 void setPart(shader::LichenMaterial& material, const shader::LichenCosinesMaterial& part);
@@ -107,5 +108,6 @@ void setPart(shader::LichenNoise& noise, const shader::LichenTilingNoise& part);
 void setPart(shader::LichenNoise& noise, const shader::LichenTextonNoise& part);
 void setPart(shader::LichenNoise& noise, const shader::LichenCosinesNoise& part);
 void setPart(shader::LichenNoise& noise, const shader::LichenKernelsNoise& part);
+void setPart(shader::LichenNoise& noise, const shader::LichenQuiltingNoise& part);
 
 } // namespace lichen

@@ -34,7 +34,8 @@ public:
                                                    std::int64_t tileY) const override;
   void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
               shader::LichenMap& constants) const override;
-  void setNoise(const Noise& noise, shader::LichenNoise& constants) const override;
+  void setNoise(const Bundle& bundle, const Noise& noise,
+                shader::LichenNoise& constants) const override;
   void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
                    const Placement& placement, shader::LichenMaterial& constants) const override;
 };

@@ -149,7 +149,8 @@ void LocalRandomPhaseFormat::setMap(const Bundle& bundle, const Noise&, const No
     setLinearRows(constants, map, bundle.tables[*own.inverseTable]);
 }
 
-void LocalRandomPhaseFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
+void LocalRandomPhaseFormat::setNoise(const Bundle&, const Noise& noise,
+                                      shader::LichenNoise& constants) const {
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   std::array<shader::uint, 3> counts{};
   for (std::size_t octave = 0; octave < shared.cosines.size(); ++octave)

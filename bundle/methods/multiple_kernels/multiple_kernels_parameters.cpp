@@ -46,7 +46,8 @@ void MultipleKernelsFormat::setMap(const Bundle& bundle, const Noise&, const Noi
     setLinearRows(constants, map, bundle.tables[*own.inverseTable]);
 }
 
-void MultipleKernelsFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
+void MultipleKernelsFormat::setNoise(const Bundle&, const Noise& noise,
+                                     shader::LichenNoise& constants) const {
   const auto& shared = noise.as<MultipleKernelsNoise>();
   setPart(constants,
           shader::LichenKernelsNoise{shader::uint(shared.kernels), shader::uint(shared.rings),

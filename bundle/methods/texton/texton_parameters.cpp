@@ -114,7 +114,8 @@ void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& ma
   setGaussianMean(constants);
 }
 
-void TextonFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
+void TextonFormat::setNoise(const Bundle&, const Noise& noise,
+                            shader::LichenNoise& constants) const {
   const auto& shape = noise.as<TextonShape>();
   setPart(constants, shader::LichenTextonNoise{
                          shape.coefficientsX, shape.coefficientsY, int(shape.frameWidth()),

@@ -58,7 +58,8 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
   setDecoding(constants, bundle, map, tiling.inverseTable);
 }
 
-void TilingFormat::setNoise(const Noise& noise, shader::LichenNoise& constants) const {
+void TilingFormat::setNoise(const Bundle&, const Noise& noise,
+                            shader::LichenNoise& constants) const {
   constants.offsetStepX = offsetStep(std::uint32_t(constants.tileTexelsX));
   constants.offsetStepY = offsetStep(std::uint32_t(constants.tileTexelsY));
   setPart(constants, shader::LichenTilingNoise{shader::uint(noise.as<TilingNoise>().grain)});

@@ -154,6 +154,7 @@ typedef enum LichenNoiseMethod {
   LICHEN_NOISE_TEXTON = 1,             /* sparse convolution of a texton, [GLM17] */
   LICHEN_NOISE_LOCAL_RANDOM_PHASE = 2, /* windowed cosines with random phases, [LRP14] */
   LICHEN_NOISE_MULTIPLE_KERNELS = 3,   /* sparse convolution of several kernels, [MKN12] */
+  LICHEN_NOISE_QUILTING = 4,           /* tiles cut along the outlines of what they show */
   LICHEN_NOISE_METHOD_MAX_ENUM = 0x7FFFFFFF
 } LichenNoiseMethod;
 
@@ -221,9 +222,9 @@ typedef enum LichenChannel {
   LICHEN_CHANNEL_MAX_ENUM = 0x7FFFFFFF
 } LichenChannel;
 
-/* How the shader turns a map's Gaussian values into its values. Maps of texton noise are always
- * LICHEN_TABLE_NONE. If no map of other noises has a kind, its switch (LICHEN_TABLES or
- * LICHEN_GAUSSIAN_ONLY) may be 0. */
+/* How the shader turns a map's Gaussian values into its values. Maps of texton noise and of
+ * quilting are always LICHEN_TABLE_NONE. If no map of other noises has a kind, its switch
+ * (LICHEN_TABLES or LICHEN_GAUSSIAN_ONLY) may be 0. */
 typedef enum LichenTableKind {
   LICHEN_TABLE_JOINT = 0,
   LICHEN_TABLE_NONE = 1,
@@ -378,11 +379,12 @@ typedef enum LichenBindingKind {
 } LichenBindingKind;
 
 /* The bindings of a noise's descriptor set, the same for all noises: 2 uniform buffers, 2 samplers
- * and 12 sampled images. */
-#define LICHEN_SET_BINDINGS 16
-#define LICHEN_SET_IMAGES 12
+ * and 13 sampled images, the last of which is a quilting noise's cells. */
+#define LICHEN_SET_BINDINGS 17
+#define LICHEN_SET_IMAGES 13
 
-/* The same where shaders know layers (LICHEN_LAYERS above 1): the images of index maps are last. */
+/* The same where shaders know layers (LICHEN_LAYERS above 1), and so no quilting: the images of
+ * index maps are last. */
 #define LICHEN_LAYERED_SET_BINDINGS 19
 #define LICHEN_LAYERED_SET_IMAGES 15
 
@@ -506,7 +508,9 @@ LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* param
  * what none of them needs is left out. Writes one line of arguments for a compiler, such as
  * "-DLICHEN_ROLES=3 -DLICHEN_METHODS=1", terminated. Of `placement`, which stands for all of
  * theirs, it reads periodTiles and maxAnisotropy; NULL: none repeats, and sampling is trilinear.
- * A change of mapping, pointProcess, tileRotation or blendSharpness may need other switches. */
+ * A change of mapping, pointProcess, tileRotation or blendSharpness may need other switches.
+ * LICHEN_ERROR_USAGE also where one material is of a layered noise and another of a quilting one:
+ * each needs a shader of its own. */
 LICHEN_API LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* materials,
                                                 uint32_t materialCount,
                                                 const LichenPlacement* placement, char* text,

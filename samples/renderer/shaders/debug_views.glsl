@@ -194,6 +194,10 @@ vec3 noiseDebug(Footprint footprint) {
   if (lichenHasMethod(LICHEN_METHOD_MULTIPLE_KERNELS, lichenNoise))
     return multipleKernelsDebug(shading.point.multipleKernels);
 #endif
+#ifdef LICHEN_HAS_QUILTING
+  if (lichenHasMethod(LICHEN_METHOD_QUILTING, lichenNoise))
+    return kNothingToShow;
+#endif
   return tilingDebug(shading.point.tiling);
 }
 #endif

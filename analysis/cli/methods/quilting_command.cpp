@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// Quilting: options, bake reports, and descriptions for `inspect`.
+#include "quilting_command.h"
+
+#include <lichen/plain_fetches.h>
+#include <lichen/quilting.h>
+
+#include <fmt/format.h>
+
+namespace lichen::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// "24 offsets", or where tiles are taken from otherwise.
+std::string offsetWords(const QuiltingNoise& noise) {
+  return noise.offsets.empty() ? "tiles from anywhere"
+                               : fmt::format("{} offsets", noise.offsets.size());
+}
+
+class Bake final : public BakeOptions {
+public:
+  explicit Bake(const CommonOptions& common) : common_(common) {}
+
+  [[nodiscard]] BakeMemory memory() const override { return {32.0, 128.0}; }
+
+  [[nodiscard]] double plainFetches() const override { return kQuiltingFetches; }
+
+  [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
+    QuiltingOptions options;
+    options.bits = input.bits;
+    options.periodic = input.borders;
+    options.guide = common_.guide;
+    options.progress = input.progress;
+    Result<QuiltingBake> baked = bakeQuilting(input.name, input.maps, options);
+    if (!baked)
+      return baked.error();
+    QuiltingBake& bake = baked.value();
+    const auto& shared = bake.noise.as<QuiltingNoise>();
+    MethodBake result;
+    result.bordersWereBlended = !bake.exemplarWasPeriodic;
+    result.borderTreatment = "cuts";
+    result.json["periodic"] = bake.exemplarWasPeriodic;
+    result.json["strength"] = bake.strength;
+    result.json["offsets"] = shared.offsets.size();
+    result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "cut");
+    result.facts.emplace_back("Repeats", fmt::format("{:.2f} of 1", bake.strength));
+    result.facts.emplace_back("Tiles", offsetWords(shared));
+    result.noise = std::move(bake.noise);
+    result.tables = std::move(bake.tables);
+    return result;
+  }
+
+private:
+  const CommonOptions& common_;
+};
+
+/// The method has no parameters of a material.
+class Use final : public UseOptions {
+public:
+  void replace(MaterialNoise&, EvaluationOptions&) const override {}
+};
+
+} // namespace
+
+std::unique_ptr<const BakeOptions>
+QuiltingCommand::addBakeOptions(CLI::App&, const CommonOptions& common) const {
+  return std::make_unique<Bake>(common);
+}
+
+std::unique_ptr<const UseOptions> QuiltingCommand::addSynthOptions(CLI::App&) const {
+  return std::make_unique<Use>();
+}
+
+std::unique_ptr<const UseOptions> QuiltingCommand::addApplyOptions(CLI::App&) const {
+  return std::make_unique<Use>();
+}
+
+void QuiltingCommand::describe(const Noise& noise, Json& json) const {
+  const auto& shared = noise.as<QuiltingNoise>();
+  json["reach"] = shared.reach;
+  json["offsets"] = shared.offsets;
+}
+
+std::vector<std::string> QuiltingCommand::linesOf(const Noise& noise, const MaterialNoise&) const {
+  return {offsetWords(noise.as<QuiltingNoise>())};
+}
+
+void QuiltingCommand::describe(const Bundle&, const NoiseMap& map, Json& json) const {
+  const auto& own = map.as<QuiltingMap>();
+  json["image"] = own.image;
+  json["cells"] = own.cells;
+}
+
+std::vector<std::string> QuiltingCommand::linesOf(const Bundle&, const NoiseMap& map) const {
+  const auto& own = map.as<QuiltingMap>();
+  return {fmt::format("image: table {}", own.image), fmt::format("cells: table {}", own.cells)};
+}
+
+int QuiltingCommand::fetches(const Bundle&, const Noise&, const NoiseMap&,
+                             const MaterialNoise&) const {
+  return 6; // three of cells, three of the image
+}
+
+const Table& QuiltingCommand::imageOf(const Bundle& bundle, const NoiseMap& map) const {
+  return bundle.tables[map.as<QuiltingMap>().image];
+}
+
+} // namespace lichen::cli

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Maps -> their part that becomes the tile, and a note.
+#include "rectify_option.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace lichen::cli {
+namespace {
+
+/// Eight numbers from 0, with commas or spaces between them.
+std::optional<TileCorners> cornersFrom(const std::string& text) {
+  TileCorners corners{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t k = 0; k < 2 * corners.size(); ++k) {
+    if (k > 0 && (at == end || std::string_view(", ").find(*at++) == std::string_view::npos))
+      return std::nullopt;
+    double& value = corners[k / 2][k % 2];
+    const auto [rest, fault] = std::from_chars(at, end, value);
+    if (fault != std::errc() || !(value >= 0.0))
+      return std::nullopt;
+    at = rest;
+  }
+  return at == end && areConvex(corners) ? std::optional(corners) : std::nullopt;
+}
+
+/// "turned by 3.1 degrees and sheared by 0.5", as far as that is to be seen.
+std::string wordsFor(const TileCorners& corners) {
+  constexpr double kSeen = 0.25; // degrees
+  const auto degrees = [&](std::size_t from, std::size_t to) {
+    return std::atan2(corners[to][1] - corners[from][1], corners[to][0] - corners[from][0]) *
+           180.0 / std::numbers::pi;
+  };
+  const double upper = degrees(0, 1), lower = degrees(3, 2), left = degrees(0, 3),
+               right = degrees(1, 2);
+  const double turn = 0.5 * (upper + lower), shear = 0.5 * (left + right) - 90.0 - turn;
+  const double perspective = std::max(std::abs(upper - lower), std::abs(left - right));
+  std::vector<std::string> words;
+  if (std::abs(turn) > kSeen)
+    words.push_back(fmt::format("turned by {:.1f} degrees", turn));
+  if (std::abs(shear) > kSeen)
+    words.push_back(fmt::format("sheared by {:.1f} degrees", shear));
+  if (perspective > kSeen)
+    words.emplace_back("seen in perspective");
+  return words.empty() ? "" : fmt::format(", {}", fmt::join(words, ", "));
+}
+
+} // namespace
+
+Accepted<Rectification> rectification() {
+  return {"auto|off|X,Y,...",
+          "auto, off, or X,Y of the upper left, upper right, lower right and lower left corner in "
+          "pixels, which must be convex",
+          [](const std::string& text) -> std::optional<Rectification> {
+            if (text == "auto")
+              return Rectification{true, std::nullopt};
+            if (text == "off")
+              return Rectification{};
+            const std::optional<TileCorners> corners = cornersFrom(text);
+            return corners ? std::optional(Rectification{false, corners}) : std::nullopt;
+          }};
+}
+
+Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const Rectification& use,
+                                         Periodic periodic, bool findsStructure,
+                                         std::vector<std::string>& notes) {
+  RectifiedPart part;
+  if (use.corners) {
+    const MapExemplar& first = maps.front();
+    for (const auto& [x, y] : *use.corners)
+      if (x > first.width || y > first.height)
+        return Error{ErrorKind::usage,
+                     fmt::format("--rectify: the corner {:g},{:g} is outside the {} x {} pixels", x,
+                                 y, first.width, first.height)};
+    if (Result<void> made = rectify(maps, *use.corners); !made)
+      return made.error();
+    part.corners = use.corners;
+  }
+  if (!findsStructure)
+    return part;
+  Result<Structure> structure = structureOf(maps, periodic);
+  if (!structure)
+    return structure.error();
+  part.structure = structure.value();
+  if (!use.isAutomatic || !part.structure.wholePeriods)
+    return part;
+  part.corners = part.structure.wholePeriods;
+  if (Result<void> made = rectify(maps, *part.corners); !made)
+    return made.error();
+  notes.push_back(fmt::format("the tile is the part of {} x {} pixels that holds whole periods{}; "
+                              "--rectify off keeps the whole picture",
+                              maps.front().width, maps.front().height, wordsFor(*part.corners)));
+  return part;
+}
+
+} // namespace lichen::cli

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Bakes exemplars for quilting: structure, such as bricks, planks and weaves, survives.
+#pragma once
+
+#include <lichen/bundle.h>
+#include <lichen/exemplar.h>
+#include <lichen/progress.h>
+#include <lichen/result.h>
+#include <lichen/structure.h>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lichen {
+
+struct QuiltingOptions {
+  Periodic periodic = Periodic::detect;
+  int bits = 8; ///< 8 or 16 per channel of the images
+  /// How closely tiles follow what repeats in the exemplar, kGuideRange: 0 places them
+  /// anywhere. Absent: as clearly as it repeats.
+  std::optional<double> guide;
+  Progress progress; ///< empty: no reports
+};
+
+/// The result of a bake. The maps of `noise` number its tables from 0.
+struct QuiltingBake {
+  Noise noise; ///< maps in the order given
+  std::vector<Table> tables;
+  bool exemplarWasPeriodic = true;
+  double strength = 0.0; ///< how clearly the exemplar repeats: 0 of a random field, 1 of bricks
+};
+
+/// Finds the exemplar's cells and what repeats in it, and stores the maps with mip levels. Needs at
+/// least one map, each within the ranges of MapExemplar; maps may differ in size. `name` names the
+/// noise and, with the target, its tables. Errors: usage for options or maps outside their ranges;
+/// resources if memory runs out; environment if `options.progress` stops it. Thread-safe; same
+/// bytes for any number of threads. O(N log N) in the number of pixels. Source:
+/// docs/decisions/039-quilting.md.
+[[nodiscard]] Result<QuiltingBake> bakeQuilting(std::string name, std::span<const MapExemplar> maps,
+                                                const QuiltingOptions& options);
+
+} // namespace lichen

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A picture of a plane seen slightly from one side -> how much narrower its far side is.
+#pragma once
+
+#include "exemplar/area_average.h"
+
+#include <array>
+#include <functional>
+#include <optional>
+
+namespace lichen::placement {
+
+/// A square seen as a trapezoid: one of two opposite sides is shorter.
+struct Keystone {
+  bool isX = false; ///< the left and the right side differ; otherwise the upper and the lower one
+  double share =
+      0.0; ///< (-1, 1): how much shorter the upper or left side is, or if negative the other
+};
+
+/// A position in the straightened picture -> in the picture; both from 0 to 1 along each side.
+[[nodiscard]] std::array<double, 2> seen(const Keystone& keystone, double u, double v);
+
+/// The trapezoid as a rectangle of the picture's size. Throws std::bad_alloc.
+[[nodiscard]] exemplar::ImageLevel straightened(const exemplar::ImageLevel& image,
+                                                const Keystone& keystone);
+
+/// How highly a picture correlates with itself where it repeats.
+using CorrelationOf = std::function<double(const exemplar::ImageLevel&)>;
+
+/// The keystone, of up to 17 %, without which the picture correlates most highly; nothing unless it
+/// repeats weakly with it and clearly more highly without it. Calls `correlationOf` up to 15 times,
+/// for pictures of at most 256 pixels a side. Deterministic. Throws std::bad_alloc. Source:
+/// docs/decisions/039-quilting.md.
+[[nodiscard]] std::optional<Keystone> keystoneOf(const exemplar::ImageLevel& image,
+                                                 const CorrelationOf& correlationOf);
+
+} // namespace lichen::placement

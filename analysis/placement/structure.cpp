@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Maps -> the part that holds whole periods -> how clearly something repeats in it.
+#include "exemplar/borders.h"
+#include "exemplar/grain.h"
+#include "exemplar/value_encoding.h"
+#include "near_periods.h"
+#include "suitability/gaussian_plane.h"
+#include "suitability/phase_coherence.h"
+#include "whole_periods.h"
+
+#include <lichen/fft.h>
+#include <lichen/structure.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace lichen {
+
+namespace {
+
+/// How coherent the phases of the map are across scales.
+double outlinesOf(const MapExemplar& map, bool fit) {
+  const std::optional<suitability::GaussianPlane> plane =
+      suitability::gaussianPlane(map, {fit, exemplar::grainOf(map)});
+  return plane ? suitability::phaseCoherence(forwardFft(plane->values, plane->width, plane->height))
+               : 0.0;
+}
+
+} // namespace
+
+Result<Structure> structureOf(std::span<const MapExemplar> maps, Periodic periodic) {
+  const auto exhausted = [] { return "structure: not enough memory to look for periods"; };
+  return withinMemory(exhausted, [&]() -> Result<Structure> {
+    constexpr int kLeastSide = 128; // a smaller picture shows too little to tell
+    Structure structure;
+    if (std::min(maps.front().width, maps.front().height) < kLeastSide)
+      return structure;
+    const bool fit = exemplar::keepsBorders(maps, periodic, std::identity());
+    structure.outlines = outlinesOf(maps.front(), fit);
+    if (structure.outlines < kLeastOutlines)
+      return structure;
+    std::vector<MapExemplar> stored = exemplar::asStored(maps);
+    if (!fit)
+      structure.wholePeriods = placement::wholePeriods(stored.front());
+    if (structure.wholePeriods)
+      if (Result<void> made = rectify(stored, *structure.wholePeriods); !made)
+        return made.error();
+    constexpr double kNoShifts = 0.0;
+    structure.strength = placement::nearPeriods(stored, 0, kNoShifts).strength;
+    if (!structure.repeats())
+      structure.wholePeriods.reset();
+    return structure;
+  });
+}
+
+} // namespace lichen

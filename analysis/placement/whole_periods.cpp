@@ -1,0 +1,457 @@
+// SPDX-License-Identifier: MIT
+// Map -> correlation of the picture with itself, moved without wrapping around -> the lattice of
+// vectors that repeat it -> the smallest upright cell of it -> as many cells as fit; of a picture
+// in perspective, of the picture without it.
+//
+// docs/decisions/039-quilting.md says how the constants were chosen.
+#include "whole_periods.h"
+
+#include "exemplar/area_average.h"
+#include "perspective.h"
+
+#include <lichen/fft.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+namespace lichen::placement {
+namespace {
+
+using exemplar::ImageLevel;
+
+/// How highly a picture correlates with itself, moved by (x, y), less than twice its sides;
+/// negative x and y count from the ends.
+struct SelfCorrelation {
+  int width = 0, height = 0; ///< twice the picture's
+  std::vector<float> values;
+
+  [[nodiscard]] float at(int x, int y) const {
+    x = x < 0 ? x + width : x;
+    y = y < 0 ? y + height : y;
+    return values[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+  }
+};
+
+/// Replaces each value by the mean of a square around it.
+void keepSlowVariation(ImageLevel& image) {
+  constexpr double kRadius = 0.1; // of a mean side
+  const int radius =
+      std::max(1, int(std::lround(kRadius * std::sqrt(double(image.width) * image.height))));
+  const auto channels = std::size_t(image.channels);
+  for (const bool isX : {true, false}) {
+    const ImageLevel source = image;
+    const int side = isX ? image.width : image.height, lines = isX ? image.height : image.width;
+    for (int line = 0; line < lines; ++line)
+      for (std::size_t c = 0; c < channels; ++c) {
+        const auto index = [&](int k) {
+          const auto x = std::size_t(isX ? k : line), y = std::size_t(isX ? line : k);
+          return (y * std::size_t(image.width) + x) * channels + c;
+        };
+        std::vector<double> sums{0.0};
+        for (int k = 0; k < side; ++k)
+          sums.push_back(sums.back() + double(source.values[index(k)]));
+        for (int k = 0; k < side; ++k) {
+          const int from = std::max(0, k - radius), to = std::min(side, k + radius + 1);
+          image.values[index(k)] =
+              float((sums[std::size_t(to)] - sums[std::size_t(from)]) / (to - from));
+        }
+      }
+  }
+}
+
+/// The picture without slow variation.
+ImageLevel withDetail(const ImageLevel& image) {
+  ImageLevel slow = image;
+  keepSlowVariation(slow);
+  ImageLevel result = image;
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] -= slow.values[i];
+  return result;
+}
+
+/// Each plane padded with zeros to twice the sides.
+HalfSpectrum paddedSpectrum(const ImageLevel& image, const auto& valueAt) {
+  const int width = 2 * image.width, height = 2 * image.height;
+  std::vector<float> padded(std::size_t(width) * std::size_t(height));
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      padded[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+          valueAt(std::size_t(y) * std::size_t(image.width) + std::size_t(x));
+  return forwardFft(padded, width, height);
+}
+
+/// The products of all pairs, over the root of the energies of both that overlap.
+SelfCorrelation selfCorrelation(const ImageLevel& image) {
+  constexpr double kLeastOverlap = 0.02; // of the picture
+  const auto channels = std::size_t(image.channels);
+  HalfSpectrum power;
+  for (std::size_t c = 0; c < channels; ++c) {
+    HalfSpectrum spectrum =
+        paddedSpectrum(image, [&](std::size_t i) { return image.values[i * channels + c]; });
+    for (std::size_t i = 0; i < spectrum.values.size(); ++i)
+      spectrum.values[i] =
+          std::norm(spectrum.values[i]) + (c > 0 ? power.values[i] : std::complex<float>());
+    power = std::move(spectrum);
+  }
+  const HalfSpectrum ones = paddedSpectrum(image, [](std::size_t) { return 1.0f; });
+  HalfSpectrum energy = paddedSpectrum(image, [&](std::size_t i) {
+    float sum = 0.0f;
+    for (std::size_t c = 0; c < channels; ++c)
+      sum += image.values[i * channels + c] * image.values[i * channels + c];
+    return sum;
+  });
+  HalfSpectrum overlap = ones;
+  for (std::size_t i = 0; i < ones.values.size(); ++i) {
+    overlap.values[i] = std::norm(ones.values[i]);
+    energy.values[i] *= std::conj(ones.values[i]);
+  }
+  // The energy of the pixels that have a partner: at s of those before, at -s of those after.
+  const std::vector<float> energies = inverseFft(energy), overlaps = inverseFft(overlap);
+  SelfCorrelation result{power.width, power.height, inverseFft(power)};
+  const float least = float(kLeastOverlap) * float(image.width) * float(image.height);
+  for (int y = 0; y < result.height; ++y)
+    for (int x = 0; x < result.width; ++x) {
+      const std::size_t i = std::size_t(y) * std::size_t(result.width) + std::size_t(x);
+      const std::size_t opposite =
+          std::size_t((result.height - y) % result.height) * std::size_t(result.width) +
+          std::size_t((result.width - x) % result.width);
+      const float norm =
+          std::sqrt(std::max(0.0f, energies[i]) * std::max(0.0f, energies[opposite]));
+      result.values[i] = overlaps[i] > least && norm > 0.0f ? result.values[i] / norm : 0.0f;
+    }
+  return result;
+}
+
+/// A vector of the lattice, or a position. [pixels] y is down.
+using Vector = std::array<double, 2>;
+
+double lengthOf(const Vector& v) { return std::hypot(v[0], v[1]); }
+double cross(const Vector& a, const Vector& b) { return a[0] * b[1] - a[1] * b[0]; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1]; }
+Vector combined(double i, const Vector& a, double j, const Vector& b) {
+  return {i * a[0] + j * b[0], i * a[1] + j * b[1]};
+}
+
+/// How highly the picture correlates with itself, moved, and how far that can be trusted.
+class Repetition {
+public:
+  explicit Repetition(const ImageLevel& image)
+      : width_(image.width), height_(image.height), correlation_(selfCorrelation(image)) {
+    grainArea_ = (2.0 * reachOfGrain(1, 0) + 1.0) * (2.0 * reachOfGrain(0, 1) + 1.0);
+  }
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+  [[nodiscard]] double at(int x, int y) const { return double(correlation_.at(x, y)); }
+  /// The highest within a pixel.
+  [[nodiscard]] double near(const Vector& v) const {
+    const int x = int(std::lround(v[0])), y = int(std::lround(v[1]));
+    double highest = at(x, y);
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        highest = std::max(highest, at(x + dx, y + dy));
+    return highest;
+  }
+  /// The share of the picture that has a partner.
+  [[nodiscard]] double overlap(const Vector& v) const {
+    return std::max(0.0, 1.0 - std::abs(v[0]) / width_) *
+           std::max(0.0, 1.0 - std::abs(v[1]) / height_);
+  }
+  /// The variance of an estimated correlation, of as many independent samples as grains overlap.
+  [[nodiscard]] double variance(double correlation, const Vector& v) const {
+    const double grains = overlap(v) * width_ * height_ / grainArea_;
+    const double rest = 1.0 - correlation * correlation;
+    return rest * rest / grains;
+  }
+
+private:
+  /// Up to where half of the correlation remains.
+  [[nodiscard]] int reachOfGrain(int x, int y) const {
+    int k = 0;
+    while (k < std::min(width_, height_) && correlation_.at(k * x, k * y) > 0.5f)
+      ++k;
+    return k;
+  }
+
+  int width_, height_;
+  SelfCorrelation correlation_;
+  double grainArea_ = 1.0;
+};
+
+constexpr double kLeastOverlap = 0.25; // of the picture, for vectors whose correlation counts
+
+/// The position of the peak around a pixel: of a parabola through the correlations beside it.
+Vector refined(const Repetition& repetition, int x, int y) {
+  const auto shift = [](double before, double here, double after) {
+    const double bend = before - 2.0 * here + after;
+    return bend < 0.0 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
+  };
+  const double here = repetition.at(x, y);
+  return {x + shift(repetition.at(x - 1, y), here, repetition.at(x + 1, y)),
+          y + shift(repetition.at(x, y - 1), here, repetition.at(x, y + 1))};
+}
+
+/// The highest peaks, less their standard errors; of two opposite ones the lower in the picture.
+std::vector<Vector> highestPeaks(const Repetition& repetition) {
+  constexpr int kApart = 4; // pixels
+  constexpr std::size_t kMost = 60;
+  struct Peak {
+    Vector at;
+    double height = 0.0;
+  };
+  std::vector<Peak> found;
+  for (int y = 0; y < repetition.height(); ++y)
+    for (int x = y == 0 ? 1 : 1 - repetition.width(); x < repetition.width(); ++x) {
+      const double value = repetition.at(x, y);
+      const Vector at{double(x), double(y)};
+      if (value <= 0.0 || repetition.overlap(at) < kLeastOverlap)
+        continue;
+      bool isPeak = true;
+      for (int dy = -kApart; dy <= kApart && isPeak; ++dy)
+        for (int dx = -kApart; dx <= kApart && isPeak; ++dx)
+          isPeak = repetition.at(x + dx, y + dy) <= value;
+      if (isPeak)
+        found.push_back(
+            {refined(repetition, x, y), value - std::sqrt(repetition.variance(value, at))});
+    }
+  std::ranges::stable_sort(found, std::greater(), &Peak::height);
+  std::vector<Vector> result;
+  for (std::size_t i = 0; i < std::min(found.size(), kMost); ++i)
+    result.push_back(found[i].at);
+  return result;
+}
+
+/// Two vectors whose whole combinations repeat the picture.
+struct Lattice {
+  Vector a{}, b{};
+};
+
+/// The same lattice by its two shortest vectors, the shorter one first. Lagrange's reduction.
+Lattice reduced(Lattice lattice) {
+  auto& [a, b] = lattice;
+  while (true) {
+    if (lengthOf(a) > lengthOf(b))
+      std::swap(a, b);
+    const Vector shorter = combined(1.0, b, -std::round(dot(a, b) / dot(a, a)), a);
+    if (!(lengthOf(shorter) < lengthOf(b)))
+      return lattice;
+    b = shorter;
+  }
+}
+
+/// Calls use(i, j, vector) for half of the combinations of at most so many steps whose overlap
+/// counts; the others are opposite.
+void eachOf(const Repetition& repetition, const Lattice& lattice, int steps, const auto& use) {
+  for (int j = 0; j <= steps; ++j)
+    for (int i = j == 0 ? 1 : -steps; i <= steps; ++i)
+      if (const Vector v = combined(i, lattice.a, j, lattice.b);
+          repetition.overlap(v) >= kLeastOverlap)
+        use(i, j, v);
+}
+
+struct Estimate {
+  double mean = 0.0, error = 0.0;
+};
+
+/// The mean correlation at the lattice's vectors, or at those beside them by `shift`.
+Estimate correlationAlong(const Repetition& repetition, const Lattice& lattice, int steps,
+                          const Vector& shift = {}) {
+  double sum = 0.0, weights = 0.0, variance = 0.0;
+  eachOf(repetition, lattice, steps, [&](int, int, const Vector& v) {
+    const double weight = repetition.overlap(v),
+                 value = repetition.near(combined(1.0, v, 1.0, shift));
+    sum += weight * value;
+    weights += weight;
+    variance += weight * weight * repetition.variance(value, v);
+  });
+  return weights > 0.0 ? Estimate{sum / weights, std::sqrt(variance) / weights} : Estimate{};
+}
+
+/// How much higher the lattice's vectors correlate than those half way between them.
+double contrastOf(const Repetition& repetition, const Lattice& lattice, int steps) {
+  const double mean = correlationAlong(repetition, lattice, steps).mean;
+  double least = 1.0;
+  for (const Vector& half :
+       {combined(0.5, lattice.a, 0.0, lattice.b), combined(0.0, lattice.a, 0.5, lattice.b),
+        combined(0.5, lattice.a, 0.5, lattice.b)})
+    least = std::min(least, mean - correlationAlong(repetition, lattice, steps, half).mean);
+  return least;
+}
+
+/// Fits the lattice to the peaks near its vectors by least squares, from the shortest vectors on:
+/// only a good fit of those says which peaks belong to longer ones.
+Lattice fitted(const Repetition& repetition, Lattice lattice, int mostSteps) {
+  constexpr int kNear = 2; // pixels
+  for (int steps = 2; steps <= 2 * mostSteps; steps *= 2) {
+    double ii = 0.0, ij = 0.0, jj = 0.0;
+    Vector iv{}, jv{};
+    eachOf(repetition, lattice, std::min(steps, mostSteps), [&](int i, int j, const Vector& v) {
+      int x = int(std::lround(v[0])), y = int(std::lround(v[1]));
+      const int fromX = x, fromY = y;
+      for (int dy = -kNear; dy <= kNear; ++dy)
+        for (int dx = -kNear; dx <= kNear; ++dx)
+          if (repetition.at(fromX + dx, fromY + dy) > repetition.at(x, y)) {
+            x = fromX + dx;
+            y = fromY + dy;
+          }
+      const double weight = repetition.overlap(v) * std::max(0.0, repetition.at(x, y));
+      const Vector peak = refined(repetition, x, y);
+      ii += weight * i * i;
+      ij += weight * i * j;
+      jj += weight * j * j;
+      iv = combined(1.0, iv, weight * i, peak);
+      jv = combined(1.0, jv, weight * j, peak);
+    });
+    const double determinant = ii * jj - ij * ij;
+    if (determinant <= 1e-9 * ii * jj)
+      return lattice;
+    lattice = {combined(jj / determinant, iv, -ij / determinant, jv),
+               combined(ii / determinant, jv, -ij / determinant, iv)};
+  }
+  return lattice;
+}
+
+/// The smallest parallelogram of the lattice's vectors that is nearly upright and nearly a
+/// rectangle: bricks of a row to the right, and rows down.
+std::optional<Lattice> uprightCell(const Lattice& lattice) {
+  constexpr int kSteps = 12;
+  constexpr double kMostTurn = std::numbers::pi / 12.0, kMostSkew = std::numbers::pi / 18.0;
+  constexpr double kSkewLoss = 6.0, kTurnLoss = 1.0; // of the size, per radian
+  std::vector<Vector> rights, downs;
+  for (int j = -kSteps; j <= kSteps; ++j)
+    for (int i = -kSteps; i <= kSteps; ++i) {
+      const Vector v = combined(i, lattice.a, j, lattice.b);
+      if (v[0] > 0.0 && std::abs(std::atan2(v[1], v[0])) < kMostTurn)
+        rights.push_back(v);
+      if (v[1] > 0.0 && std::abs(std::atan2(v[0], v[1])) < kMostTurn)
+        downs.push_back(v);
+    }
+  std::optional<Lattice> best;
+  double least = 0.0;
+  for (const Vector& right : rights)
+    for (const Vector& down : downs) {
+      const double skew = std::abs(
+          std::asin(std::clamp(dot(right, down) / (lengthOf(right) * lengthOf(down)), -1.0, 1.0)));
+      if (skew > kMostSkew)
+        continue;
+      const double size =
+          lengthOf(right) * lengthOf(down) *
+          (1.0 + kSkewLoss * skew + kTurnLoss * std::abs(std::atan2(right[1], right[0])));
+      if (!best || size < least) {
+        best = {right, down};
+        least = size;
+      }
+    }
+  return best;
+}
+
+/// The most copies of the cell, side by side, that fit in the picture.
+std::optional<Lattice> repeated(const Lattice& cell, int width, int height) {
+  std::optional<Lattice> best;
+  double most = 0.0;
+  for (int m = 1; m * cell.a[0] <= width; ++m)
+    for (int n = 1; n * cell.b[1] <= height; ++n)
+      if (m * cell.a[0] + n * std::abs(cell.b[0]) <= width &&
+          m * std::abs(cell.a[1]) + n * cell.b[1] <= height && m * n > most) {
+        most = m * n;
+        best = {combined(m, cell.a, 0.0, cell.b), combined(0.0, cell.a, n, cell.b)};
+      }
+  return best;
+}
+
+/// The sides of the largest frame.
+std::optional<Lattice> frameOf(const Lattice& lattice, int width, int height) {
+  const std::optional<Lattice> cell = uprightCell(lattice);
+  return cell ? repeated(*cell, width, height) : std::nullopt;
+}
+
+struct FoundLattice {
+  Lattice lattice;
+  double correlation = 0.0; ///< the mean less its standard error
+};
+
+/// The lattice that repeats the picture most highly, among those of two peaks which have a frame.
+/// Vectors in between that repeat it as well count in favour of the lattice that has them.
+FoundLattice bestLattice(const Repetition& repetition) {
+  constexpr int kLeastSide = 16;          // pixels
+  constexpr double kShortest = 5.0;       // pixels
+  constexpr double kDensityGain = 0.025;  // of the correlation, for twice as many vectors
+  constexpr double kLeastContrast = 0.06; // of the correlation; along a groove there is none
+  constexpr int kSteps = 4, kMostSteps = 64;
+  const int width = repetition.width(), height = repetition.height();
+  if (std::min(width, height) < kLeastSide)
+    return {};
+  const std::vector<Vector> peaks = highestPeaks(repetition);
+  FoundLattice best;
+  double highest = 0.0;
+  for (std::size_t i = 0; i < peaks.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const Lattice lattice = reduced({peaks[k], peaks[i]});
+      const double area = std::abs(cross(lattice.a, lattice.b));
+      if (lengthOf(lattice.a) < kShortest || area < 0.5 * lengthOf(lattice.a) * lengthOf(lattice.b))
+        continue;
+      const Estimate estimate = correlationAlong(repetition, lattice, kSteps);
+      const double score = (estimate.mean - estimate.error) *
+                           (1.0 + kDensityGain * std::log2(double(width) * double(height) / area));
+      if (score <= highest || !frameOf(lattice, width, height) ||
+          contrastOf(repetition, lattice, kSteps) < kLeastContrast * estimate.mean)
+        continue;
+      highest = score;
+      best.lattice = lattice;
+    }
+  if (highest == 0.0)
+    return {};
+  best.lattice = reduced(fitted(repetition, best.lattice, kMostSteps));
+  if (lengthOf(best.lattice.a) < kShortest)
+    return {};
+  const Estimate estimate = correlationAlong(repetition, best.lattice, kMostSteps);
+  best.correlation = estimate.mean - estimate.error;
+  return best;
+}
+
+/// Of the parallelogram with these sides in the middle of the picture.
+TileCorners centred(const Lattice& sides, int width, int height) {
+  const auto& [right, down] = sides;
+  const double left = 0.5 * (width - right[0] - down[0]), top = 0.5 * (height - right[1] - down[1]);
+  return {{{left, top},
+           {left + right[0], top + right[1]},
+           {left + right[0] + down[0], top + right[1] + down[1]},
+           {left + down[0], top + down[1]}}};
+}
+
+} // namespace
+
+std::optional<TileCorners> wholePeriods(const MapExemplar& map) {
+  constexpr int kMostSide = 700;
+  constexpr double kLeastCorrelation = 0.15;
+  ImageLevel image{map.width, map.height, int(map.channels.size()), map.values};
+  while (std::max(image.width, image.height) > kMostSide)
+    image = exemplar::areaAverage(image);
+  const auto latticeOf = [](const ImageLevel& level) {
+    return bestLattice(Repetition(withDetail(level)));
+  };
+  const std::optional<Keystone> keystone =
+      keystoneOf(image, [&](const ImageLevel& level) { return latticeOf(level).correlation; });
+  const FoundLattice found = latticeOf(keystone ? straightened(image, *keystone) : image);
+  if (found.correlation < kLeastCorrelation)
+    return std::nullopt;
+  const std::optional<Lattice> sides = frameOf(found.lattice, image.width, image.height);
+  if (!sides)
+    return std::nullopt;
+  TileCorners corners = centred(*sides, image.width, image.height);
+  for (auto& corner : corners) {
+    corner = {corner[0] / image.width, corner[1] / image.height};
+    if (keystone)
+      corner = seen(*keystone, corner[0], corner[1]);
+    corner = {corner[0] * map.width, corner[1] * map.height};
+  }
+  return corners;
+}
+
+} // namespace lichen::placement

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+// Maps -> edges -> conductances -> coordinates spread within cells -> an image with mip levels.
+//
+// docs/decisions/039-quilting.md says how the constants were chosen.
+#include "cells.h"
+
+#include "exemplar/area_average.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace lichen::quilting {
+namespace {
+
+using exemplar::ImageLevel;
+
+/// width x height values on a torus.
+struct Plane {
+  int width = 0, height = 0;
+  std::vector<float> values;
+
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return std::size_t(y) * std::size_t(width) + std::size_t(x);
+  }
+};
+
+/// The maps of the largest size, reduced, each with a total variance of 1.
+std::vector<ImageLevel> standardized(std::span<const MapExemplar> maps) {
+  constexpr int kMostSide = 700; // of the reduced images; cells are found at half of that
+  const auto pixels = [](const MapExemplar& map) { return double(map.width) * map.height; };
+  const MapExemplar& largest = *std::ranges::max_element(maps, {}, pixels);
+  std::vector<ImageLevel> levels;
+  for (const MapExemplar& map : maps) {
+    if (map.width != largest.width || map.height != largest.height)
+      continue;
+    ImageLevel level{map.width, map.height, int(map.channels.size()), map.values};
+    while (std::max(level.width, level.height) > kMostSide)
+      level = exemplar::areaAverage(level);
+    const auto channels = std::size_t(level.channels);
+    double variance = 0.0;
+    for (std::size_t c = 0; c < channels; ++c) {
+      double sum = 0.0, squares = 0.0;
+      for (std::size_t i = c; i < level.values.size(); i += channels) {
+        sum += double(level.values[i]);
+        squares += double(level.values[i]) * double(level.values[i]);
+      }
+      const double count = double(level.values.size()) / double(channels);
+      variance += squares / count - sum * sum / (count * count);
+    }
+    const auto scale = variance > 0.0 ? float(1.0 / std::sqrt(variance)) : 0.0f;
+    for (float& value : level.values)
+      value *= scale;
+    levels.push_back(std::move(level));
+  }
+  return levels;
+}
+
+/// Convolves each channel with one kernel along x and another along y; the centres are in the
+/// middle. Wraps around.
+ImageLevel convolved(const ImageLevel& source, const std::vector<float>& alongX,
+                     const std::vector<float>& alongY) {
+  const auto pass = [](const ImageLevel& from, const std::vector<float>& kernel, bool isX) {
+    ImageLevel to = from;
+    const int reach = int(kernel.size()) / 2, side = isX ? from.width : from.height;
+    const auto channels = std::size_t(from.channels);
+    for (int y = 0; y < from.height; ++y)
+      for (int x = 0; x < from.width; ++x)
+        for (std::size_t c = 0; c < channels; ++c) {
+          float sum = 0.0f;
+          for (int k = -reach; k <= reach; ++k) {
+            const int at = (((isX ? x : y) + k) % side + side) % side;
+            const std::size_t pixel =
+                isX ? std::size_t(y) * std::size_t(from.width) + std::size_t(at)
+                    : std::size_t(at) * std::size_t(from.width) + std::size_t(x);
+            sum += kernel[std::size_t(k + reach)] * from.values[pixel * channels + c];
+          }
+          to.values[(std::size_t(y) * std::size_t(from.width) + std::size_t(x)) * channels + c] =
+              sum;
+        }
+    return to;
+  };
+  return pass(pass(source, alongX, true), alongY, false);
+}
+
+/// The magnitude of the gradient of all channels of all images.
+Plane gradientOf(const std::vector<ImageLevel>& images) {
+  constexpr double kDeviation = 1.0 / 256.0; // of the smoothing, over a mean side
+  constexpr double kReach = 4.0;             // deviations
+  Plane result{images.front().width, images.front().height, {}};
+  const double deviation =
+      std::max(1.0, kDeviation * std::sqrt(double(result.width) * result.height));
+  std::vector<float> smooth, derivative;
+  const int reach = int(std::ceil(kReach * deviation));
+  for (int k = -reach; k <= reach; ++k) {
+    const double value = std::exp(-0.5 * k * k / (deviation * deviation)) /
+                         (deviation * std::sqrt(2.0 * 3.14159265358979));
+    smooth.push_back(float(value));
+    derivative.push_back(float(k / (deviation * deviation) * value));
+  }
+  result.values.resize(std::size_t(result.width) * std::size_t(result.height));
+  for (const ImageLevel& image : images)
+    for (const bool isX : {true, false}) {
+      const ImageLevel slopes =
+          convolved(image, isX ? derivative : smooth, isX ? smooth : derivative);
+      const auto channels = std::size_t(image.channels);
+      for (std::size_t i = 0; i < slopes.values.size(); ++i)
+        result.values[i / channels] += slopes.values[i] * slopes.values[i];
+    }
+  for (float& value : result.values)
+    value = std::sqrt(value);
+  return result;
+}
+
+/// The largest value in each square of 2 x 2, of a side that is halved.
+Plane halfMaximum(const Plane& source) {
+  Plane result{std::max(1, source.width / 2), std::max(1, source.height / 2), {}};
+  result.values.resize(std::size_t(result.width) * std::size_t(result.height));
+  for (int y = 0; y < source.height; ++y)
+    for (int x = 0; x < source.width; ++x) {
+      float& most = result.values[result.index(std::min(x / 2, result.width - 1),
+                                               std::min(y / 2, result.height - 1))];
+      most = std::max(most, source.values[source.index(x, y)]);
+    }
+  return result;
+}
+
+float quantile(std::vector<float> values, double share) {
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Whether coordinates pass: 1 in the middle of a cell, nearly 0 on its outline.
+Plane conductances(Plane edges) {
+  constexpr double kMiddle = 0.5, kStrong = 0.98;
+  constexpr float kShare = 0.15f; // of the way from a middling gradient to a strong one
+  constexpr float kMostExponent = 16.0f;
+  const float middling = quantile(edges.values, kMiddle);
+  const float strong = quantile(edges.values, kStrong);
+  const float limit = std::max(middling + kShare * (strong - middling), 1e-12f);
+  for (float& value : edges.values)
+    value = std::exp(-std::min(value * value / (limit * limit), kMostExponent));
+  return edges;
+}
+
+/// Solves for the displacement of the spread coordinates. [texels]
+std::vector<std::array<float, 2>> spreadCoordinates(const Plane& passes, double count) {
+  constexpr double kPull = 0.1; // towards where a point is: divides what is much larger than a cell
+  constexpr double kLeak = 1e-6; // keeps the matrix well conditioned
+  const int width = passes.width, height = passes.height;
+  const auto texels = Eigen::Index(passes.values.size());
+  const double pull = kPull * count / double(texels);
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::MatrixX2d right = Eigen::MatrixX2d::Zero(texels, 2);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const auto here = Eigen::Index(passes.index(x, y));
+      entries.emplace_back(here, here, pull);
+      for (const bool isX : {true, false}) {
+        const auto next = Eigen::Index(isX ? passes.index((x + 1) % width, y)
+                                           : passes.index(x, (y + 1) % height));
+        const double conductance =
+            double(std::min(passes.values[std::size_t(here)], passes.values[std::size_t(next)])) +
+            kLeak;
+        entries.emplace_back(here, here, conductance);
+        entries.emplace_back(next, next, conductance);
+        entries.emplace_back(here, next, -conductance);
+        entries.emplace_back(next, here, -conductance);
+        // The neighbour is one texel further.
+        right(here, isX ? 0 : 1) += conductance;
+        right(next, isX ? 0 : 1) -= conductance;
+      }
+    }
+  Eigen::SparseMatrix<double> matrix(texels, texels);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Eigen::MatrixX2d solution = solver.solve(right);
+  std::vector<std::array<float, 2>> result;
+  result.reserve(std::size_t(texels));
+  for (Eigen::Index i = 0; i < texels; ++i)
+    result.push_back({float(solution(i, 0)), float(solution(i, 1))});
+  return result;
+}
+
+/// For each texel, the way to the nearest one of `isInside`. [texels] 0, 0 if there is none.
+std::vector<std::array<int, 2>> nearestInside(const Plane& grid,
+                                              const std::vector<std::uint8_t>& isInside) {
+  constexpr int kNone = std::numeric_limits<int>::max();
+  const int width = grid.width, height = grid.height;
+  // Along each column, the way to the nearest one; of those, the nearest along each row.
+  std::vector<int> down(isInside.size(), kNone);
+  for (int x = 0; x < width; ++x)
+    for (const int step : {1, -1}) {
+      int last = kNone;
+      for (int k = 0; k < 2 * height; ++k) {
+        const int y = step > 0 ? k % height : height - 1 - k % height;
+        const std::size_t i = grid.index(x, y);
+        last = isInside[i] != 0 ? 0 : last == kNone ? kNone : last + 1;
+        if (last != kNone && (down[i] == kNone || last < std::abs(down[i])))
+          down[i] = -step * last;
+      }
+    }
+  std::vector<std::array<int, 2>> result(isInside.size());
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      std::int64_t nearest = std::numeric_limits<std::int64_t>::max();
+      for (int k = 0; k <= width / 2; ++k) {
+        if (std::int64_t(k) * k >= nearest)
+          break;
+        for (const int across : {k, -k}) {
+          const int way = down[grid.index(((x + across) % width + width) % width, y)];
+          if (way == kNone)
+            continue;
+          const std::int64_t distance = std::int64_t(across) * across + std::int64_t(way) * way;
+          if (distance < nearest) {
+            nearest = distance;
+            result[grid.index(x, y)] = {across, way};
+          }
+        }
+      }
+    }
+  return result;
+}
+
+} // namespace
+
+CellField cellsOf(std::span<const MapExemplar> maps, double count) {
+  constexpr float kInside = 0.5f;
+  const Plane passes = conductances(halfMaximum(gradientOf(standardized(maps))));
+  const std::vector<std::array<float, 2>> spread = spreadCoordinates(passes, count);
+  std::vector<std::uint8_t> isInside;
+  for (const float value : passes.values)
+    isInside.push_back(value > kInside ? 1 : 0);
+  const std::vector<std::array<int, 2>> nearest = nearestInside(passes, isInside);
+  CellField result{passes.width, passes.height, {}};
+  for (int y = 0; y < result.height; ++y)
+    for (int x = 0; x < result.width; ++x) {
+      const auto [across, down] = nearest[passes.index(x, y)];
+      const auto wrapped = [](int value, int side) { return (value % side + side) % side; };
+      const auto [toX, toY] =
+          spread[passes.index(wrapped(x + across, result.width), wrapped(y + down, result.height))];
+      result.toCentre.push_back({(toX + float(across)) / float(result.width),
+                                 (toY + float(down)) / float(result.height)});
+    }
+  return result;
+}
+
+CellImage cellImage(const CellField& cells, int bits) {
+  CellImage image;
+  float reach = 1e-3f;
+  for (const std::array<float, 2>& way : cells.toCentre)
+    for (const float axis : way)
+      reach = std::max(reach, std::abs(axis));
+  image.reach = std::min(double(reach), kMostCellReach);
+  image.table.format = bits == 8 ? TexelFormat::rgba8Unorm : TexelFormat::rgba16Sfloat;
+  image.table.width = std::uint32_t(cells.width);
+  image.table.height = std::uint32_t(cells.height);
+  ImageLevel level{cells.width, cells.height, 2, {}};
+  for (const std::array<float, 2>& way : cells.toCentre)
+    level.values.insert(level.values.end(), way.begin(), way.end());
+  double first = 0.0; // mean square of level 0
+  while (true) {
+    double squares = 0.0;
+    for (const float value : level.values)
+      squares += double(value) * double(value);
+    squares /= double(level.values.size());
+    if (first == 0.0)
+      first = squares;
+    const float sharpness = first > 0.0 ? float(std::sqrt(squares / first)) : 0.0f;
+    std::vector<float> texels;
+    for (std::size_t i = 0; i < level.values.size(); i += 2) {
+      for (std::size_t axis = 0; axis < 2; ++axis)
+        texels.push_back(
+            std::clamp(0.5f + 0.5f * level.values[i + axis] / float(image.reach), 0.0f, 1.0f));
+      texels.insert(texels.end(), {sharpness, 1.0f});
+    }
+    appendTexels(image.table.texels, image.table.format, texels);
+    if (level.width == 1 && level.height == 1)
+      break;
+    level = exemplar::areaAverage(level);
+    ++image.table.mipLevels;
+  }
+  return image;
+}
+
+} // namespace lichen::quilting

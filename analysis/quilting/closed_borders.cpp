@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Maps -> the same, each pixel from its own place or from a shift further.
+#include "closed_borders.h"
+
+#include "cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace lichen::quilting {
+namespace {
+
+/// Half the width of the band at a border. [tiles]
+constexpr float kBand = 1.0f / 16.0f;
+
+/// What a band is filled from. [tiles]
+using Shift = std::array<double, 2>;
+
+/// How far a position in the tile is inside the borders across an axis, beyond the band. [tiles]
+float insideBand(float position) {
+  const float share = position - std::floor(position);
+  return std::min(share, 1.0f - share) - kBand;
+}
+
+/// Of the shifts that repeat the exemplar the one nearest to half a tile along the axis, hardly
+/// across it; half a tile if nothing repeats. Nothing if no shift is near, and structure better
+/// stays as it is.
+std::optional<Shift> shiftAlong(std::size_t axis, std::span<const Shift> shifts) {
+  constexpr double kMostAlong = 0.25, kMostAcross = 0.5 * double(kBand);
+  constexpr double kAcrossLoss = 4.0;
+  if (shifts.empty())
+    return axis == 0 ? Shift{0.5, 0.0} : Shift{0.0, 0.5};
+  std::optional<Shift> best;
+  double least = kMostAlong;
+  for (const Shift& shift : shifts) {
+    const double across = std::abs(shift[1 - axis]);
+    const double loss = std::abs(std::abs(shift[axis]) - 0.5) + kAcrossLoss * across;
+    if (across <= kMostAcross && loss < least) {
+      least = loss;
+      best = shift;
+    }
+  }
+  return best;
+}
+
+/// Closes the borders across one axis: 0, x, or 1, y.
+void closeAxis(std::span<MapExemplar> maps, std::size_t axis, const Shift& shift, double count) {
+  const CellField cells = cellsOf(maps, count);
+  const auto centreAt = [&](float x, float y) {
+    const auto column = std::min(int(x * float(cells.width)), cells.width - 1);
+    const auto row = std::min(int(y * float(cells.height)), cells.height - 1);
+    const std::array<float, 2>& way =
+        cells.toCentre[std::size_t(row) * std::size_t(cells.width) + std::size_t(column)];
+    return (axis == 0 ? x : y) + way[axis];
+  };
+  for (MapExemplar& map : maps) {
+    const std::vector<float> original = map.values;
+    const std::size_t channels = map.channels.size();
+    const auto pixels = [](double share, int side) {
+      return (int(std::lround(share * side)) + side) % side;
+    };
+    const int shiftX = pixels(shift[0], map.width), shiftY = pixels(shift[1], map.height);
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x) {
+        const auto centre = [&](int column, int row) {
+          return centreAt((float(column) + 0.5f) / float(map.width),
+                          (float(row) + 0.5f) / float(map.height));
+        };
+        const int otherX = (x + shiftX) % map.width, otherY = (y + shiftY) % map.height;
+        const float own = insideBand(centre(x, y));
+        const float other = insideBand(centre(otherX, otherY) - float(shift[axis]));
+        if (own + other >= 0.0f)
+          continue;
+        const std::size_t from =
+            (std::size_t(otherY) * std::size_t(map.width) + std::size_t(otherX)) * channels;
+        const std::size_t to =
+            (std::size_t(y) * std::size_t(map.width) + std::size_t(x)) * channels;
+        std::copy_n(&original[from], channels, &map.values[to]);
+      }
+  }
+}
+
+} // namespace
+
+void closeBorders(std::span<MapExemplar> maps, double count, std::span<const Shift> shifts,
+                  ProgressPart progress) {
+  for (const std::size_t axis : {std::size_t(0), std::size_t(1)}) {
+    if (const std::optional<Shift> shift = shiftAlong(axis, shifts))
+      closeAxis(maps, axis, *shift, count);
+    progress.reach(0.5 * double(axis + 1));
+  }
+}
+
+} // namespace lichen::quilting

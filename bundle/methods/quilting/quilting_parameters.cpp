@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// A quilting noise and its material -> the members of the shader's constants that only it has.
+#include "methods/map_constants.h"
+#include "methods/method_part.h"
+#include "quilting_format.h"
+
+#include <cmath>
+
+namespace lichen {
+namespace {
+
+static_assert(kMostQuiltingOffsets == LICHEN_MAX_OFFSETS);
+
+/// The mean of the decoded values: the last mip level, which is one texel.
+std::array<float, 4> meanOf(const Table& image, ValueEncoding encoding) {
+  std::vector<float> mean = decodeLevel(image, image.mipLevels - 1);
+  mean.resize(4, 0.0f);
+  if (encoding == ValueEncoding::root)
+    for (float& value : mean)
+      value *= value;
+  if (encoding == ValueEncoding::log2)
+    for (float& value : mean)
+      value = std::exp2(value) - 1.0f;
+  if (encoding == ValueEncoding::slope)
+    mean[2] -= 0.5f * (mean[0] * mean[0] + mean[1] * mean[1]); // the variance
+  return {mean[0], mean[1], mean[2], 1.0f};
+}
+
+/// Of [0, 1) in 65,536ths.
+shader::uint word16(double share) {
+  constexpr double kSteps = 65536.0;
+  return shader::uint(std::llround(share * kSteps)) & 0xFFFFu;
+}
+
+} // namespace
+
+Lattice QuiltingFormat::cells(const shader::LichenNoise&, const MaterialNoise&,
+                              const Placement& placement) const {
+  return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY)
+                            : infiniteLattice(Grain::none);
+}
+
+std::array<std::int64_t, 2> QuiltingFormat::originStep(const shader::LichenNoise&,
+                                                       const MaterialNoise&) const {
+  return {latticeOriginStep(Grain::none), 1};
+}
+
+std::array<std::int32_t, 2> QuiltingFormat::cellOf(const shader::LichenNoise&, const MaterialNoise&,
+                                                   std::int64_t tileX, std::int64_t tileY) const {
+  return latticeCell(tileX, tileY);
+}
+
+void QuiltingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+                            shader::LichenMap& constants) const {
+  const Table& image = bundle.tables[map.as<QuiltingMap>().image];
+  setImage(constants, image);
+  const auto [width, height] = tileSize(bundle, noise);
+  constants.levelOffset =
+      float(0.5 * std::log2(double(image.width) * image.height / (double(width) * double(height))));
+  constants.decoding = LICHEN_DECODING_NONE;
+  const std::array<float, 4> mean = meanOf(image, map.encoding);
+  constants.mean = {mean[0], mean[1], mean[2], mean[3]};
+}
+
+void QuiltingFormat::setNoise(const Bundle& bundle, const Noise& noise,
+                              shader::LichenNoise& constants) const {
+  const auto& shared = noise.as<QuiltingNoise>();
+  shader::LichenQuiltingNoise part{};
+  part.reach = float(shared.reach);
+  part.offsets = shader::uint(shared.offsets.size());
+  if (!noise.maps.empty()) {
+    const Table& cells = bundle.tables[noise.maps.front().as<QuiltingMap>().cells];
+    part.cellTexelsX = float(cells.width);
+    part.cellTexelsY = float(cells.height);
+  }
+  setPart(constants, part);
+}
+
+void QuiltingFormat::setConstants(const Noise& noise,
+                                  shader::LichenNoiseConstants& constants) const {
+  const auto& offsets = noise.as<QuiltingNoise>().offsets;
+  for (std::size_t k = 0; k < offsets.size(); ++k) {
+    const shader::uint word = word16(offsets[k][0]) | word16(offsets[k][1]) << 16u;
+    shader::uvec4& four = constants.offsets[k / 4];
+    shader::uint* const words[] = {&four.x, &four.y, &four.z, &four.w};
+    *words[k % 4] = word;
+  }
+}
+
+void QuiltingFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise&, const Placement&,
+                                 shader::LichenMaterial&) const {}
+
+shader::LichenQuiltingNoise quiltingPart(const shader::LichenNoise& noise) {
+  return partOf<shader::LichenQuiltingNoise>(noise);
+}
+
+void setPart(shader::LichenNoise& noise, const shader::LichenQuiltingNoise& part) {
+  setPartOf(noise, part);
+}
+
+} // namespace lichen

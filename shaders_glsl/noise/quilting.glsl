@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Quilting: tiles of the exemplar, cut along the outlines of what they show. A point on the plane of
+// tiles and its footprint -> three tiles and their weights, once for all maps -> the value of each
+// map. Tiles are taken where the exemplar repeats, so that its structure goes on. A tile's weight is
+// that of the centre of the cell that it shows at the point: a brick is wholly of one tile.
+// docs/decisions/039-quilting.md. The CPU twin is analysis/quilting/evaluate.
+#ifndef LICHEN_QUILTING_GLSL
+#define LICHEN_QUILTING_GLSL
+
+#include "../interface/fetch.glsl"
+#include "../interface/lichen_interface.h"
+#include "footprint_level.glsl"
+#include "hash.glsl"
+#include "method_parts.glsl"
+#include "periodic_lattice.glsl"
+#include "simplex_lattice.glsl"
+
+/// What all maps of a noise share at one point.
+struct LichenQuiltingPoint {
+  vec2 uv0, uv1, uv2; // [tiles] where the tile of each vertex is fetched
+  vec3 weights;       // about the mean; their sum is at least 1 where contrast is
+  float footprintLevel; // [mip levels] of the widest map
+};
+
+/// Where the tile of a vertex is taken from. [tiles]
+vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets) {
+  uint hash = lichenVertexHash(vertex.x, vertex.y, seedWord);
+  uint word = hash;
+  if (offsets > 0u) {
+    // Vertices side by side have different colours, and so different offsets.
+    uint color = (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
+    uint count = (offsets - color + 2u) / 3u;
+    word = LICHEN_TILE_OFFSET(3u * (((hash >> 16u) * count) >> 16u) + color);
+  }
+  return vec2(ivec2(uvec2(word & 0xFFFFu, word >> 16u))) * (1.0 / 65536.0);
+}
+
+/// 1 at a vertex, 0 on the hexagon of its neighbours and beyond, linear in between. `way` is from
+/// the vertex, in skewed coordinates. [cells]
+float lichenHat(vec2 way) {
+  return 1.0 - max(max(abs(way.x), abs(way.y)), abs(way.x + way.y));
+}
+
+/// Where the tile of a vertex is fetched [tiles]. `height` is the hat of the vertex at the centre of
+/// the cell that the tile shows there, `sharpness` that of cuts at this level.
+vec2 lichenQuiltingTap(uvec2 vertex, vec2 way, vec2 position, float level, LichenMaterial material,
+                       LichenQuiltingNoise shape, out float height, out float sharpness) {
+  vec2 tap = position - lichenReduceToPeriod(vertex, material);
+  tap += lichenQuiltingOffset(vertex, material.seedWord, shape.offsets);
+  vec3 cell = LICHEN_SAMPLE_CELLS(tap, level).rgb;
+  vec2 toCentre = shape.reach * (2.0 * cell.rg - 1.0);
+  sharpness = cell.b;
+  height = lichenHat(way + lichenSkewed(toCentre, material));
+  return tap;
+}
+
+void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX, vec2 gradientY,
+                    LichenMaterial material, LichenNoise noise) {
+  const float kMostSharpness = 4.6; // log2 of the exponent of cuts
+  const float kLeastHat = 1e-3, kLeastWeight = 1.0 / 512.0;
+  LichenQuiltingNoise shape = lichenQuiltingNoise(noise);
+  vec2 cells = vec2(shape.cellTexelsX, shape.cellTexelsY);
+  float level = lichenSharpLevel(lichenFootprintLevel(gradientX * cells, gradientY * cells));
+  vec2 skewed = lichenSkewed(position, material);
+  LichenTriangle triangle = lichenTriangle(skewed, material);
+  vec2 inside = skewed - floor(skewed);
+  bool isUpper = inside.x + inside.y >= 1.0;
+  vec3 heights;
+  float sharpness;
+  point.uv0 = lichenQuiltingTap(triangle.vertex0, inside - (isUpper ? 1.0 : 0.0), position, level,
+                                material, shape, heights.x, sharpness);
+  point.uv1 = lichenQuiltingTap(triangle.vertex1, inside - vec2(1.0, 0.0), position, level,
+                                material, shape, heights.y, sharpness);
+  point.uv2 = lichenQuiltingTap(triangle.vertex2, inside - vec2(0.0, 1.0), position, level,
+                                material, shape, heights.z, sharpness);
+  heights = max(heights, kLeastHat);
+  vec3 weights = pow(heights / max(heights.x, max(heights.y, heights.z)),
+                     vec3(exp2(kMostSharpness * sharpness)));
+  weights = max(weights - kLeastWeight, 0.0); // most points then need one tile
+  weights /= weights.x + weights.y + weights.z;
+  // Where cells are seen, tiles fit together, and a blend of two is their average. Far away they do
+  // not, and their variance is kept, [HN18] eq. 8.
+  point.weights = weights * (material.contrast *
+                             pow(dot(weights, weights), 0.5 * (sharpness - 1.0)));
+  vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
+  point.footprintLevel = lichenFootprintLevel(gradientX * texels, gradientY * texels);
+}
+
+/// What a texel stands for. Of slopes, z is the variance that the level lost.
+vec3 lichenQuiltingDecode(vec3 texel, LichenMap map) {
+  if (map.encoding == uint(LICHEN_ENCODING_ROOT))
+    return texel * texel;
+  if (map.encoding == uint(LICHEN_ENCODING_LOG2))
+    return exp2(texel) - 1.0;
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    texel.z = max(0.0, texel.z - 0.5 * dot(texel.xy, texel.xy));
+  return texel;
+}
+
+/// A tile's value about the mean, times its weight.
+vec3 lichenQuiltingTile(LICHEN_IMAGE_2D image, vec2 uv, float weight, float level, LichenMap map) {
+  if (weight == 0.0)
+    return vec3(0.0);
+  vec3 texel = LICHEN_SAMPLE_2D(image, uv, level).rgb;
+  return weight * (lichenQuiltingDecode(texel, map) - map.mean.xyz);
+}
+
+// The seam's functions; see method.glsl. A "Gaussian" value is the value about its mean.
+
+vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenQuiltingPoint point,
+                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+  float level = lichenSharpLevel(point.footprintLevel + map.levelOffset);
+  lost = vec3(0.0);
+  return 0.5 + lichenQuiltingTile(image, point.uv0, point.weights.x, level, map) +
+         lichenQuiltingTile(image, point.uv1, point.weights.y, level, map) +
+         lichenQuiltingTile(image, point.uv2, point.weights.z, level, map);
+}
+
+vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenQuiltingPoint point,
+                     LichenMaterial material, LichenNoise noise, LichenMap map) {
+  vec3 value = map.mean.xyz + gaussian - 0.5;
+  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+    value.z = max(value.z, 0.0);
+  else
+    value = clamp(value, 0.0, map.encoding == uint(LICHEN_ENCODING_LOG2) ? 3.0e38 : 1.0);
+  return vec4(value, 1.0);
+}
+
+vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenQuiltingPoint point,
+                   LichenMaterial material, LichenNoise noise, LichenMap map) {
+  vec3 lost;
+  vec3 gaussian = lichenGaussianAt(image, table, point, material, noise, map, lost);
+  return lichenDecodedAt(table, gaussian, lost, point, material, noise, map);
+}
+
+#endif

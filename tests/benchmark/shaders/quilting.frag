@@ -1,0 +1,19 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// SPDX-License-Identifier: MIT
+// Quilting, as a material's base colour uses it: an infinite lattice, known at compile time.
+
+#define LICHEN_METHODS 16
+#define LICHEN_PERIODIC_LATTICE 0
+#define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_SET 0
+#define LICHEN_ROLES 1
+#include "lichen.glsl"
+
+layout(location = 0) in vec2 uv;
+layout(location = 0) out vec4 colour;
+
+void main() {
+  LichenShadingPoint shading = LICHEN_POINT(uv, dFdx(uv), dFdy(uv));
+  colour = LICHEN_VALUE(LICHEN_BASE_COLOR, shading);
+}
