@@ -60,8 +60,8 @@ struct Sheet {
 /// A wave in [-1, 1] of period 1, of parabolas: close to a sine.
 [[nodiscard]] float wave(float turns);
 
-/// Colour, height and gloss of a board whose fibres lie along an axis. Boards of different channels
-/// have different grains. The height is relative to the board's face, and less than a pixel.
+/// Colour, height and gloss of a board with its grain along an axis. Each channel is another board,
+/// with other streaks. The height is relative to the board's face, and less than a pixel.
 [[nodiscard]] Surface wood(Point p, const Sheet& sheet, Axis along, std::uint32_t channel,
                            const Color& dark, const Color& light);
 

@@ -2,8 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // A host's shader for any stage, with its own short names before and after the include. OWN_ARRAYS:
-// its images are arrays of its own, of which it gives the functions an index. OWN_CELLS: quilting's
-// too.
+// it keeps its images in arrays and gives the functions an index. OWN_CELLS: it also defines how
+// the cells of quilting are fetched.
 #define SCALE 2.0
 struct Taps { float weight; };
 struct Noise { vec4 mean; };
