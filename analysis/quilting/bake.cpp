@@ -13,6 +13,7 @@
 #include <lichen/quilting.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lichen {
@@ -94,6 +95,36 @@ std::array<double, 2> asOffset(const std::array<double, 2>& shift) {
   return {shift[0] < 0.0 ? shift[0] + 1.0 : shift[0], shift[1] < 0.0 ? shift[1] + 1.0 : shift[1]};
 }
 
+/// How highly tiles at these offsets correlate with one another on average, over all channels of
+/// the first map: by the variance of their mean.
+double correlationOf(const MapExemplar& map, std::span<const std::array<double, 2>> offsets) {
+  if (offsets.size() < 2)
+    return 0.0;
+  const std::size_t channels = map.channels.size();
+  std::vector<float> sums(map.values.size());
+  for (const std::array<double, 2>& offset : offsets) {
+    const int shiftX = int(std::lround(offset[0] * map.width));
+    const int shiftY = int(std::lround(offset[1] * map.height));
+    float* sum = sums.data();
+    for (int y = 0; y < map.height; ++y)
+      for (int x = 0; x < map.width; ++x)
+        for (std::size_t c = 0; c < channels; ++c) {
+          const int column = (x + shiftX) % map.width, row = (y + shiftY) % map.height;
+          *sum++ += map.values[(std::size_t(row) * std::size_t(map.width) + std::size_t(column)) *
+                                   channels +
+                               c];
+        }
+  }
+  const auto varianceOf = [&](const std::vector<float>& values) {
+    return exemplar::momentsOf(values, int(channels)).covariance.trace();
+  };
+  const auto count = double(offsets.size());
+  const double variance = varianceOf(map.values);
+  const double ofMean = varianceOf(sums) / (count * count);
+  return variance > 0.0 ? std::clamp((count * ofMean / variance - 1.0) / (count - 1.0), 0.0, 1.0)
+                        : 0.0;
+}
+
 std::size_t appended(Table table, std::string name, std::vector<Table>& tables) {
   table.name = std::move(name);
   tables.push_back(std::move(table));
@@ -129,6 +160,7 @@ Result<QuiltingBake> bakeMaps(const std::string& name, std::span<const MapExempl
   for (const std::array<double, 2>& shift : periods.shifts)
     if (shared.offsets.size() < kMostQuiltingOffsets)
       shared.offsets.push_back(asOffset(shift));
+  shared.correlation = correlationOf(maps.front(), shared.offsets);
   bake.noise.data = shared;
   const std::size_t cellTable = appended(cells.table, name + ".cells", bake.tables);
   for (const MapExemplar& map : maps) {

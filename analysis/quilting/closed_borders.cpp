@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -83,15 +84,47 @@ void closeAxis(std::span<MapExemplar> maps, std::size_t axis, const Shift& shift
   }
 }
 
+/// The mean of each channel.
+std::vector<double> meansOf(const MapExemplar& map) {
+  std::vector<double> means(map.channels.size());
+  for (std::size_t i = 0; i < map.values.size(); ++i)
+    means[i % means.size()] += double(map.values[i]);
+  for (double& mean : means)
+    mean *= double(means.size()) / double(map.values.size());
+  return means;
+}
+
+/// Shifts each channel to another mean, as far as values stay within their range.
+void shiftMeans(MapExemplar& map, const std::vector<double>& means) {
+  const std::vector<double> own = meansOf(map);
+  std::vector<float> least(own.size(), std::numeric_limits<float>::max());
+  std::vector<float> most(own.size(), std::numeric_limits<float>::lowest());
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    const std::size_t c = i % own.size();
+    least[c] = std::min(least[c], map.values[i]);
+    most[c] = std::max(most[c], map.values[i]);
+  }
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    const std::size_t c = i % own.size();
+    map.values[i] = std::clamp(map.values[i] + float(means[c] - own[c]), least[c], most[c]);
+  }
+}
+
 } // namespace
 
 void closeBorders(std::span<MapExemplar> maps, double count, std::span<const Shift> shifts,
                   ProgressPart progress) {
+  std::vector<std::vector<double>> means;
+  for (const MapExemplar& map : maps)
+    means.push_back(meansOf(map));
   for (const std::size_t axis : {std::size_t(0), std::size_t(1)}) {
     if (const std::optional<Shift> shift = shiftAlong(axis, shifts))
       closeAxis(maps, axis, *shift, count);
     progress.reach(0.5 * double(axis + 1));
   }
+  // What fills the bands may be brighter or darker than what it replaces.
+  for (std::size_t m = 0; m < maps.size(); ++m)
+    shiftMeans(maps[m], means[m]);
 }
 
 } // namespace lichen::quilting

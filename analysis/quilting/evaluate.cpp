@@ -65,11 +65,13 @@ struct QuiltingEvaluator::Images {
 namespace {
 
 /// lichenQuiltingOffset: where the tile of a vertex is taken from. [tiles]
-Vec2 offsetOf(const LatticeVertex& vertex, const std::vector<Vec2>& offsets,
-              std::uint32_t seedWord) {
+Vec2 offsetOf(const LatticeVertex& vertex, const std::vector<Vec2>& offsets, std::uint32_t seedWord,
+              const shader::LichenNoise& noise) {
   const std::uint32_t hash = vertexHash(vertex.i, vertex.j, seedWord);
-  if (offsets.empty())
-    return {float(hash & 0xFFFFu) / 65536.0f, float(hash >> 16u) / 65536.0f};
+  if (offsets.empty()) { // as of tiling
+    const auto steps = tileOffsetSteps(vertex.i, vertex.j, seedWord);
+    return {float(steps[0]) * noise.offsetStepX, float(steps[1]) * noise.offsetStepY};
+  }
   // Vertices side by side have different colours, and so different offsets.
   const std::uint32_t color = (vertex.i - vertex.j + 0x80000000u) % 3u;
   const auto count = (std::uint32_t(offsets.size()) - color + 2u) / 3u;
@@ -136,7 +138,7 @@ Value QuiltingEvaluator::blend(std::size_t mapIndex, const shader::LichenMateria
   const std::array<LatticeVertex, 3> vertices = latticeVertices(material, at.position);
   for (std::size_t k = 0; k < 3; ++k) {
     const LatticeVertex& vertex = vertices[k];
-    const Vec2 offset = offsetOf(vertex, images_->offsets, material.seedWord);
+    const Vec2 offset = offsetOf(vertex, images_->offsets, material.seedWord, images_->noise);
     taps[k] = {at.position[0] - vertex.period[0] + offset[0],
                at.position[1] - vertex.period[1] + offset[1]};
     const Value cell = images_->cells.at(taps[k][0], taps[k][1], cellLevel);
@@ -156,7 +158,8 @@ Value QuiltingEvaluator::blend(std::size_t mapIndex, const shader::LichenMateria
     weight /= sum;
     squares += weight * weight;
   }
-  const float gain = material.contrast * std::pow(squares, 0.5f * (sharpness - 1.0f));
+  const float correlation = part.correlation * sharpness;
+  const float gain = material.contrast / std::sqrt(squares + correlation * (1.0f - squares));
   const Value mean{map.mean.x, map.mean.y, map.mean.z, 1.0f};
   Value value = mean;
   for (std::size_t k = 0; k < 3; ++k) {

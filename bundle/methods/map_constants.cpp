@@ -2,6 +2,8 @@
 // A map's image, matrix and lost variances -> members of its constants.
 #include "map_constants.h"
 
+#include <lichen/lattice.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,6 +61,14 @@ void setTableMean(const NoiseMap& map, const Table& table, shader::LichenMap& co
 void setImage(shader::LichenMap& constants, const Table& image) {
   constants.dimensions = shader::uint(std::min(3, channelCount(image.format)));
   constants.mipCount = std::min<shader::uint>(image.mipLevels, LICHEN_MAX_MIPS);
+}
+
+void setOffsetSteps(shader::LichenNoise& constants) {
+  const auto step = [](float side) {
+    return float(double(1u << tileOffsetShift(std::uint32_t(side))) / double(side));
+  };
+  constants.offsetStepX = step(constants.tileTexelsX);
+  constants.offsetStepY = step(constants.tileTexelsY);
 }
 
 void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,

@@ -14,6 +14,9 @@ namespace lichen {
 /// Sets the size, dimensions and mip count of the image that the shader fetches.
 void setImage(shader::LichenMap& constants, const Table& image);
 
+/// Sets the steps between neighbouring random offsets of a tile.
+void setOffsetSteps(shader::LichenNoise& constants);
+
 /// Sets the rows from an n x d matrix (row-major) and an offset of n values. Further matrix columns
 /// become 0; further rows stay unchanged.
 void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,

@@ -203,6 +203,7 @@ def plane_gradients(slopes, rotation):
 # Quilting, whole: a noise of 4 x 4 texels whose cells have 2 x 2, and its values at points.
 QUILT_SIDE = 4
 QUILT_REACH = 0.125
+QUILT_CORRELATION = 0.5
 QUILT_OFFSETS = [[0, 0], [0.5, 0], [0, 0.5], [0.5, 0.5]]
 
 
@@ -282,7 +283,7 @@ def quilting(place, dpdx, dpdy, contrast, has_list, seed, period):
             vertex[0] -= q * lattice["columns"]
             shift = [q * period[0], k * period[1]]
         word = vertex_hash(*vertex, lattice_seed(seed, 0))
-        offset = [word % 65536 / 65536, word // 65536 / 65536]
+        offset = [step / QUILT_SIDE for step in tile_offset(*vertex, lattice_seed(seed, 0), QUILT_SIDE, QUILT_SIDE)]
         if has_list:
             color = (vertex[0] - vertex[1] + 2**31) % WORD % 3
             count = (len(QUILT_OFFSETS) - color + 2) // 3
@@ -295,7 +296,8 @@ def quilting(place, dpdx, dpdy, contrast, has_list, seed, period):
         hats.append(max(1 - max(abs(u), abs(v), abs(u + v)), 0.001))
     weights = [max((hat / max(hats)) ** 2 ** (4.6 * sharpness) - 1 / 512, 0) for hat in hats]
     weights = [weight / sum(weights) for weight in weights]
-    gain = contrast * sum(w * w for w in weights) ** ((sharpness - 1) / 2)
+    correlation, total = QUILT_CORRELATION * sharpness, sum(w * w for w in weights)
+    gain = contrast / math.sqrt(total + correlation * (1 - total))
     values = []
     for slopes, image in ((False, heights), (True, squares)):
         mean = quilt_value(slopes, image[-1][0][0])

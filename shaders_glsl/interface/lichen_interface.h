@@ -213,6 +213,7 @@ struct LichenQuiltingNoise {
   float reach;                    // [tiles] of the image of cells
   float cellTexelsX, cellTexelsY; // its size
   uint offsets;                   // of the list in the noise's block, 0: none
+  float correlation;              // [0, 1] of two tiles close up
 };
 
 /// What all maps of a noise share. Fixed by the bundle.
@@ -222,7 +223,7 @@ struct LichenNoise {
   float tileSizeMetres;           // width of a tile
   uint method;                    // LICHEN_METHOD_*
   uint roles;                     // bit r: the map of role r is there
-  float offsetStepX, offsetStepY; // of tiling: between neighbouring offsets of a tile [tiles]
+  float offsetStepX, offsetStepY; // of tiling and quilting: between neighbouring offsets of a tile [tiles]
   uvec4 own0, own1; // of the method: Lichen...Noise above
 };
 

@@ -23,15 +23,15 @@ struct LichenQuiltingPoint {
 };
 
 /// Where the tile of a vertex is taken from. [tiles]
-vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets) {
+vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, LichenNoise noise) {
   uint hash = lichenVertexHash(vertex.x, vertex.y, seedWord);
-  uint word = hash;
-  if (offsets > 0u) {
-    // Vertices side by side have different colours, and so different offsets.
-    uint color = (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
-    uint count = (offsets - color + 2u) / 3u;
-    word = LICHEN_TILE_OFFSET(3u * (((hash >> 16u) * count) >> 16u) + color);
-  }
+  if (offsets == 0u) // as of tiling
+    return vec2(ivec2(uvec2(hash & 0x7ffu, hash >> 21u))) *
+           vec2(noise.offsetStepX, noise.offsetStepY);
+  // Vertices side by side have different colours, and so different offsets.
+  uint color = (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
+  uint count = (offsets - color + 2u) / 3u;
+  uint word = LICHEN_TILE_OFFSET(3u * (((hash >> 16u) * count) >> 16u) + color);
   return vec2(ivec2(uvec2(word & 0xFFFFu, word >> 16u))) * (1.0 / 65536.0);
 }
 
@@ -44,9 +44,10 @@ float lichenHat(vec2 way) {
 /// Where the tile of a vertex is fetched [tiles]. `height` is the hat of the vertex at the centre of
 /// the cell that the tile shows there, `sharpness` that of cuts at this level.
 vec2 lichenQuiltingTap(uvec2 vertex, vec2 way, vec2 position, float level, LichenMaterial material,
-                       LichenQuiltingNoise shape, out float height, out float sharpness) {
+                       LichenNoise noise, out float height, out float sharpness) {
+  LichenQuiltingNoise shape = lichenQuiltingNoise(noise);
   vec2 tap = position - lichenReduceToPeriod(vertex, material);
-  tap += lichenQuiltingOffset(vertex, material.seedWord, shape.offsets);
+  tap += lichenQuiltingOffset(vertex, material.seedWord, shape.offsets, noise);
   vec3 cell = LICHEN_SAMPLE_CELLS(tap, level).rgb;
   vec2 toCentre = shape.reach * (2.0 * cell.rg - 1.0);
   sharpness = cell.b;
@@ -68,20 +69,20 @@ void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX
   vec3 heights;
   float sharpness;
   point.uv0 = lichenQuiltingTap(triangle.vertex0, inside - (isUpper ? 1.0 : 0.0), position, level,
-                                material, shape, heights.x, sharpness);
+                                material, noise, heights.x, sharpness);
   point.uv1 = lichenQuiltingTap(triangle.vertex1, inside - vec2(1.0, 0.0), position, level,
-                                material, shape, heights.y, sharpness);
+                                material, noise, heights.y, sharpness);
   point.uv2 = lichenQuiltingTap(triangle.vertex2, inside - vec2(0.0, 1.0), position, level,
-                                material, shape, heights.z, sharpness);
+                                material, noise, heights.z, sharpness);
   heights = max(heights, kLeastHat);
   vec3 weights = pow(heights / max(heights.x, max(heights.y, heights.z)),
                      vec3(exp2(kMostSharpness * sharpness)));
   weights = max(weights - kLeastWeight, 0.0); // most points then need one tile
   weights /= weights.x + weights.y + weights.z;
-  // Where cells are seen, tiles fit together, and a blend of two is their average. Far away they do
-  // not, and their variance is kept, [HN18] eq. 8.
+  // Keeps the variance: [HN18] eq. 8 for tiles that correlate, which they do where cells are seen.
+  float squares = dot(weights, weights);
   point.weights = weights * (material.contrast *
-                             pow(dot(weights, weights), 0.5 * (sharpness - 1.0)));
+                             inversesqrt(mix(squares, 1.0, shape.correlation * sharpness)));
   vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
   point.footprintLevel = lichenFootprintLevel(gradientX * texels, gradientY * texels);
 }

@@ -79,6 +79,7 @@ std::unique_ptr<const UseOptions> QuiltingCommand::addApplyOptions(CLI::App&) co
 void QuiltingCommand::describe(const Noise& noise, Json& json) const {
   const auto& shared = noise.as<QuiltingNoise>();
   json["reach"] = shared.reach;
+  json["correlation"] = shared.correlation;
   json["offsets"] = shared.offsets;
 }
 

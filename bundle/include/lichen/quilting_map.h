@@ -21,6 +21,8 @@ inline constexpr double kMostCellReach = 0.5;
 /// What all maps of a quilting noise share.
 struct QuiltingNoise {
   double reach = kMostCellReach; ///< (0, kMostCellReach], of the image of cells [tiles]
+  /// [0, 1] of two tiles where they overlap, close up: how far a blend of them is their average.
+  double correlation = 0.0;
   /// Where tiles are taken from, [0, 1) tiles: shifts that nearly repeat the exemplar. At most
   /// kMostQuiltingOffsets, no fewer than kFewestQuiltingOffsets; or none, and tiles are taken from
   /// anywhere.

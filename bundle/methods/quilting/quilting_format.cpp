@@ -20,6 +20,8 @@ std::span<const std::string_view> QuiltingFormat::tableMembers() const {
 void QuiltingFormat::writeNoise(const Noise& noise, Json& json) const {
   const auto& shared = noise.as<QuiltingNoise>();
   json["reach"] = shared.reach;
+  if (shared.correlation > 0.0)
+    json["correlation"] = shared.correlation;
   if (!shared.offsets.empty())
     json["offsets"] = shared.offsets;
 }

@@ -67,6 +67,7 @@ void QuiltingFormat::setNoise(const Bundle& bundle, const Noise& noise,
   const auto& shared = noise.as<QuiltingNoise>();
   shader::LichenQuiltingNoise part{};
   part.reach = float(shared.reach);
+  part.correlation = float(shared.correlation);
   part.offsets = shader::uint(shared.offsets.size());
   if (!noise.maps.empty()) {
     const Table& cells = bundle.tables[noise.maps.front().as<QuiltingMap>().cells];
@@ -74,6 +75,7 @@ void QuiltingFormat::setNoise(const Bundle& bundle, const Noise& noise,
     part.cellTexelsY = float(cells.height);
   }
   setPart(constants, part);
+  setOffsetSteps(constants);
 }
 
 void QuiltingFormat::setConstants(const Noise& noise,

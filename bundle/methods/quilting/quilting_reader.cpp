@@ -109,6 +109,7 @@ MethodNoise QuiltingFormat::readNoise(ObjectReader& reader, FindingList& finding
   constexpr double kLeastReach = 1e-4;
   QuiltingNoise shared;
   shared.reach = reader.number("reach", {kLeastReach, kMostCellReach}).value_or(kMostCellReach);
+  shared.correlation = reader.numberOr("correlation", {0.0, 1.0}, 0.0);
   if (reader.has("offsets"))
     shared.offsets = readOffsets(reader, findings);
   return shared;

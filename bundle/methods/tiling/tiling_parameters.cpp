@@ -11,11 +11,6 @@
 namespace lichen {
 namespace {
 
-/// The step between neighbouring tile offsets. [tiles]
-float offsetStep(std::uint32_t sizeTexels) {
-  return float(double(1u << tileOffsetShift(sizeTexels)) / double(sizeTexels));
-}
-
 /// Tiles that are rotated have no grain: their streaks run in all directions.
 Grain grainOf(const shader::LichenNoise& noise, const MaterialNoise& material) {
   return material.tileRotation > 1 ? Grain::none : Grain(tilingPart(noise).grain);
@@ -60,8 +55,7 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
 
 void TilingFormat::setNoise(const Bundle&, const Noise& noise,
                             shader::LichenNoise& constants) const {
-  constants.offsetStepX = offsetStep(std::uint32_t(constants.tileTexelsX));
-  constants.offsetStepY = offsetStep(std::uint32_t(constants.tileTexelsY));
+  setOffsetSteps(constants);
   setPart(constants, shader::LichenTilingNoise{shader::uint(noise.as<TilingNoise>().grain)});
 }
 
