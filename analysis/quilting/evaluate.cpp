@@ -122,16 +122,16 @@ Value QuiltingEvaluator::evaluate(std::size_t map, const shader::LichenMaterial&
 /// lichenGaussianAt, plus the mean less 1/2.
 Value QuiltingEvaluator::blend(std::size_t mapIndex, const shader::LichenMaterial& material,
                                const TileFootprint& footprint) const {
-  constexpr float kMostSharpness = 4.6f; // log2 of the exponent of cuts
-  constexpr float kLeastHat = 1e-3f, kLeastWeight = 1.0f / 512.0f;
+  constexpr float kMostSharpness = 4.0f; // log2 of the steepness of cuts
+  constexpr float kLeastHat = 1e-3f, kLeastWeight = 1e-6f;
   TileFootprint at = footprint;
   at.position[0] += material.offsetX;
   at.position[1] += material.offsetY;
   const shader::LichenQuiltingNoise part = quiltingPart(images_->noise);
   const shader::LichenMap& map = images_->constants[mapIndex];
-  const float cellLevel = sharpLevel(footprintLevel(at, part.cellTexelsX, part.cellTexelsY));
-  const float level = sharpLevel(
-      footprintLevel(at, images_->noise.tileTexelsX, images_->noise.tileTexelsY) + map.levelOffset);
+  const float ofTile = footprintLevel(at, images_->noise.tileTexelsX, images_->noise.tileTexelsY);
+  const float cellLevel = std::floor(sharpLevel(ofTile + part.cellLevelOffset) + 0.5f);
+  const float level = sharpLevel(ofTile + map.levelOffset);
   std::array<float, 3> weights{};
   std::array<Vec2, 3> taps{};
   float sharpness = 0.0f, highest = 0.0f, sum = 0.0f, squares = 0.0f;
@@ -149,9 +149,14 @@ Value QuiltingEvaluator::blend(std::size_t mapIndex, const shader::LichenMateria
     weights[k] = std::max(kLeastHat, hat({vertex.cells[0] + columns, vertex.cells[1] + rows}));
     highest = std::max(highest, weights[k]);
   }
+  const float steepness = std::exp2(kMostSharpness * sharpness);
+  for (float& weight : weights)
+    weight = std::max(0.0f, highest - steepness * (highest - weight));
+  // Less the least, two are left.
+  const auto least = std::min_element(weights.begin(), weights.end());
+  const float taken = *least;
   for (float& weight : weights) {
-    weight = std::pow(weight / highest, std::exp2(kMostSharpness * sharpness));
-    weight = std::max(0.0f, weight - kLeastWeight);
+    weight = &weight == &*least ? 0.0f : std::max(weight - taken, kLeastWeight);
     sum += weight;
   }
   for (float& weight : weights) {

@@ -289,12 +289,14 @@ def quilting(place, dpdx, dpdy, contrast, has_list, seed, period):
             count = (len(QUILT_OFFSETS) - color + 2) // 3
             offset = QUILT_OFFSETS[3 * ((word // 65536 * count) // 65536) + color]
         tap = [p - s + o for p, s, o in zip(place, shift, offset)]
-        red, green, sharpness = trilinear(ways, *tap, level)
+        red, green, sharpness = trilinear(ways, *tap, math.floor(level + 0.5))
         x, y = (QUILT_REACH * (2 * c - 1) for c in (red, green))
         u, v = a - column + x * columns - y * rows / 2, b - row + y * rows
         taps.append(tap)
         hats.append(max(1 - max(abs(u), abs(v), abs(u + v)), 0.001))
-    weights = [max((hat / max(hats)) ** 2 ** (4.6 * sharpness) - 1 / 512, 0) for hat in hats]
+    weights = [max(max(hats) - 2 ** (4 * sharpness) * (max(hats) - hat), 0) for hat in hats]
+    least = weights.index(min(weights))
+    weights = [0 if k == least else max(weight - weights[least], 1e-6) for k, weight in enumerate(weights)]
     weights = [weight / sum(weights) for weight in weights]
     correlation, total = QUILT_CORRELATION * sharpness, sum(w * w for w in weights)
     gain = contrast / math.sqrt(total + correlation * (1 - total))

@@ -210,10 +210,10 @@ struct LichenKernelsNoise {
 
 /// What only quilting has of a noise: own0 and own1.
 struct LichenQuiltingNoise {
-  float reach;                    // [tiles] of the image of cells
-  float cellTexelsX, cellTexelsY; // its size
-  uint offsets;                   // of the list in the noise's block, 0: none
-  float correlation;              // [0, 1] of two tiles close up
+  float reach;           // [tiles] of the image of cells
+  float correlation;     // [0, 1] of two tiles close up
+  float cellLevelOffset; // as levelOffset of a map, of the image of cells
+  uint offsets;          // of the list in the noise's block, 0: none
 };
 
 /// What all maps of a noise share. Fixed by the bundle.

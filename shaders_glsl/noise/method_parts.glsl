@@ -46,8 +46,7 @@ LichenKernelsNoise lichenKernelsNoise(LichenNoise noise) {
 
 LichenQuiltingNoise lichenQuiltingNoise(LichenNoise noise) {
   return LichenQuiltingNoise(uintBitsToFloat(noise.own0.x), uintBitsToFloat(noise.own0.y),
-                             uintBitsToFloat(noise.own0.z), noise.own0.w,
-                             uintBitsToFloat(noise.own1.x));
+                             uintBitsToFloat(noise.own0.z), noise.own0.w);
 }
 
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Quilting: tiles of the exemplar, cut along the outlines of what they show. A point on the plane of
-// tiles and its footprint -> three tiles and their weights, once for all maps -> the value of each
+// tiles and its footprint -> two tiles and their weights, once for all maps -> the value of each
 // map. Tiles are taken where the exemplar repeats, so that its structure goes on. A tile's weight is
 // that of the centre of the cell that it shows at the point: a brick is wholly of one tile.
 // docs/decisions/039-quilting.md. The CPU twin is analysis/quilting/evaluate.
@@ -17,8 +17,8 @@
 
 /// What all maps of a noise share at one point.
 struct LichenQuiltingPoint {
-  vec2 uv0, uv1, uv2; // [tiles] where the tile of each vertex is fetched
-  vec3 weights;       // about the mean; their sum is at least 1 where contrast is
+  vec2 uv0, uv1; // [tiles] where two tiles are fetched
+  vec2 weights;  // about the mean; their sum is at least 1 where contrast is
   float footprintLevel; // [mip levels] of the widest map
 };
 
@@ -57,11 +57,13 @@ vec2 lichenQuiltingTap(uvec2 vertex, vec2 way, vec2 position, float level, Liche
 
 void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX, vec2 gradientY,
                     LichenMaterial material, LichenNoise noise) {
-  const float kMostSharpness = 4.6; // log2 of the exponent of cuts
-  const float kLeastHat = 1e-3, kLeastWeight = 1.0 / 512.0;
+  const float kMostSharpness = 4.0; // log2 of the steepness of cuts
+  const float kLeastHat = 1e-3, kLeastWeight = 1e-6;
   LichenQuiltingNoise shape = lichenQuiltingNoise(noise);
-  vec2 cells = vec2(shape.cellTexelsX, shape.cellTexelsY);
-  float level = lichenSharpLevel(lichenFootprintLevel(gradientX * cells, gradientY * cells));
+  vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
+  point.footprintLevel = lichenFootprintLevel(gradientX * texels, gradientY * texels);
+  // The nearest: between two levels cuts differ too little for a second fetch.
+  float level = floor(lichenSharpLevel(point.footprintLevel + shape.cellLevelOffset) + 0.5);
   vec2 skewed = lichenSkewed(position, material);
   LichenTriangle triangle = lichenTriangle(skewed, material);
   vec2 inside = skewed - floor(skewed);
@@ -72,19 +74,26 @@ void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX
                                 material, noise, heights.x, sharpness);
   point.uv1 = lichenQuiltingTap(triangle.vertex1, inside - vec2(1.0, 0.0), position, level,
                                 material, noise, heights.y, sharpness);
-  point.uv2 = lichenQuiltingTap(triangle.vertex2, inside - vec2(0.0, 1.0), position, level,
-                                material, noise, heights.z, sharpness);
+  vec2 uv2 = lichenQuiltingTap(triangle.vertex2, inside - vec2(0.0, 1.0), position, level,
+                               material, noise, heights.z, sharpness);
   heights = max(heights, kLeastHat);
-  vec3 weights = pow(heights / max(heights.x, max(heights.y, heights.z)),
-                     vec3(exp2(kMostSharpness * sharpness)));
-  weights = max(weights - kLeastWeight, 0.0); // most points then need one tile
-  weights /= weights.x + weights.y + weights.z;
+  float highest = max(heights.x, max(heights.y, heights.z));
+  vec3 weights = max(highest - exp2(kMostSharpness * sharpness) * (highest - heights), 0.0);
+  // Less the least, two are left.
+  weights -= min(weights.x, min(weights.y, weights.z));
+  if (weights.x == 0.0) {
+    point.uv0 = uv2;
+    weights.x = weights.z;
+  } else if (weights.y == 0.0) {
+    point.uv1 = uv2;
+    weights.y = weights.z;
+  }
+  point.weights = max(weights.xy, kLeastWeight);
+  point.weights /= point.weights.x + point.weights.y;
   // Keeps the variance: [HN18] eq. 8 for tiles that correlate, which they do where cells are seen.
-  float squares = dot(weights, weights);
-  point.weights = weights * (material.contrast *
-                             inversesqrt(mix(squares, 1.0, shape.correlation * sharpness)));
-  vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
-  point.footprintLevel = lichenFootprintLevel(gradientX * texels, gradientY * texels);
+  float squares = dot(point.weights, point.weights);
+  point.weights *= material.contrast *
+                   inversesqrt(mix(squares, 1.0, shape.correlation * sharpness));
 }
 
 /// What a texel stands for. Of slopes, z is the variance that the level lost.
@@ -100,8 +109,6 @@ vec3 lichenQuiltingDecode(vec3 texel, LichenMap map) {
 
 /// A tile's value about the mean, times its weight.
 vec3 lichenQuiltingTile(LICHEN_IMAGE_2D image, vec2 uv, float weight, float level, LichenMap map) {
-  if (weight == 0.0)
-    return vec3(0.0);
   vec3 texel = LICHEN_SAMPLE_2D(image, uv, level).rgb;
   return weight * (lichenQuiltingDecode(texel, map) - map.mean.xyz);
 }
@@ -113,8 +120,7 @@ vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenQuilti
   float level = lichenSharpLevel(point.footprintLevel + map.levelOffset);
   lost = vec3(0.0);
   return 0.5 + lichenQuiltingTile(image, point.uv0, point.weights.x, level, map) +
-         lichenQuiltingTile(image, point.uv1, point.weights.y, level, map) +
-         lichenQuiltingTile(image, point.uv2, point.weights.z, level, map);
+         lichenQuiltingTile(image, point.uv1, point.weights.y, level, map);
 }
 
 vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenQuiltingPoint point,

@@ -188,8 +188,7 @@ TEST_CASE("the constants of a quilting noise hold its reach, its offsets and the
   CHECK(constants.noise.tileTexelsX == 4.0f);
   const shader::LichenQuiltingNoise part = quiltingPart(constants.noise);
   CHECK(part.reach == 0.125f);
-  CHECK(part.cellTexelsX == 8.0f);
-  CHECK(part.cellTexelsY == 8.0f);
+  CHECK(part.cellLevelOffset == 1.0f); // twice as wide as the map
   CHECK(part.offsets == 5);
   constexpr std::uint32_t kHalf = 0x8000, kQuarter = 0x4000;
   CHECK(constants.offsets[0].x == 0);

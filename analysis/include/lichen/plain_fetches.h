@@ -5,7 +5,7 @@
 
 namespace lichen {
 
-inline constexpr double kTilingFetches = 4.1, kQuiltingFetches = 6.7;
+inline constexpr double kTilingFetches = 4.1, kQuiltingFetches = 5.3;
 /// `impacts`: the mean number of them at a point.
 [[nodiscard]] constexpr double textonFetches(double impacts) { return 1.37 * impacts; }
 [[nodiscard]] constexpr double cosineFetches(int cosines, bool hasStructure) {

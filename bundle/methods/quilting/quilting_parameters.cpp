@@ -26,6 +26,12 @@ std::array<float, 4> meanOf(const Table& image, ValueEncoding encoding) {
   return {mean[0], mean[1], mean[2], 1.0f};
 }
 
+/// By how many mip levels an image is larger than the largest map.
+float levelOffset(const Table& image, const std::array<std::uint32_t, 2>& largest) {
+  const double texels = double(image.width) * image.height;
+  return float(0.5 * std::log2(texels / (double(largest[0]) * largest[1])));
+}
+
 /// Of [0, 1) in 65,536ths.
 shader::uint word16(double share) {
   constexpr double kSteps = 65536.0;
@@ -54,9 +60,7 @@ void QuiltingFormat::setMap(const Bundle& bundle, const Noise& noise, const Nois
                             shader::LichenMap& constants) const {
   const Table& image = bundle.tables[map.as<QuiltingMap>().image];
   setImage(constants, image);
-  const auto [width, height] = tileSize(bundle, noise);
-  constants.levelOffset =
-      float(0.5 * std::log2(double(image.width) * image.height / (double(width) * double(height))));
+  constants.levelOffset = levelOffset(image, tileSize(bundle, noise));
   constants.decoding = LICHEN_DECODING_NONE;
   const std::array<float, 4> mean = meanOf(image, map.encoding);
   constants.mean = {mean[0], mean[1], mean[2], mean[3]};
@@ -71,8 +75,7 @@ void QuiltingFormat::setNoise(const Bundle& bundle, const Noise& noise,
   part.offsets = shader::uint(shared.offsets.size());
   if (!noise.maps.empty()) {
     const Table& cells = bundle.tables[noise.maps.front().as<QuiltingMap>().cells];
-    part.cellTexelsX = float(cells.width);
-    part.cellTexelsY = float(cells.height);
+    part.cellLevelOffset = levelOffset(cells, tileSize(bundle, noise));
   }
   setPart(constants, part);
   setOffsetSteps(constants);
