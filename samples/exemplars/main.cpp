@@ -24,8 +24,10 @@
 #include <functional>
 #include <new>
 #include <options.h>
+#include <set>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -45,6 +47,8 @@ constexpr const char* kLandscape = "landscape";
 constexpr const char* kPhotographs = "photographs";
 /// Name of the structured materials, with their cells.
 constexpr const char* kStructured = "structured";
+/// After the name of one of them: its maps instead, in a folder.
+constexpr const char* kMapsEnding = "-maps";
 
 /// The materials, then the unsuitable pictures.
 std::vector<exemplars::Material> pictures() {
@@ -79,38 +83,61 @@ int writePhotographs(int side, const WritePicture& write) {
   return code;
 }
 
-int writeStructured(int side, const WritePicture& write) {
+int writePhotograph(int side, const exemplars::StructuredPlan& plan, const WritePicture& write) {
+  const exemplars::StructuredPicture picture = exemplars::structured(side, plan);
+  const int code = write(plan.name(), picture.image);
+  return code != 0 || picture.cells.empty()
+             ? code
+             : write(plan.name() + "-cells", exemplars::coloredCells(side, picture.cells));
+}
+
+int writeMaps(int side, const exemplars::StructuredPlan& plan, const WritePicture& write) {
+  const exemplars::StructuredMaps maps = exemplars::structuredMaps(side, plan);
+  const std::pair<const char*, const SrgbImage&> files[] = {{"color", maps.color},
+                                                            {"normal_gl", maps.normal},
+                                                            {"roughness", maps.roughness},
+                                                            {"ao", maps.occlusion},
+                                                            {"height", maps.height}};
+  int code = 0;
+  for (const auto& [name, image] : files)
+    if (code == 0)
+      code = write(plan.name() + kMapsEnding + "/" + name, image);
+  return code;
+}
+
+/// Writes the photographs and maps that are named.
+int writeStructured(int side, const std::set<std::string>& names, const WritePicture& write) {
   int code = 0;
   for (const exemplars::StructuredPlan& plan : exemplars::structuredPlans()) {
-    if (code != 0)
-      break;
-    const exemplars::StructuredPicture picture = exemplars::structured(side, plan);
-    code = write(plan.name(), picture.image);
-    if (code == 0 && !picture.cells.empty())
-      code = write(plan.name() + "-cells", exemplars::coloredCells(side, picture.cells));
+    if (code == 0 && (names.contains(kStructured) || names.contains(plan.name())))
+      code = writePhotograph(side, plan, write);
+    if (code == 0 && names.contains(plan.name() + kMapsEnding))
+      code = writeMaps(side, plan, write);
   }
   return code;
 }
 
-int writeFiles(const std::filesystem::path& folder, int side,
-               const std::vector<std::string>& names) {
+/// Returns the exit code.
+int createFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error)
-    return fail(ErrorKind::environment,
-                folder.string() + ": cannot create the folder: " + error.message());
-  const auto isNamed = [&](const char* name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
+  return error ? fail(ErrorKind::environment,
+                      folder.string() + ": cannot create the folder: " + error.message())
+               : 0;
+}
+
+int writeFiles(const std::filesystem::path& folder, int side, const std::set<std::string>& names) {
+  int code = createFolder(folder);
+  const auto isNamed = [&](const char* name) { return names.contains(name); };
   const auto writeMesh = [&](const char* name, const std::vector<std::byte>& glb) {
     const std::filesystem::path path = folder / (std::string(name) + ".glb");
     return reportWritten(replaceFile(path, glb), path);
   };
   const auto writePicture = [&](const std::string& name, const SrgbImage& image) {
     const std::filesystem::path path = folder / (name + ".png");
-    return reportWritten(writeImage(path, image), path);
+    const int created = createFolder(path.parent_path()); // that of a set of maps
+    return created != 0 ? created : reportWritten(writeImage(path, image), path);
   };
-  int code = 0;
   for (const exemplars::Material& picture : pictures())
     if (code == 0 && isNamed(picture.name))
       code = writePicture(picture.name, picture.generate(side));
@@ -124,8 +151,8 @@ int writeFiles(const std::filesystem::path& folder, int side,
     code = writeMesh(kLandscape, exemplars::landscapeGlb());
   if (code == 0 && isNamed(kPhotographs))
     code = writePhotographs(side, writePicture);
-  if (code == 0 && isNamed(kStructured))
-    code = writeStructured(side, writePicture);
+  if (code == 0)
+    code = writeStructured(side, names, writePicture);
   return code;
 }
 
@@ -163,7 +190,9 @@ int run(int argc, char** argv) {
   std::vector<std::string> names;
   cli::addText(app, "OUTDIR", folder, "", "Output folder; created if it does not exist").required();
   cli::addTexts(app, "NAME", names, "...",
-                "Exemplars to write: " + cli::alternatives(known) + " [default: the first " +
+                "Exemplars to write: " + cli::alternatives(known) +
+                    ", or one of the structured, such as bond-even, or its maps, such as "
+                    "bond-even-maps [default: the first " +
                     std::to_string(exemplars::kMaterials.size()) + ", the materials]");
   cli::addValue(app, "--size", side,
                 cli::wholeNumber(exemplars::kSmallestSide, exemplars::kLargestSide), "512",
@@ -175,21 +204,25 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return failUsage(app, error);
   }
+  std::set<std::string> structured{kStructured};
+  for (const exemplars::StructuredPlan& plan : exemplars::structuredPlans())
+    structured.insert({plan.name(), plan.name() + kMapsEnding});
   for (const std::string& name : names)
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      return failUsage(name + ": no such exemplar; expected " + cli::alternatives(known));
-  const bool hasPhotographs = std::find(names.begin(), names.end(), kPhotographs) != names.end();
-  if (hasPhotographs && side > exemplars::kLargestPhotograph)
+    if (std::ranges::find(known, name) == known.end() && !structured.contains(name))
+      return failUsage(name + ": no such exemplar; expected " + cli::alternatives(known) +
+                       ", or one of the structured, such as bond-even");
+  if (std::ranges::find(names, kPhotographs) != names.end() && side > exemplars::kLargestPhotograph)
     return failUsage("--size " + std::to_string(side) + ": photographs have at most " +
                      std::to_string(exemplars::kLargestPhotograph) + " pixels a side");
-  const bool hasStructured = std::find(names.begin(), names.end(), kStructured) != names.end();
+  const bool hasStructured = std::ranges::any_of(
+      names, [&](const std::string& name) { return structured.contains(name); });
   if (hasStructured && side > exemplars::kLargestStructured)
     return failUsage("--size " + std::to_string(side) + ": structured materials have at most " +
                      std::to_string(exemplars::kLargestStructured) + " pixels a side");
   if (names.empty())
     for (const exemplars::Material& material : exemplars::kMaterials)
       names.emplace_back(material.name);
-  return writeFiles(folder, side, names);
+  return writeFiles(folder, side, {names.begin(), names.end()});
 }
 
 } // namespace

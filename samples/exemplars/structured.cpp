@@ -86,13 +86,28 @@ struct Relit {
   Field height, gloss;
 };
 
+/// How much less of the sky a place sees than a flat one; negative where it stands out.
+class Hollows {
+public:
+  explicit Hollows(const Field& height)
+      : height_(height), near_(blurred(height, 3)), far_(blurred(height, 9)) {}
+  [[nodiscard]] float at(int x, int y) const {
+    const float here = height_.at(x, y);
+    return clamped(0.16f * (near_.at(x, y) - here) + 0.07f * (far_.at(x, y) - here), -0.2f, 0.75f);
+  }
+
+private:
+  const Field& height_;
+  Field near_, far_;
+};
+
 /// Multiplies by the light of the sky and of a low sun in the upper left.
 void shade(Relit& relit) {
   constexpr float kX = -0.48f, kY = -0.56f, kZ = 0.675f; // toward the sun
   constexpr float kSky = 0.42f;                          // its share of the light
   constexpr int kShadow = 24;                            // samples
   const Field& height = relit.height;
-  const Field near = blurred(height, 3), far = blurred(height, 9);
+  const Hollows hollows(height);
   for (int y = 0; y < height.side; ++y)
     for (int x = 0; x < height.side; ++x) {
       const float here = height.at(x, y);
@@ -110,10 +125,8 @@ void shade(Relit& relit) {
         above = std::max(above, height.at(sx, sy) - ray);
       }
       const float sun = 1.0f - smoothStep(0.0f, 1.6f, above);
-      const float hollow =
-          clamped(0.16f * (near.at(x, y) - here) + 0.07f * (far.at(x, y) - here), -0.2f, 0.75f);
       const float light =
-          kSky * (1.0f - hollow) + (1.0f - kSky) * sun * std::max(facing, 0.0f) / kZ;
+          kSky * (1.0f - hollows.at(x, y)) + (1.0f - kSky) * sun * std::max(facing, 0.0f) / kZ;
       // Gloss: the sun in a mirror, as seen from above.
       const float halfway = std::max(0.0f, (1.0f + kZ - slopeX * kX - slopeY * kY) /
                                                (length * 1.8303f)); // sqrt(2 + 2 kZ)
@@ -169,16 +182,8 @@ SrgbImage exposed(const Canvas& canvas, int side, const StructuredCondition& con
   return image;
 }
 
-} // namespace
-
-std::string StructuredPlan::name() const { return std::string(material) + "-" + condition.name; }
-
-StructuredPicture structured(int side, const StructuredPlan& plan) {
-  const StructuredMaterial& material = materialOf(plan.material);
-  const View view(side, material, plan);
-  const Sheet sheet{pcg3d({plan.seed, 1, 2})[0], plan.condition.irregularity, view.extent()};
-  Random random(plan.seed + 1000);
-  const Lamp lamp(plan.condition, random);
+/// What the picture and its margin show, unlit.
+Relit unlit(int side, const StructuredMaterial& material, const View& view, const Sheet& sheet) {
   Relit relit(side + 2 * kMargin);
   for (int y = 0; y < relit.canvas.side(); ++y)
     for (int x = 0; x < relit.canvas.side(); ++x) {
@@ -188,6 +193,46 @@ StructuredPicture structured(int side, const StructuredPlan& plan) {
       relit.height.at(x, y) = surface.height;
       relit.gloss.at(x, y) = surface.gloss;
     }
+  return relit;
+}
+
+Sheet sheetOf(const StructuredPlan& plan, const View& view) {
+  return {pcg3d({plan.seed, 1, 2})[0], plan.condition.irregularity, view.extent()};
+}
+
+/// The picture of `channels` codes a pixel, without the margin; codesAt(x, y, codes) writes those
+/// of a sample.
+template <typename CodesAt>
+SrgbImage mapOf(int side, int channels, const CodesAt& codesAt) {
+  SrgbImage image(side, side, channels);
+  constexpr int kSamples = kSamplesPerPixel * kSamplesPerPixel;
+  for (int y = 0; y < side; ++y)
+    for (int x = 0; x < side; ++x) {
+      std::array<float, 3> sums{}, codes{};
+      for (int k = 0; k < kSamples; ++k) {
+        codesAt(kSamplesPerPixel * (x + kMargin) + k % kSamplesPerPixel,
+                kSamplesPerPixel * (y + kMargin) + k / kSamplesPerPixel, codes);
+        for (std::size_t c = 0; c < sums.size(); ++c)
+          sums[c] += codes[c] / float(kSamples);
+      }
+      for (int c = 0; c < channels; ++c)
+        image.pixel(x, y)[c] =
+            std::round(255.0f * clamped(sums[std::size_t(c)], 0.0f, 1.0f)) / 255.0f;
+    }
+  return image;
+}
+
+} // namespace
+
+std::string StructuredPlan::name() const { return std::string(material) + "-" + condition.name; }
+
+StructuredPicture structured(int side, const StructuredPlan& plan) {
+  const StructuredMaterial& material = materialOf(plan.material);
+  const View view(side, material, plan);
+  const Sheet sheet = sheetOf(plan, view);
+  Random random(plan.seed + 1000);
+  const Lamp lamp(plan.condition, random);
+  Relit relit = unlit(side, material, view, sheet);
   shade(relit);
   const float half = 0.5f * float(side);
   for (int y = 0; y < relit.canvas.side(); ++y)
@@ -212,6 +257,37 @@ StructuredPicture structured(int side, const StructuredPlan& plan) {
                               .first->second);
     }
   return picture;
+}
+
+StructuredMaps structuredMaps(int side, const StructuredPlan& plan) {
+  const StructuredMaterial& material = materialOf(plan.material);
+  const View view(side, material, plan);
+  const Relit relit = unlit(side, material, view, sheetOf(plan, view));
+  const Field& height = relit.height;
+  const Hollows hollows(height);
+  const auto [low, high] = std::ranges::minmax(height.values);
+  const float range = std::max(high - low, 1e-6f);
+  StructuredMaps maps;
+  SrgbImage color = relit.canvas.resolve();
+  maps.color = SrgbImage(side, side, 3);
+  for (int y = 0; y < side; ++y)
+    std::copy_n(color.pixel(kMargin, y + kMargin), 3 * side, maps.color.pixel(0, y));
+  maps.normal = mapOf(side, 3, [&](int x, int y, std::array<float, 3>& codes) {
+    const float slopeX = height.at(x + 1, y) - height.at(x - 1, y); // two samples are a pixel
+    const float slopeY = height.at(x, y + 1) - height.at(x, y - 1);
+    const float half = 0.5f / std::sqrt(1.0f + slopeX * slopeX + slopeY * slopeY);
+    codes = {0.5f - half * slopeX, 0.5f + half * slopeY, 0.5f + half};
+  });
+  maps.roughness = mapOf(side, 1, [&](int x, int y, std::array<float, 3>& codes) {
+    codes[0] = 0.9f - 0.7f * relit.gloss.at(x, y);
+  });
+  maps.occlusion = mapOf(side, 1, [&](int x, int y, std::array<float, 3>& codes) {
+    codes[0] = 1.0f - hollows.at(x, y);
+  });
+  maps.height = mapOf(side, 1, [&](int x, int y, std::array<float, 3>& codes) {
+    codes[0] = (height.at(x, y) - low) / range;
+  });
+  return maps;
 }
 
 std::vector<StructuredPlan> structuredPlans() {

@@ -58,6 +58,16 @@ inline constexpr int kLargestStructured = 1024; // pixels per side
 /// bits. Details keep their size in pixels. Deterministic.
 [[nodiscard]] StructuredPicture structured(int sidePixels, const StructuredPlan& plan);
 
+/// Maps of 8 bits that show the same as a photograph without light, lens and camera. All but color
+/// are data.
+struct StructuredMaps {
+  SrgbImage color;
+  SrgbImage normal; ///< green points up
+  SrgbImage roughness, occlusion;
+  SrgbImage height; ///< 0 the lowest place, 1 the highest
+};
+[[nodiscard]] StructuredMaps structuredMaps(int sidePixels, const StructuredPlan& plan);
+
 /// All materials under all conditions.
 [[nodiscard]] std::vector<StructuredPlan> structuredPlans();
 

@@ -249,3 +249,36 @@ TEST_CASE("structured pictures of one seed are the same, those of others differ"
     CHECK((one.cells.empty() || one.cells != other.cells));
   }
 }
+
+TEST_CASE("maps of a structured material have the colours of its photograph, and fit together") {
+  constexpr int kSide = 96;
+  const StructuredPlan plan{"cobbles", {.name = "whole", .whole = true}, 3};
+  const StructuredPicture picture = structured(kSide, plan);
+  const StructuredMaps maps = structuredMaps(kSide, plan);
+  CHECK(correlationOf(maps.color, picture.image) > 0.6);
+  // Normals lean away from what is higher: to the right, and downwards.
+  double across = 0.0, down = 0.0, acrossSquared = 0.0, downSquared = 0.0;
+  const auto heightAt = [&](int x, int y) { return maps.height.pixel(x % kSide, y % kSide)[0]; };
+  for (int y = 1; y < kSide; ++y)
+    for (int x = 1; x < kSide; ++x) {
+      const float* normal = maps.normal.pixel(x, y);
+      const float slopeX = heightAt(x + 1, y) - heightAt(x - 1, y);
+      const float slopeY = heightAt(x, y + 1) - heightAt(x, y - 1);
+      across += double(slopeX) * double(normal[0] - 0.5f);
+      down += double(slopeY) * double(normal[1] - 0.5f);
+      acrossSquared += double(slopeX) * double(slopeX);
+      downSquared += double(slopeY) * double(slopeY);
+    }
+  CHECK(across < -0.5 * acrossSquared);
+  CHECK(down > 0.5 * downSquared);
+  // Joints are lower, and see less of the sky, than stones.
+  double heights[2]{}, skies[2]{}, counts[2]{};
+  for (std::size_t i = 0; i < picture.cells.size(); ++i) {
+    const bool stone = picture.cells[i] >= 0;
+    heights[stone] += double(maps.height.values[i]);
+    skies[stone] += double(maps.occlusion.values[i]);
+    counts[stone] += 1.0;
+  }
+  CHECK(heights[0] / counts[0] < heights[1] / counts[1] - 0.2);
+  CHECK(skies[0] / counts[0] < skies[1] / counts[1] - 0.05);
+}
