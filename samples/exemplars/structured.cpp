@@ -265,10 +265,10 @@ StructuredMaps structuredMaps(int side, const StructuredPlan& plan) {
   const Relit relit = unlit(side, material, view, sheetOf(plan, view));
   const Field& height = relit.height;
   const Hollows hollows(height);
-  const auto [low, high] = std::ranges::minmax(height.values);
-  const float range = std::max(high - low, 1e-6f);
+  const auto ends = std::ranges::minmax(height.values);
+  const float range = std::max(ends.max - ends.min, 1e-6f);
   StructuredMaps maps;
-  SrgbImage color = relit.canvas.resolve();
+  const SrgbImage color = relit.canvas.resolve();
   maps.color = SrgbImage(side, side, 3);
   for (int y = 0; y < side; ++y)
     std::copy_n(color.pixel(kMargin, y + kMargin), 3 * side, maps.color.pixel(0, y));
@@ -285,7 +285,7 @@ StructuredMaps structuredMaps(int side, const StructuredPlan& plan) {
     codes[0] = 1.0f - hollows.at(x, y);
   });
   maps.height = mapOf(side, 1, [&](int x, int y, std::array<float, 3>& codes) {
-    codes[0] = (height.at(x, y) - low) / range;
+    codes[0] = (height.at(x, y) - ends.min) / range;
   });
   return maps;
 }
