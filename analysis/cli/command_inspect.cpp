@@ -47,9 +47,11 @@ int bitsOf(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
 /// Of all maps and layers, and of the index maps.
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
   int sum = 0;
-  for (const std::size_t layer : layersOf(bundle, noise))
+  for (const std::size_t layer : layersOf(bundle, noise)) {
+    sum += commandOf(bundle.noises[layer]).sharedFetches();
     for (const NoiseMap& map : bundle.noises[layer].maps)
       sum += fetchesPerPixel(bundle, layer, map);
+  }
   if (const auto& layers = bundle.noises[noise].layers)
     for (const LayerNode& node : layers->nodes)
       sum += fetchesPerPixel(bundle, node.index, bundle.noises[node.index].maps.front());

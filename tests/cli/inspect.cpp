@@ -123,6 +123,20 @@ TEST_CASE("inspect shows the kind of each inverse table and its fetches") {
   }
 }
 
+TEST_CASE("inspect counts the fetches that all maps of a quilting share once") {
+  const Workplace workplace;
+  const std::string bundle = workplace.path("bricks.glb");
+  REQUIRE(writeBundle(bundle, example::smallestQuilting()).ok());
+  const nlohmann::json noise = inspected(bundle).at("noises")[0];
+  REQUIRE(noise.at("maps").size() == 2);
+  for (const nlohmann::json& map : noise["maps"])
+    CHECK(map.at("fetchesPerPixel") == 2);
+  CHECK(noise.at("fetchesPerPixel") == 2 * 2 + 3);
+  CHECK_THAT(runLichen({"inspect", bundle}).output,
+             Catch::Contains(", 7 fetches per pixel and plane\n") &&
+                 Catch::Contains("  tiles at 4 offsets\n  3 fetches of cells, for all maps together\n"));
+}
+
 TEST_CASE("inspect shows a grain, and that rotated tiles do not use it") {
   const Workplace workplace;
   const std::string bundle = workplace.path("oak.glb");

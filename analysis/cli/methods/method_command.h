@@ -117,6 +117,8 @@ public:
   /// otherwise the maximum.
   [[nodiscard]] virtual int fetches(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                                     const MaterialNoise& use) const = 0;
+  /// Those that all maps of a noise share, which fetches() leaves out.
+  [[nodiscard]] virtual int sharedFetches() const { return 0; }
   [[nodiscard]] virtual bool fetchesVary() const = 0;
   /// The table from which the shader samples the map.
   [[nodiscard]] virtual const Table& imageOf(const Bundle& bundle, const NoiseMap& map) const = 0;

@@ -12,10 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "24 offsets", or where tiles are taken from otherwise.
-std::string offsetWords(const QuiltingNoise& noise) {
-  return noise.offsets.empty() ? "tiles from anywhere"
-                               : fmt::format("{} offsets", noise.offsets.size());
+/// Where tiles are taken from.
+std::string tileWords(const QuiltingNoise& noise) {
+  return noise.offsets.empty() ? "from anywhere"
+                               : fmt::format("at {} offsets", noise.offsets.size());
 }
 
 class Bake final : public BakeOptions {
@@ -45,7 +45,7 @@ public:
     result.json["offsets"] = shared.offsets.size();
     result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "cut");
     result.facts.emplace_back("Repeats", fmt::format("{:.2f} of 1", bake.strength));
-    result.facts.emplace_back("Tiles", offsetWords(shared));
+    result.facts.emplace_back("Tiles", tileWords(shared));
     result.noise = std::move(bake.noise);
     result.tables = std::move(bake.tables);
     return result;
@@ -84,7 +84,8 @@ void QuiltingCommand::describe(const Noise& noise, Json& json) const {
 }
 
 std::vector<std::string> QuiltingCommand::linesOf(const Noise& noise, const MaterialNoise&) const {
-  return {offsetWords(noise.as<QuiltingNoise>())};
+  return {"tiles " + tileWords(noise.as<QuiltingNoise>()),
+          fmt::format("{} fetches of cells, for all maps together", sharedFetches())};
 }
 
 void QuiltingCommand::describe(const Bundle&, const NoiseMap& map, Json& json) const {
@@ -100,7 +101,11 @@ std::vector<std::string> QuiltingCommand::linesOf(const Bundle&, const NoiseMap&
 
 int QuiltingCommand::fetches(const Bundle&, const Noise&, const NoiseMap&,
                              const MaterialNoise&) const {
-  return 6; // three of cells, three of the image
+  return 2; // of the image: the two tiles of most weight
+}
+
+int QuiltingCommand::sharedFetches() const {
+  return 3; // of the cells of all tiles at a point
 }
 
 const Table& QuiltingCommand::imageOf(const Bundle& bundle, const NoiseMap& map) const {

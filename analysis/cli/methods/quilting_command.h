@@ -23,6 +23,7 @@ public:
                                                  const NoiseMap& map) const override;
   [[nodiscard]] int fetches(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                             const MaterialNoise& use) const override;
+  [[nodiscard]] int sharedFetches() const override;
   [[nodiscard]] bool fetchesVary() const override { return false; }
   [[nodiscard]] const Table& imageOf(const Bundle& bundle, const NoiseMap& map) const override;
 };
