@@ -84,6 +84,8 @@ std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise
 
 } // namespace
 
+bool isLayerable(Method method) { return formatOf(method).isLayerable(); }
+
 std::string layerTargetFault(std::size_t layers, MapTarget target) {
   const std::vector<MapTarget> targets = targetsOf(layers);
   if (std::ranges::count(targets, target) > 0)

@@ -15,6 +15,7 @@
 #include "progress_line.h"
 
 #include <lichen/bundle_writer.h>
+#include <lichen/layered_noise.h>
 
 #include <CLI/App.hpp>
 #include <fmt/core.h>
@@ -74,6 +75,15 @@ bool choosesByStructure(const Arguments& arguments) {
          !givenOf(*arguments.verb, commandOf(Method::tiling).heading());
 }
 
+/// The methods of which --method auto chooses one.
+std::vector<Method> candidatesOf(const Arguments& arguments) {
+  std::vector<Method> candidates;
+  for (const Method method : allMethods())
+    if (!arguments.layers.isGiven() || isLayerable(method))
+      candidates.push_back(method);
+  return candidates;
+}
+
 /// The method before the exemplar is known.
 Method usualMethod(const Arguments& arguments) {
   const bool isGuided = arguments.common.guide.value_or(0.0) > 0.0;
@@ -104,6 +114,11 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
                                      "--method"};
     return {};
   }
+  if (arguments.layers.isGiven() && !isLayerable(arguments.method))
+    return Error{ErrorKind::usage,
+                 fmt::format("{}: layers do not take the method {}; expected another --method",
+                             arguments.layers.count ? "--layers" : "--labels",
+                             nameOf(arguments.method))};
   if (arguments.budget)
     return Error{ErrorKind::usage, "--budget: belongs to --method auto"};
   const MethodCommand& command = commandOf(arguments.method);
@@ -159,7 +174,8 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
   MaterialSet& set = read.value().set;
   if (arguments.wanted.comparesAll) {
     Result<MethodChoice> choice =
-        chooseMethod(set.maps, set.periodic, arguments.methods, arguments.budget, arguments.shared);
+        chooseMethod(set.maps, set.periodic, arguments.methods, candidatesOf(arguments),
+                     arguments.budget, arguments.shared);
     if (!choice)
       return choice.error();
     arguments.method = choice.value().method;

@@ -14,7 +14,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace lichen::cli {
 namespace {
@@ -88,9 +87,8 @@ Result<int> compareMethods(const ComparedExemplar& exemplar, const std::string& 
   const MethodOptions methods = defaultOptions(common);
   ProgressLine progress("compare", shared);
   constexpr double kBakes = 0.4; // of the time
-  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   const Result<std::vector<MethodTrial>> trials =
-      tryMethods(exemplar.map, exemplar.borders, methods, kNoLimit,
+      tryMethods(exemplar.map, exemplar.borders, methods, allMethods(),
                  partOf(progress.asProgress(), 0.0, kBakes));
   if (!trials)
     return trials.error();

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ranges>
 
 namespace lichen::cli {
 namespace {
@@ -83,15 +84,14 @@ MethodChoice chosenOf(const std::vector<MethodCandidate>& candidates, double bud
 } // namespace
 
 Result<std::vector<MethodTrial>> tryMethods(const MapExemplar& map, Periodic borders,
-                                            const MethodOptions& methods, double budget,
+                                            const MethodOptions& methods,
+                                            std::span<const Method> tried,
                                             const Progress& progress) {
   std::vector<MethodTrial> trials;
-  for (std::size_t m = 0; m < methods.size(); ++m) {
-    if (methods[m]->plainFetches() > budget)
-      continue;
-    const auto count = double(methods.size());
-    Result<MethodTrial> trial = trialOf(map, borders, *methods[m],
-                                        partOf(progress, double(m) / count, double(m + 1) / count));
+  for (const Method method : tried) {
+    const auto done = double(trials.size()), count = double(tried.size());
+    Result<MethodTrial> trial = trialOf(map, borders, *methods[std::size_t(method)],
+                                        partOf(progress, done / count, (done + 1.0) / count));
     if (!trial)
       return trial.error();
     trials.push_back(std::move(trial).value());
@@ -109,59 +109,55 @@ BakeMemory largestMemory(const MethodOptions& methods) {
 }
 
 Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic borders,
-                                  const MethodOptions& methods, std::optional<double> budget,
-                                  const SharedOptions& shared) {
+                                  const MethodOptions& methods, std::span<const Method> candidates,
+                                  std::optional<double> budget, const SharedOptions& shared) {
   const double limit = budget.value_or(methods.front()->plainFetches());
-  const auto affordable = std::count_if(methods.begin(), methods.end(), [&](const auto& method) {
-    return method->plainFetches() <= limit;
-  });
-  const auto cheapest =
-      std::min_element(methods.begin(), methods.end(), [](const auto& a, const auto& b) {
-        return a->plainFetches() < b->plainFetches();
-      });
-  if (affordable == 0)
+  const auto costOf = [&](Method method) { return methods[std::size_t(method)]->plainFetches(); };
+  std::vector<Method> affordable;
+  for (const Method method : candidates)
+    if (costOf(method) <= limit)
+      affordable.push_back(method);
+  const Method cheapest = *std::ranges::min_element(candidates, {}, costOf);
+  if (affordable.empty())
     return Error{ErrorKind::usage,
                  fmt::format("--budget {:g}: no method is that cheap; expected at least {:g}",
-                             limit, (*cheapest)->plainFetches())};
-  if (affordable == 1) {
-    const auto only = Method(cheapest - methods.begin());
-    double all = 0.0;
-    for (const auto& method : methods)
-      all = std::max(all, method->plainFetches());
-    return MethodChoice{only,
-                        fmt::format("--method auto chose {}, the only method within {:g} plain "
-                                    "fetches a pixel; --budget {:g} tries all",
-                                    nameOf(only), limit, std::ceil(all))};
-  }
+                             limit, costOf(cheapest))};
+  if (affordable.size() == 1)
+    return MethodChoice{
+        cheapest,
+        fmt::format("--method auto chose {}, the only method within {:g} plain "
+                    "fetches a pixel; --budget {:g} tries all",
+                    nameOf(cheapest), limit,
+                    std::ceil(std::ranges::max(candidates | std::views::transform(costOf))))};
   const MapExemplar middle = middleOf(maps.front());
   if (std::min(middle.width, middle.height) < kLeastLookSide)
     return MethodChoice{
-        Method(cheapest - methods.begin()),
+        cheapest,
         fmt::format("--method auto chose {}, the cheapest: an exemplar of {} x {} pixels is too "
                     "small to compare methods",
-                    nameOf(Method(cheapest - methods.begin())), middle.width, middle.height)};
+                    nameOf(cheapest), middle.width, middle.height)};
   ProgressLine progress("try", shared);
   const bool isWhole = middle.width == maps.front().width && middle.height == maps.front().height;
   constexpr double kBakes = 0.7; // of the time
   const Result<std::vector<MethodTrial>> trials =
-      tryMethods(middle, isWhole ? borders : Periodic::no, methods, limit,
+      tryMethods(middle, isWhole ? borders : Periodic::no, methods, affordable,
                  partOf(progress.asProgress(), 0.0, kBakes));
   if (!trials)
     return trials.error();
-  std::vector<MethodCandidate> candidates;
+  std::vector<MethodCandidate> looks;
   for (const MethodTrial& trial : trials.value()) {
-    const auto done = double(candidates.size()), count = double(trials.value().size());
+    const auto done = double(looks.size()), count = double(trials.value().size());
     const Result<MethodLook> look =
         lookOf(trial, middle, kTrialExemplars,
                partOf(progress.asProgress(), kBakes + (1.0 - kBakes) * done / count,
                       kBakes + (1.0 - kBakes) * (done + 1.0) / count));
     if (!look)
       return look.error();
-    candidates.push_back(
+    looks.push_back(
         {trial.bundle.noises.front().method(), trial.plainFetches, look.value().distance});
   }
   progress.erase();
-  return chosenOf(candidates, limit);
+  return chosenOf(looks, limit);
 }
 
 } // namespace lichen::cli

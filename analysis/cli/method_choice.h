@@ -20,10 +20,11 @@ using MethodOptions = std::vector<std::unique_ptr<const BakeOptions>>;
 /// The time of a pixel, in plain fetches.
 inline constexpr NumberRange kBudgetRange{1.0, 10000.0};
 
-/// Bakes one map by every method whose pixels take at most `budget`, in the order of Method.
+/// Bakes one map by each of `tried`.
 [[nodiscard]] Result<std::vector<MethodTrial>> tryMethods(const MapExemplar& map, Periodic borders,
                                                           const MethodOptions& methods,
-                                                          double budget, const Progress& progress);
+                                                          std::span<const Method> tried,
+                                                          const Progress& progress);
 
 /// The most memory that a bake by any of the methods needs.
 [[nodiscard]] BakeMemory largestMemory(const MethodOptions& methods);
@@ -33,12 +34,13 @@ struct MethodChoice {
   std::string reason; ///< a sentence without a full stop
 };
 
-/// What nearestForItsCost() says of the methods within the budget, and the cheapest for an exemplar
-/// that is too small for lookDistance(). The noises are baked from the middle of the first map, at
-/// most 512 x 512 pixels. `budget`: by
-/// default the time of tiling. Source: docs/decisions/032-method-choice.md.
+/// What nearestForItsCost() says of those of `candidates` within the budget, and the cheapest for
+/// an exemplar that is too small for lookDistance(). The noises are baked from the middle of the
+/// first map, at most 512 x 512 pixels. `budget`: by default the time of tiling. Source:
+/// docs/decisions/032-method-choice.md.
 [[nodiscard]] Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic borders,
                                                 const MethodOptions& methods,
+                                                std::span<const Method> candidates,
                                                 std::optional<double> budget,
                                                 const SharedOptions& shared);
 

@@ -3,6 +3,7 @@
 #include "exemplar/resample.h"
 #include "method_report.h"
 
+#include <lichen/layered_noise.h>
 #include <lichen/noise_comparison.h>
 #include <lichen/noise_verdict.h>
 
@@ -125,6 +126,18 @@ Result<NoiseComparison> compared(const Bundle& bundle, const MaterialNoise& mate
                       });
 }
 
+/// Removes the methods that layers do not take from what helps against the risks of a layered
+/// noise.
+void keepLayerable(std::vector<Risk>& risks) {
+  const auto isRefused = [](const BakeSetting& setting) {
+    const std::optional<Method> method =
+        setting.name == "method" ? methodFrom(setting.value) : std::nullopt;
+    return method && !isLayerable(*method);
+  };
+  for (Risk& risk : risks)
+    std::erase_if(risk.settings, isRefused);
+}
+
 } // namespace
 
 Result<NoiseComparison> compareNoise(const Bundle& bundle, const MaterialNoise& material,
@@ -158,6 +171,8 @@ Result<std::vector<std::vector<Risk>>> assessNoise(const Noise& noise,
                               reportOf(noise.method()).assess(assessed, part);
                           if (!risks)
                             return risks.error();
+                          if (noise.layers)
+                            keepLayerable(risks.value());
                           all.push_back(std::move(risks).value());
                         }
                         return all;

@@ -10,6 +10,9 @@
 
 namespace lichen {
 
+/// Whether a layer of a noise may have this method.
+[[nodiscard]] bool isLayerable(Method method);
+
 /// Why maps with this target do not fit into so many layers, in [2, 4]: in one sentence, or empty.
 [[nodiscard]] std::string layerTargetFault(std::size_t layers, MapTarget target);
 
