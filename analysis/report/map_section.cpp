@@ -159,10 +159,15 @@ Result<Json> describeMap(const Bundle& bundle, const MaterialNoise& material,
   Result<Json> image = method.image(bundle, noise, map, material.mix.weight, exemplarSide);
   if (!image)
     return image.error();
+  Result<Json> further =
+      method.furtherImages(bundle, noise, map, comparison.value().look, exemplarSide);
+  if (!further)
+    return further.error();
   Result<Json> table = method.table(bundle, map, comparison.value().look);
   if (!table)
     return table.error();
   section["image"] = std::move(image).value();
+  section["furtherImages"] = std::move(further).value();
   section["table"] = std::move(table).value();
   section["kernels"] = comparison.value().kernels ? jsonOf(*comparison.value().kernels) : Json();
   return section;

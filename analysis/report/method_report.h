@@ -9,6 +9,8 @@
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 
+#include <nlohmann/json.hpp>
+
 namespace lichen {
 
 /// The largest side of a synthesized result. A 4096 x 4096 RGB result takes 200 MB; more pixels do
@@ -65,6 +67,12 @@ public:
                                                              const Noise& noise,
                                                              const NoiseMap& map, double mixWeight,
                                                              int side) const = 0;
+  /// Further pictures of what the bundle holds, each as image() returns one; `look` is that of the
+  /// map.
+  [[nodiscard]] virtual Result<nlohmann::ordered_json>
+  furtherImages(const Bundle&, const Noise&, const NoiseMap&, const MapLook&, int) const {
+    return nlohmann::ordered_json::array();
+  }
   /// `picture`, `slices` and `levels` of the table that decodes Gaussian values; null if there is
   /// none.
   [[nodiscard]] virtual Result<nlohmann::ordered_json>

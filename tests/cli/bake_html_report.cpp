@@ -4,6 +4,8 @@
 #include "checkout_paths.h"
 #include "command_run.h"
 
+#include <lichen/base64.h>
+#include <lichen/bundle.h>
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
@@ -53,6 +55,12 @@ std::array<unsigned, 2> extentsOf(const nlohmann::json& picture) {
   return extents;
 }
 
+SrgbImage pictureOf(const nlohmann::json& picture) {
+  const std::string uri = picture.at("png");
+  const auto file = decodeBase64(std::string_view(uri).substr(uri.find(',') + 1)).value();
+  return std::get<SrgbImage>(decodeImage(file, "picture").value().pixels);
+}
+
 } // namespace
 
 TEST_CASE("a report has the measures of compare and loads nothing from elsewhere") {
@@ -98,6 +106,36 @@ TEST_CASE("a report of textons shows the Gaussian version and the spots that com
   const nlohmann::json tiling = dataOf(reportOf(workplace, input))["maps"][0];
   CHECK(tiling.at("gaussian").is_null());
   CHECK(tiling.at("kernels").is_null());
+}
+
+TEST_CASE("a report of quilting marks its offsets, and shows what tiles at them agree on") {
+  const Workplace workplace;
+  const std::string input = workplace.write("bricks.png", brickwork(128));
+  const Arguments quilting{"--method", "quilting"};
+  const nlohmann::json data = dataOf(reportOf(workplace, input, quilting));
+  const nlohmann::json& images = data.at("maps").at(0).at("furtherImages");
+  REQUIRE(images.size() == 2);
+  const SrgbImage marked = pictureOf(images[0]), mean = pictureOf(images[1]);
+  const Bundle bundle = readBundle(workplace.path("noise.glb")).value();
+  const auto& offsets = bundle.noises[0].as<QuiltingNoise>().offsets;
+  REQUIRE(offsets.size() > 3);
+  for (const std::array<double, 2>& offset : offsets) {
+    const float* const mark = marked.pixel(int(std::lround(offset[0] * 128)) % 128,
+                                           int(std::lround(offset[1] * 128)) % 128);
+    CHECK(std::vector(mark, mark + 3) == std::vector{1.0f, 0.0f, 0.0f});
+  }
+  // Joints are 0.9 in every tile, and bricks differ from 0.2 to 0.5: in the mean they differ less.
+  const SrgbImage exemplar = pictureOf(data["maps"][0].at("exemplar"));
+  const auto [darkest, brightest] = std::ranges::minmax(mean.values);
+  CHECK(brightest > 0.85f);
+  CHECK(darkest > std::ranges::min(exemplar.values) + 0.03f);
+  CHECK_THAT(images[0].at("text").get<std::string>(),
+             Catch::Contains(std::to_string(offsets.size()) + " offsets"));
+
+  const nlohmann::json anywhere =
+      dataOf(reportOf(workplace, input, {"--method", "quilting", "--guide", "0"}));
+  CHECK(anywhere.at("maps").at(0).at("furtherImages").empty());
+  CHECK_THAT(anywhere.at("facts").dump(), Catch::Contains("[\"Tiles\",\"from anywhere\"]"));
 }
 
 TEST_CASE("a report of cosines shows the Gaussian version of the exemplar") {

@@ -1,14 +1,65 @@
 // SPDX-License-Identifier: MIT
-// A quilting noise and its exemplar -> measures, and a picture of the cells.
+// A quilting noise and its exemplar -> measures, and pictures of the cells, of the offsets and of
+// what tiles at them agree on.
 #include "quilting_report.h"
 
+#include "../section_figures.h"
+#include "exemplar/value_encoding.h"
+#include "sampling/repeating_image.h"
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lichen {
+namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// The mean of the exemplar moved by each of `offsets` [tiles], decoded.
+LinearImage meanOver(const Table& table, std::span<const std::array<double, 2>> offsets,
+                     const NoiseMap& map, const Extents& extents) {
+  const RepeatingImage exemplar(table);
+  const auto level = float(std::max(0.0, std::log2(double(table.width) / extents[0])));
+  LinearImage mean(extents[0], extents[1], int(map.channels.size()));
+  for (int y = 0; y < mean.height; ++y)
+    for (int x = 0; x < mean.width; ++x)
+      for (const std::array<double, 2>& offset : offsets) {
+        const RepeatingImage::Value texel =
+            exemplar.at(float((x + 0.5) / mean.width + offset[0]),
+                        float((y + 0.5) / mean.height + offset[1]), level);
+        for (std::size_t c = 0; c < map.channels.size(); ++c)
+          mean.pixel(x, y)[c] += exemplar::decoded(texel[c], map.encoding) / float(offsets.size());
+      }
+  return mean;
+}
+
+SrgbImage inColor(const SrgbImage& image) {
+  SrgbImage colored(image.width, image.height, 3);
+  for (std::size_t i = 0; i < colored.values.size(); ++i)
+    colored.values[i] = image.values[image.channels == 3 ? i : i / 3];
+  return colored;
+}
+
+/// Marks a point [tiles] of a picture in colour: a red dot in a black frame.
+void mark(SrgbImage& image, const std::array<double, 2>& point) {
+  constexpr int kDot = 1, kFrame = 2; // half a side [pixels]
+  const auto wrapped = [](double place, int side) {
+    return ((int(std::lround(place)) % side) + side) % side;
+  };
+  for (int down = -kFrame; down <= kFrame; ++down)
+    for (int across = -kFrame; across <= kFrame; ++across) {
+      float* const pixel = image.pixel(wrapped(point[0] * image.width + across, image.width),
+                                       wrapped(point[1] * image.height + down, image.height));
+      std::fill_n(pixel, 3, 0.0f);
+      if (std::max(std::abs(down), std::abs(across)) <= kDot)
+        pixel[0] = 1.0f;
+    }
+}
+
+} // namespace
 
 Result<std::vector<Risk>> QuiltingReport::assess(const AssessedMap&, const Progress&) const {
   return std::vector<Risk>();
@@ -22,9 +73,9 @@ Result<void> QuiltingReport::measure(const ComparedResult&, NoiseComparison& com
   return {};
 }
 
-/// The pictures: the exemplar, the exemplar before flattening, a result of 2 x 2 exemplars, and the
-/// cells.
-double QuiltingReport::picturePixels() const { return 7.0; }
+/// The pictures: the exemplar, the exemplar before flattening, a result of 2 x 2 exemplars, the
+/// cells, the offsets and the mean over them.
+double QuiltingReport::picturePixels() const { return 9.0; }
 
 Result<Json> QuiltingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map, double,
                                    int side) const {
@@ -45,6 +96,38 @@ Result<Json> QuiltingReport::image(const Bundle& bundle, const Noise&, const Noi
   shown.value()["text"] = "The way from each texel to the centre of its cell: red to the right, "
                           "green down. Tiles are cut along the outlines of cells.";
   return shown;
+}
+
+Result<Json> QuiltingReport::furtherImages(const Bundle& bundle, const Noise& noise,
+                                           const NoiseMap& map, const MapLook& look,
+                                           int side) const {
+  const auto& shared = noise.as<QuiltingNoise>();
+  if (shared.offsets.empty())
+    return Json::array();
+  const Table& table = bundle.tables[map.as<QuiltingMap>().image];
+  const Extents extents = pictureExtents(int(table.width), int(table.height), side);
+  constexpr std::array<std::array<double, 2>, 1> kUnmoved{};
+  SrgbImage marked = inColor(look.picture(meanOver(table, kUnmoved, map, extents)));
+  for (const std::array<double, 2>& offset : shared.offsets)
+    mark(marked, offset);
+  Result<Json> offsets = pictureJson(marked);
+  if (!offsets)
+    return offsets;
+  offsets.value()["title"] = "Offsets";
+  offsets.value()["text"] = fmt::format(
+      "Each tile is the exemplar moved by one of {} offsets, at which it nearly repeats. "
+      "It shows one of the marked points where an unmoved tile shows the upper left "
+      "corner.",
+      shared.offsets.size());
+  Result<Json> mean = pictureJson(look.picture(meanOver(table, shared.offsets, map, extents)));
+  if (!mean)
+    return mean;
+  mean.value()["title"] = "Mean over the offsets";
+  mean.value()["text"] = fmt::format("What tiles at these offsets agree on. The clearer it is, the "
+                                     "better tiles fit together; they "
+                                     "correlate by {:.2f}.",
+                                     shared.correlation);
+  return Json::array({std::move(offsets).value(), std::move(mean).value()});
 }
 
 Result<Json> QuiltingReport::table(const Bundle&, const NoiseMap&, const MapLook&) const {

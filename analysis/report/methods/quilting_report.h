@@ -17,6 +17,9 @@ public:
   [[nodiscard]] Result<nlohmann::ordered_json> image(const Bundle& bundle, const Noise& noise,
                                                      const NoiseMap& map, double mixWeight,
                                                      int side) const override;
+  [[nodiscard]] Result<nlohmann::ordered_json>
+  furtherImages(const Bundle& bundle, const Noise& noise, const NoiseMap& map, const MapLook& look,
+                int side) const override;
   [[nodiscard]] Result<nlohmann::ordered_json> table(const Bundle& bundle, const NoiseMap& map,
                                                      const MapLook& look) const override;
 };

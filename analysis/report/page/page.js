@@ -407,6 +407,15 @@ function titleOf(map) {
   return map.input === null ? map.target : `${map.target} of ${map.input}`;
 }
 
+function withImage(figure, {png, title, text}) {
+  const image = figure.querySelector('img');
+  image.src = png;
+  image.alt = title;
+  figure.querySelector('.title').textContent = title + '.';
+  figure.querySelector('.text').textContent = text;
+  return figure;
+}
+
 function addFacts(list, facts) {
   for (const [name, value] of facts)
     list.append(element('dt', name), element('dd', value));
@@ -459,11 +468,9 @@ async function addMap(map) {
   }
   for (const canvas of article.querySelectorAll('.panes canvas'))
     canvas.setAttribute('aria-label', `${titleOf(map)}: ${canvas.dataset.pane}`);
-  const image = find('.image img');
-  image.src = map.image.png;
-  image.alt = map.image.title;
-  find('.image .title').textContent = map.image.title + '.';
-  find('.image .text').textContent = map.image.text;
+  const figure = find('.image');
+  figure.after(...map.furtherImages.map((each) => withImage(figure.cloneNode(true), each)));
+  withImage(figure, map.image);
   document.getElementById('maps').append(fragment);
   if (map.table)
     await showTable(find('.table'), map.table);
@@ -475,7 +482,7 @@ async function addMap(map) {
   const [original, exemplar, gaussian, result] = await Promise.all(
     [map.original, map.exemplar, map.gaussian, map.result].map((p) => p && loaded(p)));
   new Viewer(find('.viewer'), {original, exemplar, gaussian, result});
-  await image.decode();
+  await Promise.all([...article.querySelectorAll('.image img')].map((image) => image.decode()));
 }
 
 async function show() {
