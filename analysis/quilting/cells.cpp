@@ -116,14 +116,18 @@ Plane gradientOf(const std::vector<ImageLevel>& images) {
   return result;
 }
 
-/// The largest value in each square of 2 x 2, of a side that is halved.
+/// A plane of half the sides, each value the largest of those in its place: 2 x 2, or up to 3 along
+/// an odd side.
 Plane halfMaximum(const Plane& source) {
   Plane result{std::max(1, source.width / 2), std::max(1, source.height / 2), {}};
   result.values.resize(std::size_t(result.width) * std::size_t(result.height));
+  const auto half = [](int at, int side, int halfSide) { // at the same share of the side
+    return (2 * at + 1) * halfSide / (2 * side);
+  };
   for (int y = 0; y < source.height; ++y)
     for (int x = 0; x < source.width; ++x) {
-      float& most = result.values[result.index(std::min(x / 2, result.width - 1),
-                                               std::min(y / 2, result.height - 1))];
+      float& most = result.values[result.index(half(x, source.width, result.width),
+                                               half(y, source.height, result.height))];
       most = std::max(most, source.values[source.index(x, y)]);
     }
   return result;
