@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Map (height, width, channels) -> labels (height, width): clusters of smoothed colours, then the
 // majority of each pixel's surroundings.
-#include "box_mean.h"
 #include "color_clusters.h"
+#include "exemplar/box_mean.h"
 #include "exemplar/map_ranges.h"
 #include "label_means.h"
 
@@ -42,7 +42,7 @@ std::vector<Lab> smoothedColors(const MapExemplar& map) {
       plane.push_back(color[c]);
     // Twice: a square alone has corners.
     for (int pass = 0; pass < 2; ++pass)
-      plane = boxMean(plane, map.width, map.height, radius);
+      plane = exemplar::boxMean(plane, map.width, map.height, radius);
     for (std::size_t i = 0; i < colors.size(); ++i)
       colors[i][c] = (c == 0 ? 1.0f : kChroma) * plane[i];
   }
@@ -60,7 +60,7 @@ void takeMajority(LabelImage& labels) {
     for (std::size_t i = 0; i < share.size(); ++i)
       share[i] = labels.labels[i] == label ? 1.0f : 0.0f;
     for (int pass = 0; pass < 2; ++pass)
-      share = boxMean(share, labels.width, labels.height, radius);
+      share = exemplar::boxMean(share, labels.width, labels.height, radius);
     for (std::size_t i = 0; i < share.size(); ++i)
       if (share[i] > most[i]) {
         most[i] = share[i];

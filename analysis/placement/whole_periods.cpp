@@ -7,9 +7,9 @@
 #include "whole_periods.h"
 
 #include "exemplar/area_average.h"
+#include "exemplar/box_mean.h"
 #include "perspective.h"
-
-#include <lichen/fft.h>
+#include "self_correlation.h"
 
 #include <algorithm>
 #include <array>
@@ -25,106 +25,21 @@ namespace {
 
 using exemplar::ImageLevel;
 
-/// How highly a picture correlates with itself, moved by (x, y), less than twice its sides;
-/// negative x and y count from the ends.
-struct SelfCorrelation {
-  int width = 0, height = 0; ///< twice the picture's
-  std::vector<float> values;
-
-  [[nodiscard]] float at(int x, int y) const {
-    x = x < 0 ? x + width : x;
-    y = y < 0 ? y + height : y;
-    return values[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-  }
-};
-
-/// Replaces each value by the mean of a square around it.
-void keepSlowVariation(ImageLevel& image) {
+/// The picture without slow variation.
+ImageLevel withDetail(const ImageLevel& image) {
   constexpr double kRadius = 0.1; // of a mean side
   const int radius =
       std::max(1, int(std::lround(kRadius * std::sqrt(double(image.width) * image.height))));
   const auto channels = std::size_t(image.channels);
-  for (const bool isX : {true, false}) {
-    const ImageLevel source = image;
-    const int side = isX ? image.width : image.height, lines = isX ? image.height : image.width;
-    for (int line = 0; line < lines; ++line)
-      for (std::size_t c = 0; c < channels; ++c) {
-        const auto index = [&](int k) {
-          const auto x = std::size_t(isX ? k : line), y = std::size_t(isX ? line : k);
-          return (y * std::size_t(image.width) + x) * channels + c;
-        };
-        std::vector<double> sums{0.0};
-        for (int k = 0; k < side; ++k)
-          sums.push_back(sums.back() + double(source.values[index(k)]));
-        for (int k = 0; k < side; ++k) {
-          const int from = std::max(0, k - radius), to = std::min(side, k + radius + 1);
-          image.values[index(k)] =
-              float((sums[std::size_t(to)] - sums[std::size_t(from)]) / (to - from));
-        }
-      }
-  }
-}
-
-/// The picture without slow variation.
-ImageLevel withDetail(const ImageLevel& image) {
-  ImageLevel slow = image;
-  keepSlowVariation(slow);
   ImageLevel result = image;
-  for (std::size_t i = 0; i < result.values.size(); ++i)
-    result.values[i] -= slow.values[i];
-  return result;
-}
-
-/// Each plane padded with zeros to twice the sides.
-HalfSpectrum paddedSpectrum(const ImageLevel& image, const auto& valueAt) {
-  const int width = 2 * image.width, height = 2 * image.height;
-  std::vector<float> padded(std::size_t(width) * std::size_t(height));
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      padded[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
-          valueAt(std::size_t(y) * std::size_t(image.width) + std::size_t(x));
-  return forwardFft(padded, width, height);
-}
-
-/// The products of all pairs, over the root of the energies of both that overlap.
-SelfCorrelation selfCorrelation(const ImageLevel& image) {
-  constexpr double kLeastOverlap = 0.02; // of the picture
-  const auto channels = std::size_t(image.channels);
-  HalfSpectrum power;
+  std::vector<float> plane(image.values.size() / channels);
   for (std::size_t c = 0; c < channels; ++c) {
-    HalfSpectrum spectrum =
-        paddedSpectrum(image, [&](std::size_t i) { return image.values[i * channels + c]; });
-    for (std::size_t i = 0; i < spectrum.values.size(); ++i)
-      spectrum.values[i] =
-          std::norm(spectrum.values[i]) + (c > 0 ? power.values[i] : std::complex<float>());
-    power = std::move(spectrum);
+    for (std::size_t i = 0; i < plane.size(); ++i)
+      plane[i] = image.values[i * channels + c];
+    const std::vector<float> slow = exemplar::boxMean(plane, image.width, image.height, radius);
+    for (std::size_t i = 0; i < plane.size(); ++i)
+      result.values[i * channels + c] -= slow[i];
   }
-  const HalfSpectrum ones = paddedSpectrum(image, [](std::size_t) { return 1.0f; });
-  HalfSpectrum energy = paddedSpectrum(image, [&](std::size_t i) {
-    float sum = 0.0f;
-    for (std::size_t c = 0; c < channels; ++c)
-      sum += image.values[i * channels + c] * image.values[i * channels + c];
-    return sum;
-  });
-  HalfSpectrum overlap = ones;
-  for (std::size_t i = 0; i < ones.values.size(); ++i) {
-    overlap.values[i] = std::norm(ones.values[i]);
-    energy.values[i] *= std::conj(ones.values[i]);
-  }
-  // The energy of the pixels that have a partner: at s of those before, at -s of those after.
-  const std::vector<float> energies = inverseFft(energy), overlaps = inverseFft(overlap);
-  SelfCorrelation result{power.width, power.height, inverseFft(power)};
-  const float least = float(kLeastOverlap) * float(image.width) * float(image.height);
-  for (int y = 0; y < result.height; ++y)
-    for (int x = 0; x < result.width; ++x) {
-      const std::size_t i = std::size_t(y) * std::size_t(result.width) + std::size_t(x);
-      const std::size_t opposite =
-          std::size_t((result.height - y) % result.height) * std::size_t(result.width) +
-          std::size_t((result.width - x) % result.width);
-      const float norm =
-          std::sqrt(std::max(0.0f, energies[i]) * std::max(0.0f, energies[opposite]));
-      result.values[i] = overlaps[i] > least && norm > 0.0f ? result.values[i] / norm : 0.0f;
-    }
   return result;
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstddef>
 
-namespace lichen::layers {
+namespace lichen::exemplar {
 namespace {
 
 /// Means along lines of `count` values; line k starts at k * `lineStep`.
@@ -39,4 +39,4 @@ std::vector<float> boxMean(std::span<const float> plane, int width, int height, 
   return means;
 }
 
-} // namespace lichen::layers
+} // namespace lichen::exemplar
