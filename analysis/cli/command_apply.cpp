@@ -131,9 +131,10 @@ Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) 
   if (!foreign)
     return {};
   return Error{ErrorKind::usage,
-               fmt::format("{}: belongs to the method {}; noise '{}' is of the method {}",
+               fmt::format("{}: belongs to the method {}; noise '{}' is of the method {}; bake it "
+                           "with --method {}",
                            foreign->name, nameOf(foreign->method), noise.name,
-                           nameOf(noise.method()))};
+                           nameOf(noise.method()), nameOf(foreign->method))};
 }
 
 /// Adds a note if the noise is renamed in the scene.

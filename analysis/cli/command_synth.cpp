@@ -74,9 +74,10 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
     return map.error();
   if (const auto foreign = foreignOption(*arguments.verb, chosen.method()))
     return Error{ErrorKind::usage,
-                 fmt::format("{}: belongs to the method {}; noise '{}' of {} is of the method {}",
+                 fmt::format("{}: belongs to the method {}; noise '{}' of {} is of the method {}; "
+                             "bake it with --method {}",
                              foreign->name, nameOf(foreign->method), chosen.name, arguments.bundle,
-                             nameOf(chosen.method()))};
+                             nameOf(chosen.method()), nameOf(foreign->method))};
   SynthesisOptions& synthesis = arguments.synthesis;
   synthesis.map = chosen.maps[map.value()].target;
   synthesis.material = materialOf(bundle, noise.value());

@@ -10,6 +10,8 @@
 #include <lichen/bundle_writer.h>
 #include <lichen/local_random_phase.h>
 #include <lichen/local_random_phase_evaluate.h>
+#include <lichen/quilting.h>
+#include <lichen/quilting_evaluate.h>
 #include <lichen/texton_evaluate.h>
 #include <lichen/tiling_evaluate.h>
 
@@ -353,6 +355,60 @@ TEST_CASE("triplanar local random-phase noise matches the CPU twin: 99.9 % withi
       INFO("structure " << structure << ", use " << i);
       CHECK(difference.largest <= 1.0 / 255.0);
       CHECK(difference.fractionBeyond <= 0.001);
+    }
+  }
+}
+
+TEST_CASE("but for rounded fetches of cells triplanar quilting matches its CPU twin") {
+  constexpr int kWidth = 64, kHeight = 48;
+  const MapExemplar map = threeMaterials(kWidth, kHeight, 5);
+  for (const double guide : {0.0, 1.0}) {
+    QuiltingOptions options;
+    options.bits = 16;
+    options.guide = guide;
+    Result<QuiltingBake> bake = bakeQuilting("noise", {&map, 1}, options);
+    REQUIRE(bake);
+    BundleFile file;
+    file.bundle.tables = std::move(bake.value().tables);
+    file.bundle.noises = {std::move(bake.value().noise)};
+    file.bundle.materials = {MaterialNoise()};
+    file.previews.emplace_back();
+    file.shape = PreviewShape::none;
+    OnDevice noise(encodeGlb(file).value());
+    const QuiltingEvaluator twin = QuiltingEvaluator::create(noise.bundle, 0).value();
+    const std::vector<SpacePoint> points = samplePoints(float(kWidth), 300);
+    std::vector<MaterialUse> uses = manyUses(noise.host.use());
+    uses.resize(4); // quilting does not rotate tiles
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+      const auto values = noise.shader(kValue, uses[i], points);
+      const shader::LichenTriplanarMaterial& planes = noise.host.planes();
+      Difference difference;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const TriplanarFootprint at = footprintOf(points[k]);
+        const auto expected = twin.evaluate(0, planes, at);
+        // As in quilting_parity.cpp: a sampler rounds the position of a fetch of cells to 1/256 of
+        // their texel. Each plane has three.
+        constexpr float kRounding = 1.0f / 512.0f, kFetches = 3.0f;
+        const float texel =
+            1.0f / (0.5f * float(kHeight) *
+                    std::hypot(planes.material.uvToTileYX, planes.material.uvToTileYY));
+        std::array<float, 4> allowed{};
+        for (int beside = 0; beside < 27; ++beside) {
+          TriplanarFootprint there = at;
+          for (std::size_t axis = 0, rest = std::size_t(beside); axis < 3; ++axis, rest /= 3)
+            there.position[axis] += (float(rest % 3) - 1.0f) * kRounding * texel;
+          const auto value = twin.evaluate(0, planes, there);
+          for (std::size_t c = 0; c < 4; ++c)
+            allowed[c] = std::max(allowed[c], kFetches * std::abs(value[c] - expected[c]));
+        }
+        std::array<float, 4> excess{};
+        for (std::size_t c = 0; c < 4; ++c)
+          excess[c] = std::max(0.0f, std::abs(values[k][c] - expected[c]) - allowed[c]);
+        difference.note(std::vector{excess}, std::vector{std::array<float, 4>{}}, 0, 4);
+      }
+      INFO("guide " << guide << ", use " << i);
+      CHECK(difference.largest <= 1.0 / 255.0);
+      CHECK(difference.fractionBeyond <= 0.001 * double(points.size()));
     }
   }
 }

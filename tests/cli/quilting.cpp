@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Which exemplars `lichen bake` bakes by quilting, what --rectify makes their tile, and what noises
+// of quilting do not have.
+#include "command_run.h"
+
+#include <lichen/bundle.h>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+
+using namespace lichen;
+using namespace lichen::cli_test;
+
+namespace {
+
+constexpr int kUsage = 2;
+constexpr int kCutSide = 150; // of a picture whose borders cut bricks of 32 x 16 pixels
+
+nlohmann::json bakedAs(const Workplace& workplace, const std::string& input,
+                       const Arguments& more = {}) {
+  Arguments all{"bake", input, "-o", workplace.path("noise.glb"), "--preview", "none", "--json"};
+  all.insert(all.end(), more.begin(), more.end());
+  const Ended ended = runLichen(all);
+  INFO(ended.errors);
+  REQUIRE(ended.code == 0);
+  return nlohmann::json::parse(ended.output);
+}
+
+SrgbImage cutBricks() {
+  const SrgbImage whole = brickwork(256);
+  SrgbImage part(kCutSide, kCutSide, 1);
+  for (int y = 0; y < kCutSide; ++y)
+    std::copy_n(whole.pixel(9, y + 5), kCutSide, part.pixel(0, y));
+  return part;
+}
+
+} // namespace
+
+TEST_CASE("bricks are baked by quilting, unless an option or their size says otherwise") {
+  const Workplace workplace;
+  const std::string bricks = workplace.write("bricks.png", brickwork(160));
+  const nlohmann::json report = bakedAs(workplace, bricks);
+  CHECK(report.at("method") == "quilting");
+  CHECK_THAT(report.at("notes").dump(),
+             Catch::Contains("the exemplar repeats, so it is baked by quilting") &&
+                 Catch::Contains("--method tiling scatters it"));
+  for (const Arguments& more : {Arguments{"--method", "tiling"}, Arguments{"--gaussian", "no"},
+                                Arguments{"--guide", "0"}, Arguments{"--crop", "0,0,120,160"}}) {
+    INFO(more[0]);
+    const nlohmann::json other = bakedAs(workplace, bricks, more);
+    CHECK(other.at("method") == "tiling");
+    CHECK_THAT(other.at("notes").dump(), !Catch::Contains("baked by quilting"));
+  }
+  const std::string speckles = workplace.write("speckles.png", speckled(160, 160, 3));
+  CHECK(bakedAs(workplace, speckles).at("method") == "tiling");
+  CHECK(bakedAs(workplace, speckles, {"--guide", "0.5"}).at("method") == "quilting");
+}
+
+TEST_CASE("the tile of bricks that borders cut is whole periods, or what --rectify says") {
+  const Workplace workplace;
+  const std::string bricks = workplace.write("bricks.png", cutBricks());
+  const auto cornersOf = [&] {
+    return readBundle(workplace.path("noise.glb")).value().noises[0].preparation.corners;
+  };
+  // Bricks are of one grey, so that those which a border cuts could pass for ones that fit.
+  const Arguments open{"--periodic", "no"};
+  const nlohmann::json whole = bakedAs(workplace, bricks, open);
+  // Two rows of bricks, and one brick along them, are 32 pixels.
+  CHECK(whole.at("width") == 128);
+  CHECK(whole.at("height") == 128);
+  CHECK_THAT(whole.at("notes").dump(),
+             Catch::Contains("the tile is the part of 128 x 128 pixels that holds whole periods; "
+                             "--rectify off keeps the whole picture"));
+  REQUIRE(cornersOf());
+  const TileCorners corners = *cornersOf();
+  CHECK(corners[1][0] - corners[0][0] == Approx(128.0).margin(1.0));
+  CHECK(corners[3][1] - corners[0][1] == Approx(128.0).margin(1.0));
+  // compare takes the same part of the picture, unless it is told another.
+  const auto notesOf = [&](const Arguments& more) {
+    Arguments all{"compare", bricks, workplace.path("noise.glb")};
+    all.insert(all.end(), more.begin(), more.end());
+    return runLichen(all).errors;
+  };
+  const auto other = Catch::Contains("the exemplar is 150 x 150, but was 128 x 128");
+  CHECK_THAT(notesOf({}), !other && Catch::Contains("--periodic no --rectify 1"));
+  CHECK_THAT(notesOf({"--rectify", "off"}), other);
+
+  const nlohmann::json off = bakedAs(workplace, bricks, {"--periodic", "no", "--rectify", "off"});
+  CHECK(off.at("width") == kCutSide);
+  CHECK_FALSE(cornersOf());
+
+  const nlohmann::json given =
+      bakedAs(workplace, bricks, {"--rectify", "4,6,100,8,102,134,2,132", "--method", "tiling"});
+  CHECK(given.at("width") == 98);   // the mean of 96 and 100
+  CHECK(given.at("height") == 126); // as long as both sides
+  CHECK(cornersOf() == TileCorners{{{4.0, 6.0}, {100.0, 8.0}, {102.0, 134.0}, {2.0, 132.0}}});
+}
+
+TEST_CASE("corners that are outside the picture, not four or not convex are refused") {
+  const Workplace workplace;
+  const std::string bricks = workplace.write("bricks.png", cutBricks());
+  const std::string output = workplace.path("noise.glb");
+  checkRefusal({"bake", bricks, "-o", output, "--rectify", "0,0,151,0,150,150,0,150"}, kUsage,
+               {"--rectify: the corner 151,0 is outside the 150 x 150 pixels"});
+  for (const char* corners : {"0,0,100,0,100,100", "0,0,100,100,100,0,0,100", "whole"})
+    checkRefusal(
+        {"bake", bricks, "-o", output, "--rectify", corners}, kUsage,
+        {std::string("--rectify ") + corners, "expected auto, off, or X,Y of the upper left"});
+}
+
+TEST_CASE("a quilting has neither rotated tiles nor a mix, and the message says which noise does") {
+  const Workplace workplace;
+  const std::string bricks = bake(workplace, workplace.write("bricks.png", brickwork(128)),
+                                  "bricks.glb", {"--method", "quilting"});
+  const std::string picture = workplace.path("bricks_new.png"), scene = workplace.path("new.glb");
+  const std::vector<std::string> rotation{"--tile-rotation: belongs to the method tiling",
+                                          "noise 'bricks'", "is of the method quilting",
+                                          "bake it with --method tiling"};
+  const std::vector<std::string> mix{
+      "--mix: noise 'bricks' is not a mix; expected one made by 'lichen mix'"};
+  const auto checkOf = [&](const Arguments& more, const std::vector<std::string>& words) {
+    Arguments synth{"synth", bricks, "-o", picture};
+    synth.insert(synth.end(), more.begin(), more.end());
+    checkRefusal(synth, kUsage, words);
+    Arguments apply{"apply", bricks, "--noise", bricks, "--material", "0", "-o", scene};
+    apply.insert(apply.end(), more.begin(), more.end());
+    checkRefusal(apply, kUsage, words);
+  };
+  checkOf({"--tile-rotation", "4"}, rotation);
+  checkOf({"--mix", "0.5"}, mix);
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Positions of quilting: far away, across tile origins, and in a period.
+#include "example_exemplar.h"
+
+#include <lichen/quilting.h>
+#include <lichen/quilting_evaluate.h>
+#include <lichen/synthesize.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace lichen;
+
+namespace {
+
+constexpr int kSide = 128;
+
+/// With a list of offsets, or with tiles from anywhere.
+const Bundle& quiltingOf(bool hasOffsets) {
+  const auto baked = [](double guide) {
+    const MapExemplar map = test::threeMaterials(kSide, kSide, 11);
+    QuiltingOptions options;
+    options.bits = 16;
+    options.guide = guide;
+    Result<QuiltingBake> bake = bakeQuilting("example", {&map, 1}, options);
+    REQUIRE(bake);
+    Bundle bundle;
+    bundle.tables = std::move(bake.value().tables);
+    bundle.noises = {std::move(bake.value().noise)};
+    return bundle;
+  };
+  static const Bundle anywhere = baked(0.0), listed = baked(1.0);
+  const Bundle& bundle = hasOffsets ? listed : anywhere;
+  REQUIRE(bundle.noises[0].as<QuiltingNoise>().offsets.empty() != hasOffsets);
+  return bundle;
+}
+
+LinearImage windowOf(bool hasOffsets, std::array<double, 2> origin, int width, int height) {
+  SynthesisOptions options;
+  options.width = width;
+  options.height = height;
+  options.origin = origin;
+  Result<LinearImage> image = synthesize(quiltingOf(hasOffsets), options);
+  REQUIRE(image);
+  return std::move(image).value();
+}
+
+} // namespace
+
+TEST_CASE("a far window of quilting shows exactly what an overlapping window shows") {
+  for (const bool hasOffsets : {false, true}) {
+    // Both have the same tile origin, and pixels whose positions in the tile are binary fractions.
+    const LinearImage first = windowOf(hasOffsets, {1e7, -3e6}, 96, 64);
+    const LinearImage second = windowOf(hasOffsets, {1e7 + 0.25, -3e6 + 0.125}, 96, 64);
+    for (int y = 16; y < 64; ++y)
+      for (int x = 32; x < 96; ++x)
+        for (int c = 0; c < 3; ++c)
+          REQUIRE(first.pixel(x, y)[c] == second.pixel(x - 32, y - 16)[c]);
+  }
+}
+
+TEST_CASE("crossing an integer tile origin changes no pixel of quilting, near or far") {
+  for (const bool hasOffsets : {false, true})
+    for (const double far : {0.0, 1e7}) {
+      // The same position as fraction and as integer, one whole tile apart on each axis.
+      const LinearImage first = windowOf(hasOffsets, {far + 3.0, -far - 2.0}, 160, 160);
+      const LinearImage second = windowOf(hasOffsets, {far + 4.0, -far - 1.0}, 32, 32);
+      // A lattice coordinate below 6 has some five roundings of at most 2^-22, and so have the
+      // heights of tiles, which the exponent of 24 multiplies by 24 over the highest, at least 1/3.
+      // Values differ by at most 1.
+      for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x)
+          for (int c = 0; c < 3; ++c)
+            REQUIRE(first.pixel(x + 128, y + 128)[c] ==
+                    Approx(second.pixel(x, y)[c]).margin(5.0 * 24.0 * 3.0 / 4194304.0));
+    }
+}
+
+TEST_CASE("quilting in a period of whole exemplars, or of others, repeats after it") {
+  for (const bool hasOffsets : {false, true}) {
+    const Bundle& bundle = quiltingOf(hasOffsets);
+    const QuiltingEvaluator twin = QuiltingEvaluator::create(bundle, 0).value();
+    for (const auto& [periodX, periodY] : {std::pair{2.0, 3.0}, {1.0, 1.0}, {1.375, 2.25}}) {
+      Placement placement;
+      placement.periodic = true;
+      placement.periodTilesX = periodX;
+      placement.periodTilesY = periodY;
+      const shader::LichenMaterial material = shaderMaterial(bundle, {}, placement).material;
+      const shader::LichenMaterial open = shaderMaterial(bundle, {}, {}).material;
+      std::mt19937 generator(3u);
+      std::uniform_real_distribution<float> tiles(0.0f, 1.0f);
+      double most = 0.0, mostOpen = 0.0;
+      for (int k = 0; k < 400; ++k) {
+        TileFootprint at;
+        at.dx = {1.0f / kSide, 0.0f};
+        at.dy = {0.0f, 1.0f / kSide};
+        // Whole texels over 16: exact, also a period further.
+        at.position = {std::round(2048.0f * tiles(generator)) / 2048.0f,
+                       std::round(2048.0f * tiles(generator)) / 2048.0f};
+        TileFootprint right = at, down = at;
+        right.position[0] += float(periodX);
+        down.position[1] += float(periodY);
+        const auto differ = [&](const shader::LichenMaterial& use, const TileFootprint& there) {
+          const auto a = twin.evaluate(0, use, at), b = twin.evaluate(0, use, there);
+          double difference = 0.0;
+          for (std::size_t c = 0; c < 3; ++c)
+            difference = std::max(difference, std::abs(double(a[c]) - double(b[c])));
+          return difference;
+        };
+        most = std::max({most, differ(material, right), differ(material, down)});
+        mostOpen = std::max({mostOpen, differ(open, right), differ(open, down)});
+      }
+      INFO("offsets " << hasOffsets << ", periods " << periodX << " and " << periodY);
+      CHECK(most < 1e-3);
+      CHECK(mostOpen > 0.1);
+    }
+  }
+}
