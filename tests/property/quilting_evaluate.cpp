@@ -50,15 +50,37 @@ LinearImage windowOf(bool hasOffsets, std::array<double, 2> origin, int width, i
 
 } // namespace
 
-TEST_CASE("a far window of quilting shows exactly what an overlapping window shows") {
+TEST_CASE("quilting a billion tiles away is that of an origin there, or in a period that nearby") {
+  // A billion tiles and three eighths become a tile origin and an offset; for a periodic lattice,
+  // whole periods and a remainder. All are binary fractions.
+  MaterialNoise far, near;
+  far.offset = {1e9 + 0.375, -1e9 + 0.25};
+  near.offset = {0.375, 0.25};
+  Placement origin, periodic;
+  origin.tileOriginX = 1'000'000'000;
+  origin.tileOriginY = -1'000'000'000;
+  periodic.periodic = true;
+  periodic.periodTilesX = periodic.periodTilesY = 2.0;
   for (const bool hasOffsets : {false, true}) {
-    // Both have the same tile origin, and pixels whose positions in the tile are binary fractions.
-    const LinearImage first = windowOf(hasOffsets, {1e7, -3e6}, 96, 64);
-    const LinearImage second = windowOf(hasOffsets, {1e7 + 0.25, -3e6 + 0.125}, 96, 64);
-    for (int y = 16; y < 64; ++y)
-      for (int x = 32; x < 96; ++x)
-        for (int c = 0; c < 3; ++c)
-          REQUIRE(first.pixel(x, y)[c] == second.pixel(x - 32, y - 16)[c]);
+    const Bundle& bundle = quiltingOf(hasOffsets);
+    const QuiltingEvaluator twin = QuiltingEvaluator::create(bundle, 0).value();
+    const auto block = [&](const MaterialNoise& material, const Placement& placement) {
+      return shaderMaterial(bundle, material, placement).material;
+    };
+    int others = 0;
+    for (int k = 0; k < 64; ++k) {
+      TileFootprint at;
+      at.dx = {1.0f / kSide, 0.0f};
+      at.dy = {0.0f, 1.0f / kSide};
+      at.position = {float(k % 8) / 8.0f, float(k / 8) / 8.0f};
+      const auto value = [&](const shader::LichenMaterial& use) {
+        return twin.evaluate(0, use, at);
+      };
+      REQUIRE(value(block(far, {})) == value(block(near, origin)));
+      REQUIRE(value(block(far, periodic)) == value(block(near, periodic)));
+      others += value(block(far, {})) != value(block(near, {})) ? 1 : 0;
+    }
+    CHECK(others > 32);
   }
 }
 
