@@ -36,27 +36,17 @@ LinearImage meanOver(const Table& table, std::span<const std::array<double, 2>> 
   return mean;
 }
 
-SrgbImage inColor(const SrgbImage& image) {
-  SrgbImage colored(image.width, image.height, 3);
-  for (std::size_t i = 0; i < colored.values.size(); ++i)
-    colored.values[i] = image.values[image.channels == 3 ? i : i / 3];
-  return colored;
-}
-
-/// Marks a point [tiles] of a picture in colour: a red dot in a black frame.
+/// Marks a point [tiles] of a picture: white in a black frame, which show on any colour.
 void mark(SrgbImage& image, const std::array<double, 2>& point) {
-  constexpr int kDot = 1, kFrame = 2; // half a side [pixels]
+  constexpr int kDot = 2, kFrame = 3; // half a side [pixels]
   const auto wrapped = [](double place, int side) {
     return ((int(std::lround(place)) % side) + side) % side;
   };
   for (int down = -kFrame; down <= kFrame; ++down)
-    for (int across = -kFrame; across <= kFrame; ++across) {
-      float* const pixel = image.pixel(wrapped(point[0] * image.width + across, image.width),
-                                       wrapped(point[1] * image.height + down, image.height));
-      std::fill_n(pixel, 3, 0.0f);
-      if (std::max(std::abs(down), std::abs(across)) <= kDot)
-        pixel[0] = 1.0f;
-    }
+    for (int across = -kFrame; across <= kFrame; ++across)
+      std::fill_n(image.pixel(wrapped(point[0] * image.width + across, image.width),
+                              wrapped(point[1] * image.height + down, image.height)),
+                  image.channels, std::max(std::abs(down), std::abs(across)) <= kDot ? 1.0f : 0.0f);
 }
 
 } // namespace
@@ -107,7 +97,7 @@ Result<Json> QuiltingReport::furtherImages(const Bundle& bundle, const Noise& no
   const Table& table = bundle.tables[map.as<QuiltingMap>().image];
   const Extents extents = pictureExtents(int(table.width), int(table.height), side);
   constexpr std::array<std::array<double, 2>, 1> kUnmoved{};
-  SrgbImage marked = inColor(look.picture(meanOver(table, kUnmoved, map, extents)));
+  SrgbImage marked = look.picture(meanOver(table, kUnmoved, map, extents));
   for (const std::array<double, 2>& offset : shared.offsets)
     mark(marked, offset);
   Result<Json> offsets = pictureJson(marked);
