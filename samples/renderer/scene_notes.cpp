@@ -125,7 +125,8 @@ void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   for (std::size_t m = 0; m < scene_.materials.size(); ++m)
     hasBaseColor = hasBaseColor || (noises_.hasNoise(m) && noises_.use(m).hasBaseColor);
   const bool hasTiling = noises_.features().hasMethod(LICHEN_NOISE_TILING),
-             hasTextons = noises_.features().hasMethod(LICHEN_NOISE_TEXTON);
+             hasTextons = noises_.features().hasMethod(LICHEN_NOISE_TEXTON),
+             hasQuilting = noises_.features().hasMethod(LICHEN_NOISE_QUILTING);
   const auto note = [&](const char* view, bool isThere, const char* needed) {
     if (!isThere)
       notes.push_back(fmt::format("debug view {}: no material of the scene has {}, so all surfaces "
@@ -135,15 +136,15 @@ void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   switch (debugView_) {
   case DEBUG_WEIGHTS:
   case DEBUG_LATTICE:
-    return note(debugView_ == DEBUG_WEIGHTS ? "weights" : "lattice", hasTiling,
-                "a noise of the method tiling");
+    return note(debugView_ == DEBUG_WEIGHTS ? "weights" : "lattice", hasTiling || hasQuilting,
+                "a noise of the method tiling or quilting");
   case DEBUG_IMPACTS:
     return note("impacts", hasTextons, "a noise of the method texton");
   case DEBUG_PLANES:
     return note("planes", noises_.features().triplanarNoises, "a noise with triplanar mapping");
   case DEBUG_MIP_LEVEL:
-    return note("mip-level", hasTextons || (hasTiling && hasBaseColor),
-                "a noise of the method texton, or of the method tiling with a base colour");
+    return note("mip-level", hasTextons || ((hasTiling || hasQuilting) && hasBaseColor),
+                "a noise of the method texton, or of tiling or quilting with a base colour");
   case DEBUG_GAUSSIAN:
     return note("gaussian", hasBaseColor, "a noise with a base colour");
   default:

@@ -19,8 +19,14 @@
 struct LichenQuiltingPoint {
   vec2 uv0, uv1; // [tiles] where two tiles are fetched
   vec2 weights;  // about the mean; their sum is at least 1 where contrast is
+  uvec2 colors;  // lichenVertexColor() of their vertices
   float footprintLevel; // [mip levels] of the widest map
 };
+
+/// In [0, 3): vertices side by side have different colours.
+uint lichenVertexColor(uvec2 vertex) {
+  return (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
+}
 
 /// Where the tile of a vertex is taken from. [tiles]
 vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, LichenNoise noise) {
@@ -28,8 +34,7 @@ vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, LichenNoise
   if (offsets == 0u) // as of tiling
     return vec2(ivec2(uvec2(hash & 0x7ffu, hash >> 21u))) *
            vec2(noise.offsetStepX, noise.offsetStepY);
-  // Vertices side by side have different colours, and so different offsets.
-  uint color = (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
+  uint color = lichenVertexColor(vertex); // vertices side by side have different offsets
   uint count = (offsets - color + 2u) / 3u;
   uint word = LICHEN_TILE_OFFSET(3u * (((hash >> 16u) * count) >> 16u) + color);
   return vec2(ivec2(uvec2(word & 0xFFFFu, word >> 16u))) * (1.0 / 65536.0);
@@ -81,13 +86,18 @@ void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX
   vec3 weights = max(highest - exp2(kMostSharpness * sharpness) * (highest - heights), 0.0);
   // Less the least, two are left.
   weights -= min(weights.x, min(weights.y, weights.z));
+  uint color = lichenVertexColor(triangle.vertex0); // the other vertices have the next two
+  point.colors = uvec2(color, color + 1u);
   if (weights.x == 0.0) {
     point.uv0 = uv2;
     weights.x = weights.z;
+    point.colors.x = color + 2u;
   } else if (weights.y == 0.0) {
     point.uv1 = uv2;
     weights.y = weights.z;
+    point.colors.y = color + 2u;
   }
+  point.colors %= 3u;
   point.weights = max(weights.xy, kLeastWeight);
   point.weights /= point.weights.x + point.weights.y;
   // Keeps the variance: [HN18] eq. 8 for tiles that correlate, which they do where cells are seen.

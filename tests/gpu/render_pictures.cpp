@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pictures: golden images, the white furnace, and properties that need no golden image.
+#include "../unit/bundle_example.h"
 #include "golden_picture.h"
 #include "picture.h"
 #include "rendered.h"
@@ -12,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdlib>
 #include <set>
 
@@ -120,6 +120,11 @@ RenderSettings viewOf(std::string_view view) {
   return settings;
 }
 
+std::string notesOf(const std::vector<std::byte>& scene, const char* view) {
+  const std::vector<std::string> notes = renderPicture(scene, viewOf(view)).notes;
+  return notes.empty() ? "" : notes.back();
+}
+
 /// A ball whose noise has what a debug view shows. Without a ground: toward the horizon every pixel
 /// is in another triangle, by rounding.
 std::vector<std::byte> ballWith(std::string_view view) {
@@ -192,6 +197,35 @@ TEST_CASE("each debug view of a noise matches its golden image, and no two are a
   }
 }
 
+TEST_CASE("the views of quilting show its tiles, each in one colour, and the cuts between them") {
+  BundleFile file = example::smallestQuilting();
+  file.bundle.materials[0]->scale = 0.25;
+  const std::vector<std::byte> ball = ballOf(encodeGlb(file).value(), false);
+  const LinearImage tiles = render(ball, viewOf("weights")), cuts = render(ball, viewOf("lattice"));
+  int pixels = 0, whole = 0;
+  std::array<int, 3> of{};
+  for (std::size_t i = 0; i < tiles.pixelCount(); ++i) {
+    const float* const weights = &tiles.values[3 * i];
+    const float sum = weights[0] + weights[1] + weights[2];
+    if (std::abs(sum - 1.0f) > 0.01f) // beside the ball, and at its border
+      continue;
+    ++pixels;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (weights[c] > 0.95f) {
+        ++whole;
+        ++of[c];
+        // Of the others at most a twentieth, and at most 0.08 of the colour of lines.
+        CHECK(cuts.values[3 * i + c] > 0.55f);
+      }
+  }
+  CHECK(pixels > 1000);
+  CHECK(whole > pixels / 2);
+  for (const int count : of)
+    CHECK(count > whole / 10);
+  CHECK_THAT(notesOf(ball, "weights"), !Catch::Contains("debug view"));
+  CHECK_THAT(notesOf(ball, "mip-level"), Catch::Contains("or of tiling or quilting"));
+}
+
 TEST_CASE("a debug view is grey where a noise does not have what it shows") {
   const LinearImage picture = render(noiseBall(false, false), viewOf("impacts"));
   for (int c = 0; c < 3; ++c)
@@ -200,16 +234,12 @@ TEST_CASE("a debug view is grey where a noise does not have what it shows") {
 
 TEST_CASE("a note says that no material has what a debug view shows") {
   const std::vector<std::byte> tiling = noiseBall(false, false), textons = textonBall(false);
-  const auto notesOf = [](const std::vector<std::byte>& scene, const char* view) {
-    const std::vector<std::string> notes = renderPicture(scene, viewOf(view)).notes;
-    return notes.empty() ? "" : notes.back();
-  };
   CHECK(notesOf(tiling, "impacts") == "debug view impacts: no material of the scene has a noise of "
                                       "the method texton, so all surfaces are grey");
   CHECK(notesOf(tiling, "planes") == "debug view planes: no material of the scene has a noise with "
                                      "triplanar mapping, so all surfaces are grey");
   for (const char* view : {"weights", "lattice"})
-    CHECK_THAT(notesOf(textons, view), Catch::Contains("a noise of the method tiling"));
+    CHECK_THAT(notesOf(textons, view), Catch::Contains("a noise of the method tiling or quilting"));
   for (const char* view : {"mip-level", "gaussian"})
     CHECK_THAT(notesOf(triangleScene().glb(), view), Catch::Contains("with a base colour"));
   for (const char* view : {"weights", "lattice", "mip-level", "gaussian", "normals"})

@@ -11,6 +11,8 @@ layout(constant_id = 2) const int kDebugView = DEBUG_NONE;
 const vec3 kNothingToShow = vec3(0.5);
 const vec3 kLineColor = vec3(0.9, 0.35, 0.1);
 const float kLineWeight = 0.03; // smallest weight that is not on a line of the lattice
+const float kCutWeight = 0.5; // greatest weight in the middle of a cut
+const float kLeastSum = 1e-6; // of weights: contrast may be 0
 const float kCellDarkest = 0.15;
 const float kCellContrast = 0.5;
 const float kMostImpacts = 60.0; // per pixel; twice the usual mean
@@ -100,6 +102,27 @@ vec3 multipleKernelsDebug(LichenKernelsPoint point) {
 }
 #endif
 
+#ifdef LICHEN_HAS_QUILTING
+/// Tiles have the colours of their vertices, so that a tile has one wherever it is seen.
+vec3 quiltingDebug(LichenQuiltingPoint point) {
+  vec2 shares = point.weights / max(point.weights.x + point.weights.y, kLeastSum);
+  vec3 tiles = shares.x * vec3(equal(point.colors.xxx, uvec3(0u, 1u, 2u))) +
+               shares.y * vec3(equal(point.colors.yyy, uvec3(0u, 1u, 2u)));
+  if (kDebugView == DEBUG_WEIGHTS)
+    return tiles;
+  if (kDebugView == DEBUG_LATTICE) {
+    float greatest = max(tiles.x, max(tiles.y, tiles.z));
+    return mix(kLineColor, kCellDarkest + kCellContrast * tiles,
+               smoothstep(kCutWeight, 1.0, greatest));
+  }
+  if (kDebugView != DEBUG_MIP_LEVEL || !LICHEN_HAS(LICHEN_BASE_COLOR))
+    return kNothingToShow;
+  LichenMap map = shownMap();
+  return ramp(lichenSharpLevel(point.footprintLevel + map.levelOffset) /
+              max(float(map.mipCount) - 1.0, 1.0));
+}
+#endif
+
 #ifndef LICHEN_OMIT_SOLID
 vec3 solidDebug(LichenSolidPoint point) {
   if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
@@ -145,6 +168,11 @@ vec3 planesDebug(LichenShadingPoint shading) {
       if (kDebugView == DEBUG_IMPACTS)
         impacts += float(lichenImpactCount(plane.point.texton, lichenMaterial, lichenNoise));
     } else
+#endif
+#ifdef LICHEN_HAS_QUILTING
+      if (lichenHasMethod(LICHEN_METHOD_QUILTING, lichenNoise))
+        shown += share * quiltingDebug(plane.point.quilting);
+      else
 #endif
       if (lichenHasMethod(LICHEN_METHOD_TILING, lichenNoise))
         shown += share * tilingPointDebug(plane.point.tiling);
@@ -196,7 +224,7 @@ vec3 noiseDebug(Footprint footprint) {
 #endif
 #ifdef LICHEN_HAS_QUILTING
   if (lichenHasMethod(LICHEN_METHOD_QUILTING, lichenNoise))
-    return kNothingToShow;
+    return quiltingDebug(shading.point.quilting);
 #endif
   return tilingDebug(shading.point.tiling);
 }
