@@ -160,6 +160,7 @@ struct Exemplar {
   Periodic borders{};                  ///< from --periodic, or decided before resampling
   std::vector<ExemplarOrigin> origins; ///< one per map
   Preparation preparation;
+  double widthShare = 1.0; ///< as in ReadExemplar
 };
 
 /// Also chooses the method, if the user left that to it.
@@ -182,6 +183,9 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
     notes.add(std::move(choice.value().reason));
   }
   const Structure& structure = read.value().structure;
+  constexpr double kWeak = 0.3; // then the bake would follow weakly what the lattice shows
+  if (structure.hasLattice && structure.strength < kWeak && !arguments.common.guide)
+    arguments.common.guide = kGuideRange.most;
   if (byStructure && structure.isClear()) {
     arguments.method = Method::quilting;
     notes.add(structure.repeats()
@@ -192,9 +196,12 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
   }
   for (std::string& line : set.notes)
     notes.add(std::move(line));
-  return Exemplar{arguments.name.empty() ? asUtf8(set.name) : arguments.name, std::move(set.maps),
-                  set.periodic, std::move(read.value().origins),
-                  std::move(read.value().preparation)};
+  return Exemplar{arguments.name.empty() ? asUtf8(set.name) : arguments.name,
+                  std::move(set.maps),
+                  set.periodic,
+                  std::move(read.value().origins),
+                  std::move(read.value().preparation),
+                  read.value().widthShare};
 }
 
 /// A finished noise, noise 0 of the bundle, with what the method reports of it, and the verdict.
@@ -226,7 +233,8 @@ Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exempla
   }
   progress.erase();
   for (Noise& noise : result.bundle.noises)
-    noise.tileSizeMetres = arguments.tileMetres;
+    noise.tileSizeMetres =
+        std::max(kTileSizeRange.least, arguments.tileMetres * exemplar.widthShare);
   result.bundle.noises.front().preparation = exemplar.preparation;
   result.about.material.seed = arguments.seed;
   result.bundle.materialNames = {result.bundle.noises.front().name};
@@ -350,7 +358,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
            "Name of the noise and its material [default: the input's]");
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange, "metres"), "1",
-           "Width of the exemplar in metres: 0.5 for 50 cm");
+           "Width of the exemplar in metres, before --rectify: 0.5 for 50 cm");
   addExemplarOptions(verb, arguments->exemplar);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);
@@ -364,7 +372,8 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification; "
       "multiple-kernels does so with few kernels, for painted spectra; quilting keeps bricks, "
       "boards and threads whole; auto: the cheapest within --budget, unless a dearer one looks "
-      "clearly nearer [default: quilting if something repeats clearly, otherwise tiling]");
+      "clearly nearer [default: quilting if something repeats clearly or has clear outlines, "
+      "otherwise tiling]");
   addValue(verb, "--budget", arguments->budget, optional(number(kBudgetRange)), "",
            "With --method auto: the most time of a pixel, in plain texture fetches [default: that "
            "of tiling]");

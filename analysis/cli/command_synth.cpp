@@ -116,8 +116,14 @@ std::vector<std::string> notesOf(const Bundle& bundle, const SynthesisOptions& s
   const auto [across, down] =
       pixelsPerTile(bundle, synthesis.material.noise, noise.maps[*findMap(noise, synthesis.map)],
                     synthesis.texelsPerTile);
-  return commandOf(noise.method())
-      .periodNotes(noise, synthesis.width / across, synthesis.height / down);
+  const double tilesX = synthesis.width / across, tilesY = synthesis.height / down;
+  std::vector<std::string> notes = commandOf(noise.method()).periodNotes(noise, tilesX, tilesY);
+  const auto whole = [](double tiles, double pixels) {
+    return std::lround(std::max(1.0, std::round(tiles)) * pixels);
+  };
+  if (!notes.empty())
+    notes.back() += fmt::format(": --size {}x{}", whole(tilesX, across), whole(tilesY, down));
+  return notes;
 }
 
 /// Synthesizes and writes one map after the other, so that memory holds one. Returns the names of

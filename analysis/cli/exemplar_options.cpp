@@ -213,7 +213,8 @@ Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
                                                   options.findsStructure, set.value().notes);
   if (!part)
     return part.error();
-  ReadExemplar read{std::move(set).value(), {}, {}, part.value().structure};
+  ReadExemplar read{
+      std::move(set).value(), {}, {}, part.value().structure, part.value().widthShare};
   for (std::size_t m = 0; m < read.set.maps.size(); ++m)
     read.origins.push_back(originOf(m, options, flattened.value(), filled.value().size(),
                                     part.value(), read.set, originals));

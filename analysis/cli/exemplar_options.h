@@ -38,6 +38,7 @@ struct ReadExemplar {
   std::vector<ExemplarOrigin> origins; ///< one per map
   Preparation preparation;             ///< what the options came to
   Structure structure;                 ///< if that was to be found
+  double widthShare = 1.0;             ///< of the first map, over what it was before --rectify
 };
 
 /// Declares --crop, --size, --normal, --alpha, --flatten, --keep-outliers, --rectify and

@@ -70,6 +70,7 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
                                          Periodic periodic, bool findsStructure,
                                          std::vector<std::string>& notes) {
   RectifiedPart part;
+  const double width = maps.front().width;
   if (use.corners) {
     const MapExemplar& first = maps.front();
     for (const auto& [x, y] : *use.corners)
@@ -80,6 +81,7 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
     if (Result<void> made = rectify(maps, *use.corners); !made)
       return made.error();
     part.corners = use.corners;
+    part.widthShare = maps.front().width / width;
   }
   if (!findsStructure)
     return part;
@@ -92,6 +94,7 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
   part.corners = part.structure.wholePeriods;
   if (Result<void> made = rectify(maps, *part.corners); !made)
     return made.error();
+  part.widthShare = maps.front().width / width;
   notes.push_back(fmt::format("the tile is the part of {} x {} pixels that holds whole periods{}; "
                               "--rectify off keeps the whole picture",
                               maps.front().width, maps.front().height, wordsFor(*part.corners)));

@@ -25,7 +25,8 @@ struct Rectification {
 /// What was made the tile, and what repeats in it.
 struct RectifiedPart {
   std::optional<TileCorners> corners;
-  Structure structure; ///< if that was to be found
+  Structure structure;     ///< if that was to be found
+  double widthShare = 1.0; ///< width of the first map over what it was
 };
 
 /// Replaces the maps by their part between `use.corners`; or, if that is automatic and

@@ -18,6 +18,12 @@ namespace lichen {
 
 namespace {
 
+/// Such a lattice is no chance, whatever the outlines: docs/decisions/039-quilting.md.
+bool isClear(const placement::WholePeriods& periods) {
+  constexpr double kLeastCorrelation = 0.4, kLeastContrast = 0.15;
+  return periods.correlation >= kLeastCorrelation && periods.contrast >= kLeastContrast;
+}
+
 /// How coherent the phases of the map are across scales.
 double outlinesOf(const MapExemplar& map, bool fit) {
   const std::optional<suitability::GaussianPlane> plane =
@@ -31,17 +37,18 @@ double outlinesOf(const MapExemplar& map, bool fit) {
 Result<Structure> structureOf(std::span<const MapExemplar> maps, Periodic periodic) {
   const auto exhausted = [] { return "structure: not enough memory to look for periods"; };
   return withinMemory(exhausted, [&]() -> Result<Structure> {
-    constexpr int kLeastSide = 128; // a smaller picture shows too little to tell
     Structure structure;
-    if (std::min(maps.front().width, maps.front().height) < kLeastSide)
+    if (std::min(maps.front().width, maps.front().height) < kLeastStructureSide)
       return structure;
     const bool fit = exemplar::keepsBorders(maps, periodic, std::identity());
     structure.outlines = outlinesOf(maps.front(), fit);
-    if (structure.outlines < kLeastOutlines)
-      return structure;
     std::vector<MapExemplar> stored = exemplar::asStored(maps);
-    if (!fit)
-      structure.wholePeriods = placement::wholePeriods(stored.front());
+    const placement::WholePeriods periods = placement::wholePeriods(stored.front(), fit);
+    structure.hasLattice = isClear(periods);
+    if (structure.outlines < kLeastOutlines && !structure.hasLattice)
+      return structure;
+    if (!fit || periodic == Periodic::detect)
+      structure.wholePeriods = periods.part;
     if (structure.wholePeriods)
       if (Result<void> made = rectify(stored, *structure.wholePeriods); !made)
         return made.error();

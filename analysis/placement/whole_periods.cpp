@@ -289,6 +289,7 @@ std::optional<Lattice> frameOf(const Lattice& lattice, int width, int height) {
 struct FoundLattice {
   Lattice lattice;
   double correlation = 0.0; ///< the mean less its standard error
+  double contrast = 0.0;    ///< as in WholePeriods
 };
 
 /// The lattice that repeats the picture most highly, among those of two peaks which have a frame.
@@ -327,7 +328,20 @@ FoundLattice bestLattice(const Repetition& repetition) {
     return {};
   const Estimate estimate = correlationAlong(repetition, best.lattice, kMostSteps);
   best.correlation = estimate.mean - estimate.error;
+  best.contrast =
+      estimate.mean > 0.0 ? contrastOf(repetition, best.lattice, kMostSteps) / estimate.mean : 0.0;
   return best;
+}
+
+/// Whether a side of the picture is clearly between the lattice's vectors.
+bool misses(const Lattice& lattice, int width, int height) {
+  constexpr double kClearly = 0.2; // of the lattice's vectors
+  const auto& [a, b] = lattice;
+  const auto away = [&](const Vector& side) {
+    const double i = cross(side, b) / cross(a, b), j = cross(a, side) / cross(a, b);
+    return std::max(std::abs(i - std::round(i)), std::abs(j - std::round(j)));
+  };
+  return away({double(width), 0.0}) > kClearly || away({0.0, double(height)}) > kClearly;
 }
 
 /// Of the parallelogram with these sides in the middle of the picture.
@@ -342,9 +356,10 @@ TileCorners centred(const Lattice& sides, int width, int height) {
 
 } // namespace
 
-std::optional<TileCorners> wholePeriods(const MapExemplar& map) {
+WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit) {
   constexpr int kMostSide = 700;
-  constexpr double kLeastCorrelation = 0.15;
+  constexpr double kLeastCorrelation = 0.25, kLeastOfFew = 0.45;
+  constexpr double kFew = 8.0; // periods in the picture, which may be alike by chance
   ImageLevel image{map.width, map.height, int(map.channels.size()), map.values};
   while (std::max(image.width, image.height) > kMostSide)
     image = exemplar::areaAverage(image);
@@ -354,11 +369,15 @@ std::optional<TileCorners> wholePeriods(const MapExemplar& map) {
   const std::optional<Keystone> keystone =
       keystoneOf(image, [&](const ImageLevel& level) { return latticeOf(level).correlation; });
   const FoundLattice found = latticeOf(keystone ? straightened(image, *keystone) : image);
-  if (found.correlation < kLeastCorrelation)
-    return std::nullopt;
+  const double area = std::abs(cross(found.lattice.a, found.lattice.b));
+  const bool areFew = kFew * area > double(image.width) * image.height;
+  if (found.correlation < (areFew ? kLeastOfFew : kLeastCorrelation))
+    return {found.correlation, found.contrast, std::nullopt};
+  if (bordersFit && !misses(found.lattice, image.width, image.height))
+    return {found.correlation, found.contrast, std::nullopt};
   const std::optional<Lattice> sides = frameOf(found.lattice, image.width, image.height);
   if (!sides)
-    return std::nullopt;
+    return {found.correlation, found.contrast, std::nullopt};
   TileCorners corners = centred(*sides, image.width, image.height);
   for (auto& corner : corners) {
     corner = {corner[0] / image.width, corner[1] / image.height};
@@ -366,7 +385,7 @@ std::optional<TileCorners> wholePeriods(const MapExemplar& map) {
       corner = seen(*keystone, corner[0], corner[1]);
     corner = {corner[0] * map.width, corner[1] * map.height};
   }
-  return corners;
+  return {found.correlation, found.contrast, corners};
 }
 
 } // namespace lichen::placement

@@ -9,12 +9,23 @@
 
 namespace lichen::placement {
 
-/// The largest part whose sides are whole numbers of periods: moved by any combination of the
-/// periods, the picture correlates with itself. The sides follow the rows and the columns of what
-/// repeats, turned by up to 15 degrees and sheared by up to 10. It is a parallelogram, or a
-/// trapezoid of a picture in perspective, which repeats clearly more highly without it. Nothing if
-/// the mean correlation is below 0.15. O(N log N) in the pixels. Deterministic. Throws
-/// std::bad_alloc. Source: docs/decisions/039-quilting.md.
-[[nodiscard]] std::optional<TileCorners> wholePeriods(const MapExemplar& map);
+struct WholePeriods {
+  /// The mean correlation of the picture with itself, moved by the vectors of the lattice that
+  /// repeats it most highly, less its standard error. At most 1; 0 without a lattice.
+  double correlation = 0.0;
+  /// How much lower the correlation is half way between those vectors, as a share of it, where it
+  /// falls least. Streaks, which repeat by chance, hardly fall along themselves.
+  double contrast = 0.0;
+  /// The largest part whose sides are whole numbers of periods, which follow the rows and the
+  /// columns of what repeats, turned by up to 15 degrees and sheared by up to 10. It is a
+  /// parallelogram, or a trapezoid of a picture in perspective, which repeats clearly more highly
+  /// without it. Nothing if the correlation is below 0.25, or below 0.45 with fewer than 8 periods.
+  std::optional<TileCorners> part;
+};
+
+/// `bordersFit` says that the picture's own borders seem to fit together; then there is no part
+/// unless a side of the picture clearly is no whole number of periods. O(N log N) in the pixels.
+/// Deterministic. Throws std::bad_alloc. Source: docs/decisions/039-quilting.md.
+[[nodiscard]] WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit = false);
 
 } // namespace lichen::placement

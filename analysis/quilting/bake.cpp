@@ -7,6 +7,7 @@
 #include "exemplar/color_space.h"
 #include "exemplar/map_ranges.h"
 #include "exemplar/value_encoding.h"
+#include "fitting_shifts.h"
 #include "placement/near_periods.h"
 #include "progress_part.h"
 
@@ -149,15 +150,18 @@ Result<QuiltingBake> bakeMaps(const std::string& name, std::span<const MapExempl
       periods.shifts.empty() ? kUsualCells : std::max(kFewestCells, double(periods.shifts.size()));
   bake.strength = periods.strength;
   progress.reach(kPeriodsOfProgress);
-  if (!bake.exemplarWasPeriodic)
-    quilting::closeBorders(maps, count, periods.shifts,
+  quilting::CellField field = quilting::cellsOf(maps, count);
+  const quilting::FittingShifts fitting = quilting::fittingShifts(field, periods.shifts);
+  if (!bake.exemplarWasPeriodic) {
+    quilting::closeBorders(maps, field, count, fitting,
                            progress.part(kPeriodsOfProgress, kBordersOfProgress));
-  const quilting::CellImage cells =
-      quilting::cellImage(quilting::cellsOf(maps, count), options.bits);
+    field = quilting::cellsOf(maps, count);
+  }
+  const quilting::CellImage cells = quilting::cellImage(field, options.bits);
   progress.reach(kCellsOfProgress);
   QuiltingNoise shared;
   shared.reach = cells.reach;
-  for (const std::array<double, 2>& shift : periods.shifts)
+  for (const std::array<double, 2>& shift : fitting.shifts)
     if (shared.offsets.size() < kMostQuiltingOffsets)
       shared.offsets.push_back(asOffset(shift));
   shared.correlation = correlationOf(maps.front(), shared.offsets);

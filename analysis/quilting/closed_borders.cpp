@@ -2,8 +2,6 @@
 // Maps -> the same, each pixel from its own place or from a shift further.
 #include "closed_borders.h"
 
-#include "cells.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,30 +12,37 @@
 namespace lichen::quilting {
 namespace {
 
-/// Half the width of the band at a border. [tiles]
-constexpr float kBand = 1.0f / 16.0f;
-
 /// What a band is filled from. [tiles]
 using Shift = std::array<double, 2>;
 
-/// How far a position in the tile is inside the borders across an axis, beyond the band. [tiles]
-float insideBand(float position) {
+/// How far a position in the tile is from the borders across an axis. [tiles]
+float fromBorder(float position) {
   const float share = position - std::floor(position);
-  return std::min(share, 1.0f - share) - kBand;
+  return std::min(share, 1.0f - share);
 }
 
-/// Of the shifts that repeat the exemplar the one nearest to half a tile along the axis, hardly
-/// across it; half a tile if nothing repeats. Nothing if no shift is near, and structure better
-/// stays as it is.
-std::optional<Shift> shiftAlong(std::size_t axis, std::span<const Shift> shifts) {
-  constexpr double kMostAlong = 0.25, kMostAcross = 0.5 * double(kBand);
+/// How far the centre of what a border cuts from a cell lies from the border at most: half a cell,
+/// of whose points the root mean square distance from the centre is 1 / sqrt(12). [tiles]
+float halfCell(const CellField& cells, std::size_t axis) {
+  constexpr double kLeast = 1.0 / 64.0, kMost = 1.0 / 8.0;
+  double squares = 0.0;
+  for (const std::array<float, 2>& way : cells.toCentre)
+    squares += std::pow(double(way[axis]), 2.0);
+  return float(std::clamp(std::sqrt(3.0 * squares / double(cells.toCentre.size())), kLeast, kMost));
+}
+
+/// Of the shifts that repeat the exemplar the one nearest to half a tile along the axis. If none is
+/// near, half a tile of cells that fit loosely; others better stay as they are. Along x, closed
+/// first, the shift is hardly across: it would bring the other border into the band.
+std::optional<Shift> shiftAlong(std::size_t axis, const FittingShifts& fitting) {
+  constexpr double kMostAlong = 0.25, kMostAcross = 1.0 / 32.0;
   constexpr double kAcrossLoss = 4.0;
-  if (shifts.empty())
-    return axis == 0 ? Shift{0.5, 0.0} : Shift{0.0, 0.5};
   std::optional<Shift> best;
+  if (!fitting.isClose())
+    best = axis == 0 ? Shift{0.5, 0.0} : Shift{0.0, 0.5};
   double least = kMostAlong;
-  for (const Shift& shift : shifts) {
-    const double across = std::abs(shift[1 - axis]);
+  for (const Shift& shift : fitting.shifts) {
+    const double across = axis == 0 ? std::abs(shift[1]) : 0.0;
     const double loss = std::abs(std::abs(shift[axis]) - 0.5) + kAcrossLoss * across;
     if (across <= kMostAcross && loss < least) {
       least = loss;
@@ -48,14 +53,19 @@ std::optional<Shift> shiftAlong(std::size_t axis, std::span<const Shift> shifts)
 }
 
 /// Closes the borders across one axis: 0, x, or 1, y.
-void closeAxis(std::span<MapExemplar> maps, std::size_t axis, const Shift& shift, double count) {
-  const CellField cells = cellsOf(maps, count);
+void closeAxis(std::span<MapExemplar> maps, const CellField& cells, std::size_t axis,
+               const Shift& shift) {
+  const float band = halfCell(cells, axis);
   const auto centreAt = [&](float x, float y) {
     const auto column = std::min(int(x * float(cells.width)), cells.width - 1);
     const auto row = std::min(int(y * float(cells.height)), cells.height - 1);
     const std::array<float, 2>& way =
         cells.toCentre[std::size_t(row) * std::size_t(cells.width) + std::size_t(column)];
-    return (axis == 0 ? x : y) + way[axis];
+    // From the middle of the texel of cells, not from that of the pixel: the whole cell is on one
+    // side.
+    return (axis == 0 ? (float(column) + 0.5f) / float(cells.width)
+                      : (float(row) + 0.5f) / float(cells.height)) +
+           way[axis];
   };
   for (MapExemplar& map : maps) {
     const std::vector<float> original = map.values;
@@ -71,9 +81,9 @@ void closeAxis(std::span<MapExemplar> maps, std::size_t axis, const Shift& shift
                           (float(row) + 0.5f) / float(map.height));
         };
         const int otherX = (x + shiftX) % map.width, otherY = (y + shiftY) % map.height;
-        const float own = insideBand(centre(x, y));
-        const float other = insideBand(centre(otherX, otherY) - float(shift[axis]));
-        if (own + other >= 0.0f)
+        const float own = fromBorder(centre(x, y));
+        const float other = fromBorder(centre(otherX, otherY) - float(shift[axis]));
+        if (own + other >= 2.0f * band)
           continue;
         const std::size_t from =
             (std::size_t(otherY) * std::size_t(map.width) + std::size_t(otherX)) * channels;
@@ -112,14 +122,14 @@ void shiftMeans(MapExemplar& map, const std::vector<double>& means) {
 
 } // namespace
 
-void closeBorders(std::span<MapExemplar> maps, double count, std::span<const Shift> shifts,
-                  ProgressPart progress) {
+void closeBorders(std::span<MapExemplar> maps, const CellField& cells, double count,
+                  const FittingShifts& shifts, ProgressPart progress) {
   std::vector<std::vector<double>> means;
   for (const MapExemplar& map : maps)
     means.push_back(meansOf(map));
   for (const std::size_t axis : {std::size_t(0), std::size_t(1)}) {
     if (const std::optional<Shift> shift = shiftAlong(axis, shifts))
-      closeAxis(maps, axis, *shift, count);
+      closeAxis(maps, axis == 0 ? cells : cellsOf(maps, count), axis, *shift);
     progress.reach(0.5 * double(axis + 1));
   }
   // What fills the bands may be brighter or darker than what it replaces.

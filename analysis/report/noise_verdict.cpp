@@ -24,7 +24,7 @@ struct Fault {
   std::string_view consequence; ///< what people see
 };
 
-constexpr std::array<Fault, 3> kFaults{{
+constexpr std::array<Fault, 4> kFaults{{
     {kColorDistanceName,
      {0.006, 0.02},
      "its colours are {:.3f} of the range from the photograph's",
@@ -37,6 +37,10 @@ constexpr std::array<Fault, 3> kFaults{{
      {1.25, 1.6},
      "its straight edges are {:.1f} times the photograph's",
      "which show as seams"},
+    {kCutMismatchName,
+     {kCutMismatchTarget, 2.0},
+     "its tiles differ {:.1f} times as much as any two points where they are cut",
+     "so that bricks or stones lose pieces"},
 }};
 
 Risk riskOfMeasure(const Measure& measure, bool bordersWereKept) {

@@ -28,12 +28,11 @@ uint lichenVertexColor(uvec2 vertex) {
   return (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
 }
 
-/// Where the tile of a vertex is taken from. [tiles]
-vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, LichenNoise noise) {
+/// Where the tile of a vertex is taken from [tiles]: one of a list, or a random multiple of `step`.
+vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, vec2 step) {
   uint hash = lichenVertexHash(vertex.x, vertex.y, seedWord);
   if (offsets == 0u) // as of tiling
-    return vec2(ivec2(uvec2(hash & 0x7ffu, hash >> 21u))) *
-           vec2(noise.offsetStepX, noise.offsetStepY);
+    return vec2(ivec2(uvec2(hash & 0x7ffu, hash >> 21u))) * step;
   uint color = lichenVertexColor(vertex); // vertices side by side have different offsets
   uint count = (offsets - color + 2u) / 3u;
   uint word = LICHEN_TILE_OFFSET(3u * (((hash >> 16u) * count) >> 16u) + color);
@@ -52,7 +51,8 @@ vec2 lichenQuiltingTap(uvec2 vertex, vec2 way, vec2 position, float level, Liche
                        LichenNoise noise, out float height, out float sharpness) {
   LichenQuiltingNoise shape = lichenQuiltingNoise(noise);
   vec2 tap = position - lichenReduceToPeriod(vertex, material);
-  tap += lichenQuiltingOffset(vertex, material.seedWord, shape.offsets, noise);
+  tap += lichenQuiltingOffset(vertex, material.seedWord, shape.offsets,
+                              vec2(noise.offsetStepX, noise.offsetStepY));
   vec3 cell = LICHEN_SAMPLE_CELLS(tap, level).rgb;
   vec2 toCentre = shape.reach * (2.0 * cell.rg - 1.0);
   sharpness = cell.b;

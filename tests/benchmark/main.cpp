@@ -18,7 +18,7 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 17> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 18> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
@@ -30,6 +30,7 @@ constexpr std::array<Family, 17> kFamilies{{{"bake", bakeRows},
                                             {"local-random-phase", localRandomPhaseRows},
                                             {"multiple-kernels", multipleKernelsRows},
                                             {"structure", structureRows},
+                                            {"quilting", quiltingRows},
                                             {"methods", methodRows},
                                             {"load", loadRows},
                                             {"shader", shaderRows},

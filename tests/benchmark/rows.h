@@ -62,6 +62,7 @@ std::vector<Row> viewRows();      ///< contrast, features and shimmer at all dis
 std::vector<Row> litRows();       ///< brightness of lit pictures at all distances
 std::vector<Row> textonRows();    ///< time, model error, flatness, border, covariance of textons
 std::vector<Row> structureRows(); ///< what repeats, beside tiling
+std::vector<Row> quiltingRows();  ///< structure that quilting keeps, and when a bake chooses it
 std::vector<Row> localRandomPhaseRows(); ///< time and quality of local random-phase noise
 std::vector<Row> multipleKernelsRows();  ///< likewise of multiple-kernels noise
 std::vector<Row> methodRows();           ///< whether --method auto finds the nearest look

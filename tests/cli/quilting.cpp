@@ -99,6 +99,38 @@ TEST_CASE("the tile of bricks that borders cut is whole periods, or what --recti
   CHECK(cornersOf() == TileCorners{{{4.0, 6.0}, {100.0, 8.0}, {102.0, 134.0}, {2.0, 132.0}}});
 }
 
+TEST_CASE("--tile is the width of the photograph, of which whole periods may be a part") {
+  const Workplace workplace;
+  const std::string bricks = workplace.write("bricks.png", cutBricks());
+  (void)bakedAs(workplace, bricks, {"--periodic", "no", "--tile", "3"});
+  const Noise& noise = readBundle(workplace.path("noise.glb")).value().noises[0];
+  CHECK(noise.tileSizeMetres == Approx(3.0 * 128.0 / kCutSide));
+}
+
+TEST_CASE("the maps of a set are quilted together") {
+  const Workplace workplace;
+  const std::string color = workplace.write("bricks_color.png", brickwork(160));
+  const std::string roughness = workplace.write("bricks_roughness.png", brickwork(160));
+  const nlohmann::json report = bakedAs(workplace, color, {roughness});
+  CHECK(report.at("method") == "quilting");
+  CHECK(readBundle(workplace.path("noise.glb")).value().noises[0].maps.size() == 2);
+}
+
+TEST_CASE("textures that do not hold whole exemplars of a quilting have a note with a size") {
+  const Workplace workplace;
+  (void)bakedAs(workplace, workplace.write("bricks.png", brickwork(160)));
+  const auto notesOf = [&](const std::string& size) {
+    const Ended ended = runLichen({"synth", workplace.path("noise.glb"), "-o",
+                                   workplace.path("tiles.png"), "--tileable", "--size", size});
+    REQUIRE(ended.code == 0);
+    return ended.errors + ended.output;
+  };
+  CHECK_THAT(notesOf("400x300"), Catch::Contains("2.5 x 1.875 exemplars break the rows of what "
+                                                 "repeats; whole numbers of them keep the rows: "
+                                                 "--size 480x320"));
+  CHECK_THAT(notesOf("320x160"), !Catch::Contains("break the rows"));
+}
+
 TEST_CASE("corners that are outside the picture, not four or not convex are refused") {
   const Workplace workplace;
   const std::string bricks = workplace.write("bricks.png", cutBricks());

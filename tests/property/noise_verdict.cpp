@@ -30,7 +30,8 @@ TEST_CASE("a measure counts from where viewers see it, and only if it has a targ
   using Limits = std::array<double, 2>;
   for (const auto& [name, limits] : {std::pair{kColorDistanceName, Limits{0.006, 0.02}},
                                      std::pair{kAutocovarianceErrorName, Limits{0.2, 0.35}},
-                                     std::pair{kSeamVisibilityName, Limits{1.25, 1.6}}}) {
+                                     std::pair{kSeamVisibilityName, Limits{1.25, 1.6}},
+                                     std::pair{kCutMismatchName, Limits{1.0, 2.0}}}) {
     INFO(name);
     CHECK(on({}, {measure(name, 0.99 * limits[0])}).level == Verdict::Level::good);
     CHECK(on({}, {measure(name, 1.01 * limits[0])}).level == Verdict::Level::acceptable);

@@ -7,11 +7,13 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <quilting/cells.h>
 #include <quilting/closed_borders.h>
 #include <random>
 #include <vector>
 
 using namespace lichen;
+using lichen::quilting::cellsOf;
 using lichen::quilting::closeBorders;
 
 namespace {
@@ -53,8 +55,9 @@ double meanOf(const MapExemplar& map) {
   return std::accumulate(map.values.begin(), map.values.end(), 0.0) / double(map.values.size());
 }
 
-void close(MapExemplar& map, double cells, const std::vector<std::array<double, 2>>& shifts) {
-  closeBorders({&map, 1}, cells, shifts, ProgressPart());
+void close(MapExemplar& map, double count, const std::vector<std::array<double, 2>>& shifts) {
+  closeBorders({&map, 1}, cellsOf({&map, 1}, count), count, {shifts, shifts.empty() ? 1.0 : 0.0},
+               ProgressPart());
 }
 
 } // namespace

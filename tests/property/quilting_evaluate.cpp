@@ -80,7 +80,7 @@ TEST_CASE("quilting a billion tiles away is that of an origin there, or in a per
       REQUIRE(value(block(far, periodic)) == value(block(near, periodic)));
       others += value(block(far, {})) != value(block(near, {})) ? 1 : 0;
     }
-    CHECK(others > 32);
+    CHECK(others > 8); // a short list has the same tiles at many points
   }
 }
 
@@ -90,14 +90,15 @@ TEST_CASE("crossing an integer tile origin changes no pixel of quilting, near or
       // The same position as fraction and as integer, one whole tile apart on each axis.
       const LinearImage first = windowOf(hasOffsets, {far + 3.0, -far - 2.0}, 160, 160);
       const LinearImage second = windowOf(hasOffsets, {far + 4.0, -far - 1.0}, 32, 32);
-      // A lattice coordinate below 6 has some five roundings of at most 2^-22, and so have the
-      // heights of tiles, which the exponent of 24 multiplies by 24 over the highest, at least 1/3.
-      // Values differ by at most 1.
+      // A lattice coordinate below 6 has some five roundings of at most 2^-22, and so has each of
+      // two heights of tiles. Cuts multiply their difference by 16 and divide by the sum of the
+      // weights, taken as 1/2: it is less only near where three tiles meet. Values differ by at
+      // most 1.
       for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x)
           for (int c = 0; c < 3; ++c)
             REQUIRE(first.pixel(x + 128, y + 128)[c] ==
-                    Approx(second.pixel(x, y)[c]).margin(5.0 * 24.0 * 3.0 / 4194304.0));
+                    Approx(second.pixel(x, y)[c]).margin(5.0 * 2.0 * 16.0 * 2.0 / 4194304.0));
     }
 }
 

@@ -267,7 +267,7 @@ HeldBackPicture stochasticHeldBack(int index) {
       Condition::gradient, Condition::compressed, Condition::noisy};
   const SoundKind& kind = kKinds[std::size_t(index) % kKinds.size()];
   const Condition condition = kConditions[std::size_t(index) / kKinds.size() % kConditions.size()];
-  Random random(std::uint32_t(8000 + index));
+  Random random(std::uint32_t(20000 + index));
   const int side = int(random.range(float(kSmallestQuiltingSide), float(kLargestQuiltingSide + 1)));
   HeldBackPicture picture;
   picture.name = std::string(kind.name) + ", " + kConditionNames[std::size_t(condition)];

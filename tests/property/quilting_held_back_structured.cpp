@@ -241,7 +241,7 @@ HeldBackPicture structuredHeldBack(int index) {
   const std::vector<Laying> kinds = layings();
   const Laying& laying = kinds[std::size_t(index) % kinds.size()];
   const LaidCondition& condition = kConditions[std::size_t(index) / kinds.size()];
-  Random random(std::uint32_t(7000 + index));
+  Random random(std::uint32_t(19000 + index));
   const int side = int(random.range(float(kSmallestQuiltingSide), float(kLargestQuiltingSide + 1)));
   const Ground ground(laying, side, condition.laid, random);
   const Paint paint(laying, side, random);

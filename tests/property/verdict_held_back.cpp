@@ -6,19 +6,15 @@
 // over pictures of these kinds in equal shares, of 176 to 208 pixels; a smaller group at 512 pixels
 // bounds them less closely. verdict_held_back_pictures.h says what in the verdict depends on
 // earlier pictures of these kinds.
-#include "base_color.h"
+#include "prepared_exemplar.h"
 #include "verdict_held_back_pictures.h"
 
-#include <lichen/flatten.h>
 #include <lichen/noise_verdict.h>
-#include <lichen/outliers.h>
 #include <lichen/tiling.h>
 
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <exemplar/frame.h>
-#include <exemplar/resample.h>
 #include <map>
 #include <string>
 #include <utility>
@@ -37,22 +33,11 @@ Value valueOf(Result<Value> result) {
   return std::move(result).value();
 }
 
-/// The exemplar that `lichen bake` makes of a picture by default: without a frame, in even light,
-/// and with what occurs once filled.
-std::vector<MapExemplar> preparedMaps(const SrgbImage& image) {
-  std::vector<MapExemplar> maps{baseColor(image)};
-  if (const auto inside = exemplar::insideOfFrame(maps.front()))
-    maps.front() = exemplar::cropped(maps.front(), *inside);
-  valueOf(removeUnevenLight(maps.front(), bordersFit(maps, Periodic::detect)));
-  valueOf(fillOutliers(maps, bordersFit(maps, Periodic::detect)));
-  return maps;
-}
-
 /// The verdict of `lichen bake` with its default options, but for a fast transport. A picture with
 /// a risk is not baked: its measures could only make the verdict worse, and only whether it is good
 /// counts here.
 Verdict verdictOf(const SrgbImage& image) {
-  const std::vector<MapExemplar> maps = preparedMaps(image);
+  const std::vector<MapExemplar> maps = preparedExemplar(image);
   const bool fit = bordersFit(maps, Periodic::detect);
   const std::vector<Risk> risks = valueOf(assessSuitability(maps.front(), fit));
   const JudgedMap unmeasured{maps.front().target, risks, {}};

@@ -166,7 +166,7 @@ TEST_CASE("the frame of a picture spans whole periods, turned and sheared as the
       for (const double noise : {0.0, 3.0}) { // the structure's deviation is about 3
         const PictureLattice lattice = slantedLattice(31.4, 23.7, degrees, shear);
         const MapExemplar map = periodicPicture(kWidth, kHeight, lattice, noise, 5);
-        const auto frame = wholePeriods(map);
+        const auto frame = wholePeriods(map).part;
         INFO(degrees << " degrees, shear " << shear << ", noise " << noise);
         REQUIRE(frame);
         checkCentred(*frame, kWidth, kHeight);
@@ -179,7 +179,7 @@ TEST_CASE("the frame of a picture spans whole periods, turned and sheared as the
 TEST_CASE("the frame of a picture that is searched at a lower resolution is in its own pixels") {
   constexpr int kWidth = 901, kHeight = 720;
   const PictureLattice lattice = slantedLattice(131.0, 96.0, 4.0, 0.0);
-  const auto frame = wholePeriods(periodicPicture(kWidth, kHeight, lattice, 0.5, 6));
+  const auto frame = wholePeriods(periodicPicture(kWidth, kHeight, lattice, 0.5, 6)).part;
   REQUIRE(frame);
   checkCentred(*frame, kWidth, kHeight);
   CHECK(lattice.distanceTo(rightOf(*frame)) < 2.0);
@@ -197,7 +197,8 @@ TEST_CASE("the corners of a picture in perspective span whole periods of the pla
             1.0 + sign * kShorter / (2.0 - kShorter) * ((isX ? x : y) - kHalf) / kHalf;
         return PixelVector{(x - kHalf) / depth, (y - kHalf) / depth};
       };
-      const auto corners = wholePeriods(periodicPicture(kSide, kSide, lattice, 0.5, 7, onPlane));
+      const auto corners =
+          wholePeriods(periodicPicture(kSide, kSide, lattice, 0.5, 7, onPlane)).part;
       INFO((isX ? "left" : "upper") << " side, " << sign);
       REQUIRE(corners);
       for (std::size_t k = 0; k < 4; ++k) {
@@ -244,7 +245,7 @@ TEST_CASE("a random field has no frame") {
       for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x)
           map.values.push_back(field[std::size_t(y * kFieldSide + x)]);
-      found += int(wholePeriods(map).has_value());
+      found += int(wholePeriods(map).part.has_value());
     }
   CHECK(found == 0);
 }

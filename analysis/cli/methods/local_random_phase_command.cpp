@@ -3,6 +3,7 @@
 #include "local_random_phase_command.h"
 
 #include "../table_words.h"
+#include "period_note.h"
 
 #include <lichen/counted.h>
 #include <lichen/local_random_phase.h>
@@ -169,13 +170,9 @@ std::vector<std::string> LocalRandomPhaseCommand::linesOf(const Bundle& bundle,
 
 std::vector<std::string> LocalRandomPhaseCommand::periodNotes(const Noise& noise, double tilesX,
                                                               double tilesY) const {
-  const auto isWhole = [](double tiles) { return tiles == std::round(tiles); };
-  if (noise.as<LocalRandomPhaseNoise>().structure.offsets == 0 ||
-      (isWhole(tilesX) && isWhole(tilesY)))
+  if (noise.as<LocalRandomPhaseNoise>().structure.offsets == 0)
     return {};
-  return {fmt::format("{:.4g} x {:.4g} exemplars break the rows of what repeats; whole numbers of "
-                      "them keep the rows",
-                      tilesX, tilesY)};
+  return noteOnRows(tilesX, tilesY);
 }
 
 int LocalRandomPhaseCommand::fetches(const Bundle&, const Noise& noise, const NoiseMap& map,

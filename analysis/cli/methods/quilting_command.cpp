@@ -2,6 +2,8 @@
 // Quilting: options, bake reports, and descriptions for `inspect`.
 #include "quilting_command.h"
 
+#include "period_note.h"
+
 #include <lichen/plain_fetches.h>
 #include <lichen/quilting.h>
 
@@ -106,6 +108,11 @@ int QuiltingCommand::fetches(const Bundle&, const Noise&, const NoiseMap&,
 
 int QuiltingCommand::sharedFetches() const {
   return 3; // of the cells of all tiles at a point
+}
+
+std::vector<std::string> QuiltingCommand::periodNotes(const Noise&, double tilesX,
+                                                      double tilesY) const {
+  return noteOnRows(tilesX, tilesY);
 }
 
 const Table& QuiltingCommand::imageOf(const Bundle& bundle, const NoiseMap& map) const {

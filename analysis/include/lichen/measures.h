@@ -22,10 +22,13 @@ inline constexpr double kAnisotropicSpectrumDistanceTargetDb = 1.2;
 /// Source: docs/decisions/035-verdict.md.
 inline constexpr double kAutocovarianceErrorTarget = 0.2;
 inline constexpr double kSeamVisibilityTarget = 1.1;
+/// Tiles that are cut differ there like unrelated points.
+inline constexpr double kCutMismatchTarget = 1.0;
 inline constexpr std::string_view kColorDistanceName = "color_distance";
 inline constexpr std::string_view kSpectrumDistanceName = "spectrum_distance_db";
 inline constexpr std::string_view kAutocovarianceErrorName = "autocovariance_error";
 inline constexpr std::string_view kSeamVisibilityName = "seam_visibility";
+inline constexpr std::string_view kCutMismatchName = "cut_mismatch";
 inline constexpr std::string_view kLatticeVisibilityName = "lattice_visibility";
 inline constexpr std::string_view kGaussianSpectrumDistanceName = "gaussian_spectrum_distance_db";
 /// Upper limits for a noise of random phases, measured against the Gaussian version of its

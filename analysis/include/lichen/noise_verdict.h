@@ -17,8 +17,8 @@ namespace lichen {
 /// Returns the risks of each of a noise's exemplars, in the order of `maps`, by the noise's method:
 /// those of assessSuitability() for tiling, of assessTextonSuitability() for textons, and of the
 /// latter only "outlines" for the others, unless their spectrum was given or their structure keeps
-/// outlines. `maps` are the exemplars as they were baked. What helps a layered noise is never a
-/// method that layers do not take. Errors: as both functions.
+/// outlines, and "cuts" for quilting. `maps` are the exemplars as they were baked. What helps a
+/// layered noise is never a method that layers do not take. Errors: as both functions.
 [[nodiscard]] Result<std::vector<std::vector<Risk>>> assessNoise(const Noise& noise,
                                                                  std::span<const MapExemplar> maps,
                                                                  Periodic borders,

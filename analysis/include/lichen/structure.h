@@ -14,27 +14,30 @@
 namespace lichen {
 
 struct Structure {
-  double outlines = 0.0; ///< [0, 1] how much outlines, such as joints, hold it together
-  double strength = 0.0; ///< how clearly it repeats: 0 of a random field, 1 of bricks
+  double outlines = 0.0;   ///< [0, 1] how much outlines, such as joints, hold it together
+  double strength = 0.0;   ///< how clearly it repeats: 0 of a random field, 1 of bricks
+  bool hasLattice = false; ///< whether two vectors clearly repeat it
   /// The largest part of the first map whose opposite borders lie alike in what repeats, which may
-  /// be turned and seen in perspective; nothing if the map's own borders fit together, or nothing
-  /// repeats clearly.
+  /// be turned and seen in perspective; nothing if the map's own borders do, or nothing repeats
+  /// clearly.
   std::optional<TileCorners> wholePeriods;
 
-  [[nodiscard]] bool repeats() const { return strength >= 0.3; }
+  [[nodiscard]] bool repeats() const { return strength >= 0.3 || hasLattice; }
   /// Whether random blending breaks it into pieces.
-  [[nodiscard]] bool isClear() const { return repeats() || outlines >= 0.3; }
+  [[nodiscard]] bool isClear() const { return repeats() || outlines >= 0.25; }
 };
+/// A smaller picture shows too little to tell. [pixels]
+inline constexpr int kLeastStructureSide = 128;
 /// Streaks of wood repeat by chance, but have no outlines.
 inline constexpr double kLeastOutlines = 0.15;
 /// How closely a noise follows what repeats: 0 not at all.
 inline constexpr NumberRange kGuideRange{0.0, 1.0};
 
 /// Measures the exemplar: outlines by its first map; how clearly it repeats by its largest maps,
-/// inside the part that holds whole periods, but not if outlines are less than kLeastOutlines.
-/// Nothing is clear in a first map with a side under 128 pixels. Errors: resources if memory runs
-/// out. Deterministic. O(N log N) in the number of pixels. Source: docs/decisions/039-quilting.md,
-/// 028-structure.md and 013-suitability.md.
+/// inside the part that holds whole periods, but not if outlines are less than kLeastOutlines and
+/// no lattice repeats the first map highly. Nothing is clear in a first map with a side under 128
+/// pixels. Errors: resources if memory runs out. Deterministic. O(N log N) in the number of pixels.
+/// Source: docs/decisions/039-quilting.md, 028-structure.md and 013-suitability.md.
 [[nodiscard]] Result<Structure> structureOf(std::span<const MapExemplar> maps, Periodic periodic);
 
 /// Replaces each map by the part of it between the corners, which are in pixels of the first map,

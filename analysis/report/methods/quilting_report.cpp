@@ -6,6 +6,10 @@
 #include "../section_figures.h"
 #include "exemplar/value_encoding.h"
 #include "sampling/repeating_image.h"
+#include "suitability/risk_of.h"
+
+#include <lichen/quilting_cuts.h>
+#include <lichen/structure.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -51,15 +55,38 @@ void mark(SrgbImage& image, const std::array<double, 2>& point) {
 
 } // namespace
 
-Result<std::vector<Risk>> QuiltingReport::assess(const AssessedMap&, const Progress&) const {
-  return std::vector<Risk>();
+Result<std::vector<Risk>> QuiltingReport::assess(const AssessedMap& assessed,
+                                                 const Progress&) const {
+  constexpr double kNone = 0.0, kMild = 0.5;
+  double score = kNone;
+  // The structure is that of all maps; a small picture shows too little of it to tell.
+  if (assessed.place == 0 &&
+      std::min(assessed.map().width, assessed.map().height) >= kLeastStructureSide) {
+    const Result<Structure> structure =
+        structureOf(assessed.maps, assessed.bordersFit ? Periodic::yes : Periodic::no);
+    if (!structure)
+      return structure.error();
+    score = structure.value().isClear() ? kNone : kMild;
+  }
+  return std::vector<Risk>{
+      suitability::riskOf("cuts", score, "the exemplar neither repeats nor has clear outlines",
+                          "and its noise looks cut into pieces",
+                          {{{"method", std::string(nameOf(Method::tiling))}}, {}})};
 }
 
-Result<void> QuiltingReport::measure(const ComparedResult&, NoiseComparison& comparison) const {
+Result<void> QuiltingReport::measure(const ComparedResult& result,
+                                     NoiseComparison& comparison) const {
   Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();
+  const Noise& noise = result.bundle.noises[result.bundle.materials.front()->noise];
+  const Result<std::optional<double>> mismatch = cutMismatch(result.bundle, noise, result.map);
+  if (!mismatch)
+    return mismatch.error();
+  comparison.measures.push_back({kCutMismatchName, "", "how different tiles are where they are cut",
+                                 mismatch.value(), kCutMismatchTarget,
+                                 mismatch.value() ? "" : "the exemplar has no outlines"});
   return {};
 }
 

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// How well the tiles of a quilting noise fit together where they are cut.
+#pragma once
+
+#include <lichen/bundle.h>
+#include <lichen/result.h>
+
+#include <cstddef>
+#include <optional>
+
+namespace lichen {
+
+/// How different two tiles are on the outlines of cells, where cuts lie: the mean squared
+/// difference of their stored values there, over that of unrelated texels. 0 where a joint meets a
+/// joint, 1 where tiles have nothing in common; up to about 2. Nothing for a map without variance
+/// or cells without outlines. Errors: resources if memory runs out. O(N) in the texels of cells.
+[[nodiscard]] Result<std::optional<double>> cutMismatch(const Bundle& bundle, const Noise& noise,
+                                                        const NoiseMap& map);
+
+} // namespace lichen

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Which near-periods of an exemplar bring cells onto cells.
+#pragma once
+
+#include "cells.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace lichen::quilting {
+
+struct FittingShifts {
+  std::vector<std::array<double, 2>> shifts; ///< [tiles]
+  /// How far cells miss cells after the best of them: 0 not at all, 1 like any shift.
+  double miss = 1.0;
+
+  /// Whether cells are as alike as those of bricks of one size are, not as those of cobbles.
+  [[nodiscard]] bool isClose() const { return miss < 0.635; }
+};
+
+/// The shifts after which the centres of cells are where they were, in their order. Values
+/// alone do not say so: rows of boards are alike after any shift along them, but their ends are
+/// not. At least nine, the best, if there are as many. Source:
+/// docs/decisions/039-quilting.md.
+[[nodiscard]] FittingShifts fittingShifts(const CellField& cells,
+                                          std::span<const std::array<double, 2>> shifts);
+
+} // namespace lichen::quilting

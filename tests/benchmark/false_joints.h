@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Joints where a quilting shows the inside of a cell, such as mortar across a brick.
+#pragma once
+
+#include <lichen/bundle.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace lichen::bench {
+
+inline constexpr int kInnerPixels = 3;
+
+struct FalseJoints {
+  /// Of the pixels of all cells that the result shows, the share that belongs to a joint. The
+  /// result shows a cell where more than half of the cell's pixels are of one tile; pixels of the
+  /// cell count wherever the exemplar has them, even if the result shows another tile there. A
+  /// pixel belongs to a joint if at least half of the weight of its tiles does.
+  double share = 0.0;
+  double inner = 0.0;      ///< the same of pixels at least kInnerPixels inside their cell
+  double shownCells = 0.0; ///< the pixels of the cells shown, over those of the result
+};
+
+/// Measures `tilesPerSide`^2 tiles of a quilting whose exemplar tiles and has these cells, as
+/// StructuredPicture::cells, `side` pixels a side.
+[[nodiscard]] FalseJoints falseJoints(const Bundle& quilting, const std::vector<int>& cells,
+                                      int side, int tilesPerSide, std::uint32_t seed);
+
+} // namespace lichen::bench

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The steps of `lichen bake` before the noise, in its order.
+#include "prepared_exemplar.h"
+
+#include "base_color.h"
+
+#include <lichen/flatten.h>
+#include <lichen/outliers.h>
+
+#include <exemplar/frame.h>
+#include <exemplar/resample.h>
+#include <stdexcept>
+#include <utility>
+
+namespace lichen::test {
+namespace {
+
+template <class Value>
+Value valueOf(Result<Value> result) {
+  if (!result)
+    throw std::runtime_error(result.error().message);
+  return std::move(result).value();
+}
+
+} // namespace
+
+std::vector<MapExemplar> preparedExemplar(const SrgbImage& photograph) {
+  std::vector<MapExemplar> maps{baseColor(photograph)};
+  if (const auto inside = exemplar::insideOfFrame(maps.front()))
+    maps.front() = exemplar::cropped(maps.front(), *inside);
+  (void)valueOf(removeUnevenLight(maps.front(), bordersFit(maps, Periodic::detect)));
+  (void)valueOf(fillOutliers(maps, bordersFit(maps, Periodic::detect)));
+  return maps;
+}
+
+Structure structureOfPrepared(const std::vector<MapExemplar>& exemplar) {
+  return valueOf(structureOf(exemplar, Periodic::detect));
+}
+
+std::vector<MapExemplar> wholePeriodsOf(std::vector<MapExemplar> exemplar,
+                                        const Structure& structure) {
+  if (structure.wholePeriods)
+    if (Result<void> made = rectify(exemplar, *structure.wholePeriods); !made)
+      throw std::runtime_error(made.error().message);
+  return exemplar;
+}
+
+} // namespace lichen::test

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// A photograph -> the exemplar that `lichen bake` makes of it with its default options.
+#pragma once
+
+#include <lichen/exemplar.h>
+#include <lichen/image.h>
+#include <lichen/structure.h>
+
+#include <vector>
+
+namespace lichen::test {
+
+/// The base colour (RGB) without a frame, in even light, and with what occurs once filled. An error
+/// is thrown as a std::runtime_error.
+[[nodiscard]] std::vector<MapExemplar> preparedExemplar(const SrgbImage& photograph);
+
+/// What repeats in such an exemplar. If isClear(), a bake without --method is by quilting. Errors
+/// are thrown as above.
+[[nodiscard]] Structure structureOfPrepared(const std::vector<MapExemplar>& exemplar);
+
+/// The part of it that a bake by quilting uses: what holds whole periods, or all of it. Errors are
+/// thrown as above.
+[[nodiscard]] std::vector<MapExemplar> wholePeriodsOf(std::vector<MapExemplar> exemplar,
+                                                      const Structure& structure);
+
+} // namespace lichen::test
