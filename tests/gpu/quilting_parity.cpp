@@ -40,7 +40,7 @@ std::vector<std::byte> bakedGlb(std::size_t channels, double guide) {
 
 /// By how much the twin's value varies around the point, as far as a sampler with 8 bits below the
 /// texel rounds the position of a fetch of cells: a cut between two of them is a texel wide, and
-/// the weights there have an exponent of 24. Each of the three fetches is rounded by itself.
+/// the weights there have a slope of 16. Each of the three fetches is rounded by itself.
 std::array<float, 4> variation(const QuiltingEvaluator& twin,
                                const shader::LichenMaterial& material, const TileFootprint& at) {
   constexpr float kRounding = 1.0f / 512.0f, kFetches = 3.0f;

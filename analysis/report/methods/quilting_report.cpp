@@ -80,7 +80,7 @@ Result<void> QuiltingReport::measure(const ComparedResult& result,
   if (!measures)
     return measures.error();
   comparison.measures = std::move(measures).value();
-  const Noise& noise = result.bundle.noises[result.bundle.materials.front()->noise];
+  const Noise& noise = result.bundle.noises[result.options.material.noise];
   const Result<std::optional<double>> mismatch = cutMismatch(result.bundle, noise, result.map);
   if (!mismatch)
     return mismatch.error();
