@@ -168,6 +168,8 @@ Value QuiltingEvaluator::blend(std::size_t mapIndex, const shader::LichenMateria
   const Value mean{map.mean.x, map.mean.y, map.mean.z, 1.0f};
   Value value = mean;
   for (std::size_t k = 0; k < 3; ++k) {
+    if (weights[k] == 0.0f)
+      continue;
     const Value tap =
         decodedTexel(images_->maps[mapIndex].at(taps[k][0], taps[k][1], level), map.encoding);
     for (std::size_t c = 0; c < 3; ++c)

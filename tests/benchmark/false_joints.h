@@ -21,8 +21,9 @@ struct FalseJoints {
   double shownCells = 0.0; ///< the pixels of the cells shown, over those of the result
 };
 
-/// Measures `tilesPerSide`^2 tiles of a quilting whose exemplar tiles and has these cells, as
-/// StructuredPicture::cells, `side` pixels a side.
+/// Measures a result of `tilesPerSide` x `tilesPerSide` exemplars. The exemplar has `side` x `side`
+/// pixels, its borders fit together, and `cells` has its cells in the form of
+/// StructuredPicture::cells.
 [[nodiscard]] FalseJoints falseJoints(const Bundle& quilting, const std::vector<int>& cells,
                                       int side, int tilesPerSide, std::uint32_t seed);
 

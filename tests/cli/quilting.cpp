@@ -17,7 +17,8 @@ using namespace lichen::cli_test;
 namespace {
 
 constexpr int kUsage = 2;
-constexpr int kCutSide = 150; // of a picture whose borders cut bricks of 32 x 16 pixels
+constexpr int kCutSide =
+    150; // of a picture of bricks, 32 x 16 pixels each, some cut by its borders
 
 nlohmann::json bakedAs(const Workplace& workplace, const std::string& input,
                        const Arguments& more = {}) {
@@ -78,7 +79,7 @@ TEST_CASE("the tile of bricks that borders cut is whole periods, or what --recti
   const TileCorners corners = *cornersOf();
   CHECK(corners[1][0] - corners[0][0] == Approx(128.0).margin(1.0));
   CHECK(corners[3][1] - corners[0][1] == Approx(128.0).margin(1.0));
-  // compare takes the same part of the picture, unless it is told another.
+  // By default compare uses the part that the bundle records.
   const auto notesOf = [&](const Arguments& more) {
     Arguments all{"compare", bricks, workplace.path("noise.glb")};
     all.insert(all.end(), more.begin(), more.end());
@@ -99,7 +100,7 @@ TEST_CASE("the tile of bricks that borders cut is whole periods, or what --recti
   CHECK(cornersOf() == TileCorners{{{4.0, 6.0}, {100.0, 8.0}, {102.0, 134.0}, {2.0, 132.0}}});
 }
 
-TEST_CASE("--tile is the width of the photograph, of which whole periods may be a part") {
+TEST_CASE("--tile is the width of the photograph, also if only a part of it is baked") {
   const Workplace workplace;
   const std::string bricks = workplace.write("bricks.png", cutBricks());
   (void)bakedAs(workplace, bricks, {"--periodic", "no", "--tile", "3"});

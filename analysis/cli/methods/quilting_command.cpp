@@ -110,8 +110,10 @@ int QuiltingCommand::sharedFetches() const {
   return 3; // of the cells of all tiles at a point
 }
 
-std::vector<std::string> QuiltingCommand::periodNotes(const Noise&, double tilesX,
+std::vector<std::string> QuiltingCommand::periodNotes(const Noise& noise, double tilesX,
                                                       double tilesY) const {
+  if (noise.as<QuiltingNoise>().offsets.empty())
+    return {};
   return noteOnRows(tilesX, tilesY);
 }
 
