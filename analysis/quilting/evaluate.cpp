@@ -72,10 +72,7 @@ Vec2 offsetOf(const LatticeVertex& vertex, const std::vector<Vec2>& offsets, std
     const auto steps = tileOffsetSteps(vertex.i, vertex.j, seedWord);
     return {float(steps[0]) * noise.offsetStepX, float(steps[1]) * noise.offsetStepY};
   }
-  // Vertices side by side have different colours, and so different offsets.
-  const std::uint32_t color = (vertex.i - vertex.j + 0x80000000u) % 3u;
-  const auto count = (std::uint32_t(offsets.size()) - color + 2u) / 3u;
-  return offsets[3u * ((hash >> 16u) * count >> 16u) + color];
+  return offsets[(hash >> 16u) * std::uint32_t(offsets.size()) >> 16u];
 }
 
 } // namespace

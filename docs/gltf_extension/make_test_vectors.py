@@ -285,9 +285,7 @@ def quilting(place, dpdx, dpdy, contrast, has_list, seed, period):
         word = vertex_hash(*vertex, lattice_seed(seed, 0))
         offset = [step / QUILT_SIDE for step in tile_offset(*vertex, lattice_seed(seed, 0), QUILT_SIDE, QUILT_SIDE)]
         if has_list:
-            color = (vertex[0] - vertex[1] + 2**31) % WORD % 3
-            count = (len(QUILT_OFFSETS) - color + 2) // 3
-            offset = QUILT_OFFSETS[3 * ((word // 65536 * count) // 65536) + color]
+            offset = QUILT_OFFSETS[word // 65536 * len(QUILT_OFFSETS) // 65536]
         tap = [p - s + o for p, s, o in zip(place, shift, offset)]
         red, green, sharpness = trilinear(ways, *tap, math.floor(level + 0.5))
         x, y = (QUILT_REACH * (2 * c - 1) for c in (red, green))

@@ -19,7 +19,7 @@
 struct LichenQuiltingPoint {
   vec2 uv0, uv1; // [tiles] where two tiles are fetched
   vec2 weights;  // about the mean; their sum is at least 1 where contrast is
-  uvec2 colors;  // lichenVertexColor() of their vertices
+  uvec2 colors;  // lichenVertexColor() of their vertices, for debug views
   float footprintLevel; // [mip levels] of the widest map
 };
 
@@ -28,14 +28,13 @@ uint lichenVertexColor(uvec2 vertex) {
   return (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
 }
 
-/// Where the tile of a vertex is taken from [tiles]: one of a list, or a random multiple of `step`.
+/// Where the tile of a vertex is taken from [tiles]: a random one of a list, or a random multiple of
+/// `step`.
 vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, vec2 step) {
   uint hash = lichenVertexHash(vertex.x, vertex.y, seedWord);
   if (offsets == 0u) // as of tiling
     return vec2(ivec2(uvec2(hash & 0x7ffu, hash >> 21u))) * step;
-  uint color = lichenVertexColor(vertex); // vertices side by side have different offsets
-  uint count = (offsets - color + 2u) / 3u;
-  uint word = LICHEN_TILE_OFFSET(3u * (((hash >> 16u) * count) >> 16u) + color);
+  uint word = LICHEN_TILE_OFFSET(((hash >> 16u) * offsets) >> 16u);
   return vec2(ivec2(uvec2(word & 0xFFFFu, word >> 16u))) * (1.0 / 65536.0);
 }
 
@@ -84,7 +83,7 @@ void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX
   heights = max(heights, kLeastHat);
   float highest = max(heights.x, max(heights.y, heights.z));
   vec3 weights = max(highest - exp2(kMostSharpness * sharpness) * (highest - heights), 0.0);
-  // Less the least, two are left.
+  // Only two tiles are fetched: the smallest weight is taken from all.
   weights -= min(weights.x, min(weights.y, weights.z));
   uint color = lichenVertexColor(triangle.vertex0); // the other vertices have the next two
   point.colors = uvec2(color, color + 1u);

@@ -21,7 +21,7 @@ inline constexpr double kMostCellReach = 0.5;
 /// What all maps of a quilting noise share.
 struct QuiltingNoise {
   double reach = kMostCellReach; ///< (0, kMostCellReach], of the image of cells [tiles]
-  /// [0, 1] of two tiles where they overlap, close up: how far a blend of them is their average.
+  /// [0, 1] How highly two tiles correlate on average where they overlap, close up.
   double correlation = 0.0;
   /// Where tiles are taken from, [0, 1) tiles: shifts that nearly repeat the exemplar. At most
   /// kMostQuiltingOffsets, no fewer than kFewestQuiltingOffsets; or none, and tiles are taken from
@@ -30,7 +30,7 @@ struct QuiltingNoise {
 
   [[nodiscard]] bool operator==(const QuiltingNoise&) const = default;
 };
-inline constexpr std::size_t kFewestQuiltingOffsets = 3; // one for each colour of the lattice
+inline constexpr std::size_t kFewestQuiltingOffsets = 3; // fewer hardly differ from a plain repeat
 
 /// A map's image, and the image of the exemplar's cells, which all maps share. Both repeat, and
 /// have the full chain of mip levels.
