@@ -6,6 +6,7 @@
 #include <lichen/exemplar.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -24,10 +25,16 @@ struct NearPeriods {
 
 inline constexpr std::size_t kFewestShifts = 3;
 
+/// A shift of at most a tile either way along an axis -> whole pixels to the right or down, in
+/// [0, side).
+[[nodiscard]] inline int pixelsOf(double shift, int side) {
+  return (int(std::lround(shift * side)) + side) % side;
+}
+
 /// The strength is found by a comparison with a random field of the same smooth spectrum. There are
 /// at most `most` shifts, which repeat the exemplar as closely as `guide`, [0, 1], or the strength
-/// says; none for 0. Takes the largest maps into account,
-/// as periodic images. O(N (log N + most)) in their pixels. Deterministic. Throws std::bad_alloc.
+/// says; none for 0. Takes the largest maps into account, as periodic images. O(N (log N + most))
+/// in their pixels. Deterministic. Throws std::bad_alloc.
 [[nodiscard]] NearPeriods nearPeriods(std::span<const MapExemplar> maps, std::size_t most,
                                       std::optional<double> guide = std::nullopt);
 

@@ -6,6 +6,7 @@
 // docs/decisions/039-quilting.md says how the constants were chosen.
 #include "whole_periods.h"
 
+#include "border_misfit.h"
 #include "exemplar/area_average.h"
 #include "exemplar/box_mean.h"
 #include "perspective.h"
@@ -160,31 +161,37 @@ Lattice reduced(Lattice lattice) {
   }
 }
 
-/// Calls use(i, j, vector) for half of the combinations of at most so many steps whose overlap
-/// counts; the others are opposite.
-void eachOf(const Repetition& repetition, const Lattice& lattice, int steps, const auto& use) {
-  for (int j = 0; j <= steps; ++j)
-    for (int i = j == 0 ? 1 : -steps; i <= steps; ++i)
-      if (const Vector v = combined(i, lattice.a, j, lattice.b);
-          repetition.overlap(v) >= kLeastOverlap)
+/// Calls use(i, j, vector) for half of the combinations i a + j b of the lattice's vectors whose
+/// overlap counts; the others are opposite. i and j are whole numbers of at most so many steps,
+/// plus `beside`, each 0 or 1/2.
+void eachOf(const Repetition& repetition, const Lattice& lattice, int steps, const auto& use,
+            const Vector& beside = {}) {
+  for (int row = 0; row <= steps; ++row)
+    for (int column = -steps; column <= steps; ++column) {
+      const double i = column + beside[0], j = row + beside[1];
+      if (j == 0.0 && i <= 0.0)
+        continue;
+      const Vector v = combined(i, lattice.a, j, lattice.b);
+      if (repetition.overlap(v) >= kLeastOverlap)
         use(i, j, v);
+    }
 }
 
 struct Estimate {
   double mean = 0.0, error = 0.0;
 };
 
-/// The mean correlation at the lattice's vectors, or at those beside them by `shift`.
+/// The mean correlation at the lattice's vectors, or `beside` them, as for eachOf().
 Estimate correlationAlong(const Repetition& repetition, const Lattice& lattice, int steps,
-                          const Vector& shift = {}) {
+                          const Vector& beside = {}) {
   double sum = 0.0, weights = 0.0, variance = 0.0;
-  eachOf(repetition, lattice, steps, [&](int, int, const Vector& v) {
-    const double weight = repetition.overlap(v),
-                 value = repetition.near(combined(1.0, v, 1.0, shift));
+  const auto add = [&](double, double, const Vector& v) {
+    const double weight = repetition.overlap(v), value = repetition.near(v);
     sum += weight * value;
     weights += weight;
     variance += weight * weight * repetition.variance(value, v);
-  });
+  };
+  eachOf(repetition, lattice, steps, add, beside);
   return weights > 0.0 ? Estimate{sum / weights, std::sqrt(variance) / weights} : Estimate{};
 }
 
@@ -192,9 +199,7 @@ Estimate correlationAlong(const Repetition& repetition, const Lattice& lattice, 
 double contrastOf(const Repetition& repetition, const Lattice& lattice, int steps) {
   const double mean = correlationAlong(repetition, lattice, steps).mean;
   double least = 1.0;
-  for (const Vector& half :
-       {combined(0.5, lattice.a, 0.0, lattice.b), combined(0.0, lattice.a, 0.5, lattice.b),
-        combined(0.5, lattice.a, 0.5, lattice.b)})
+  for (const Vector& half : {Vector{0.5, 0.0}, Vector{0.0, 0.5}, Vector{0.5, 0.5}})
     least = std::min(least, mean - correlationAlong(repetition, lattice, steps, half).mean);
   return least;
 }
@@ -206,23 +211,24 @@ Lattice fitted(const Repetition& repetition, Lattice lattice, int mostSteps) {
   for (int steps = 2; steps <= 2 * mostSteps; steps *= 2) {
     double ii = 0.0, ij = 0.0, jj = 0.0;
     Vector iv{}, jv{};
-    eachOf(repetition, lattice, std::min(steps, mostSteps), [&](int i, int j, const Vector& v) {
-      int x = int(std::lround(v[0])), y = int(std::lround(v[1]));
-      const int fromX = x, fromY = y;
-      for (int dy = -kNear; dy <= kNear; ++dy)
-        for (int dx = -kNear; dx <= kNear; ++dx)
-          if (repetition.at(fromX + dx, fromY + dy) > repetition.at(x, y)) {
-            x = fromX + dx;
-            y = fromY + dy;
-          }
-      const double weight = repetition.overlap(v) * std::max(0.0, repetition.at(x, y));
-      const Vector peak = refined(repetition, x, y);
-      ii += weight * i * i;
-      ij += weight * i * j;
-      jj += weight * j * j;
-      iv = combined(1.0, iv, weight * i, peak);
-      jv = combined(1.0, jv, weight * j, peak);
-    });
+    eachOf(repetition, lattice, std::min(steps, mostSteps),
+           [&](double i, double j, const Vector& v) {
+             int x = int(std::lround(v[0])), y = int(std::lround(v[1]));
+             const int fromX = x, fromY = y;
+             for (int dy = -kNear; dy <= kNear; ++dy)
+               for (int dx = -kNear; dx <= kNear; ++dx)
+                 if (repetition.at(fromX + dx, fromY + dy) > repetition.at(x, y)) {
+                   x = fromX + dx;
+                   y = fromY + dy;
+                 }
+             const double weight = repetition.overlap(v) * std::max(0.0, repetition.at(x, y));
+             const Vector peak = refined(repetition, x, y);
+             ii += weight * i * i;
+             ij += weight * i * j;
+             jj += weight * j * j;
+             iv = combined(1.0, iv, weight * i, peak);
+             jv = combined(1.0, jv, weight * j, peak);
+           });
     const double determinant = ii * jj - ij * ij;
     if (determinant <= 1e-9 * ii * jj)
       return lattice;
@@ -344,14 +350,33 @@ bool misses(const Lattice& lattice, int width, int height) {
   return away({double(width), 0.0}) > kClearly || away({0.0, double(height)}) > kClearly;
 }
 
-/// Of the parallelogram with these sides in the middle of the picture.
-TileCorners centred(const Lattice& sides, int width, int height) {
+/// The corners of a parallelogram inside the picture, with these sides: where opposite borders
+/// fit best, as they do in joints.
+TileCorners placed(const Lattice& sides, const ImageLevel& image) {
   const auto& [right, down] = sides;
-  const double left = 0.5 * (width - right[0] - down[0]), top = 0.5 * (height - right[1] - down[1]);
-  return {{{left, top},
-           {left + right[0], top + right[1]},
-           {left + right[0] + down[0], top + right[1] + down[1]},
-           {left + down[0], top + down[1]}}};
+  const auto cornersFrom = [&](const Vector& corner) {
+    return TileCorners{{corner, combined(1.0, corner, 1.0, right),
+                        combined(1.0, combined(1.0, corner, 1.0, right), 1.0, down),
+                        combined(1.0, corner, 1.0, down)}};
+  };
+  // Of the upper left corner.
+  const Vector least{std::max(0.0, -down[0]), std::max(0.0, -right[1])};
+  const Vector most{image.width - right[0] - std::max(0.0, down[0]),
+                    image.height - down[1] - std::max(0.0, right[1])};
+  const BorderMisfit misfit(image);
+  Vector best = combined(0.5, least, 0.5, most);
+  for (const std::size_t axis : {std::size_t(0), std::size_t(1)}) {
+    const Vector& side = axis == 0 ? down : right;
+    const Vector& apart = axis == 0 ? right : down;
+    double lowest = misfit.between(best, side, apart);
+    Vector corner = best;
+    for (corner[axis] = least[axis]; corner[axis] <= most[axis]; corner[axis] += 1.0)
+      if (const double own = misfit.between(corner, side, apart); own < lowest) {
+        lowest = own;
+        best = corner;
+      }
+  }
+  return cornersFrom(best);
 }
 
 } // namespace
@@ -368,24 +393,29 @@ WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit) {
   };
   const std::optional<Keystone> keystone =
       keystoneOf(image, [&](const ImageLevel& level) { return latticeOf(level).correlation; });
-  const FoundLattice found = latticeOf(keystone ? straightened(image, *keystone) : image);
+  if (keystone)
+    image = straightened(image, *keystone);
+  const FoundLattice found = latticeOf(image);
   const double area = std::abs(cross(found.lattice.a, found.lattice.b));
   const bool areFew = kFew * area > double(image.width) * image.height;
-  if (found.correlation < (areFew ? kLeastOfFew : kLeastCorrelation))
-    return {found.correlation, found.contrast, std::nullopt};
-  if (bordersFit && !misses(found.lattice, image.width, image.height))
-    return {found.correlation, found.contrast, std::nullopt};
+  WholePeriods result;
+  result.correlation = found.correlation;
+  result.contrast = found.contrast;
+  result.areSure = found.correlation >= (areFew ? kLeastOfFew : kLeastCorrelation);
+  if (!result.areSure || (bordersFit && !misses(found.lattice, image.width, image.height)))
+    return result;
   const std::optional<Lattice> sides = frameOf(found.lattice, image.width, image.height);
   if (!sides)
-    return {found.correlation, found.contrast, std::nullopt};
-  TileCorners corners = centred(*sides, image.width, image.height);
+    return result;
+  TileCorners corners = placed(*sides, image);
   for (auto& corner : corners) {
     corner = {corner[0] / image.width, corner[1] / image.height};
     if (keystone)
       corner = seen(*keystone, corner[0], corner[1]);
     corner = {corner[0] * map.width, corner[1] * map.height};
   }
-  return {found.correlation, found.contrast, corners};
+  result.part = corners;
+  return result;
 }
 
 } // namespace lichen::placement

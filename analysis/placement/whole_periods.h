@@ -16,10 +16,14 @@ struct WholePeriods {
   /// How much lower the correlation is half way between those vectors, as a share of it, where it
   /// falls least. Streaks, which repeat by chance, hardly fall along themselves.
   double contrast = 0.0;
+  /// Whether the lattice is more than chance: the correlation is at least 0.25, or 0.45 if the
+  /// picture holds fewer than 8 periods.
+  bool areSure = false;
   /// The largest part whose sides are whole numbers of periods, which follow the rows and the
   /// columns of what repeats, turned by up to 15 degrees and sheared by up to 10. It is a
   /// parallelogram, or a trapezoid of a picture in perspective, which repeats clearly more highly
-  /// without it. Nothing if the correlation is below 0.25, or below 0.45 with fewer than 8 periods.
+  /// without it. Of all places in the picture, the one where its opposite borders fit best, as in
+  /// joints. Nothing unless areSure.
   std::optional<TileCorners> part;
 };
 

@@ -103,18 +103,18 @@ double correlationOf(const MapExemplar& map, std::span<const std::array<double, 
     return 0.0;
   const std::size_t channels = map.channels.size();
   std::vector<float> sums(map.values.size());
+  const std::size_t rowValues = std::size_t(map.width) * channels;
   for (const std::array<double, 2>& offset : offsets) {
-    const int shiftX = int(std::lround(offset[0] * map.width));
-    const int shiftY = int(std::lround(offset[1] * map.height));
-    float* sum = sums.data();
-    for (int y = 0; y < map.height; ++y)
-      for (int x = 0; x < map.width; ++x)
-        for (std::size_t c = 0; c < channels; ++c) {
-          const int column = (x + shiftX) % map.width, row = (y + shiftY) % map.height;
-          *sum++ += map.values[(std::size_t(row) * std::size_t(map.width) + std::size_t(column)) *
-                                   channels +
-                               c];
-        }
+    const auto along = std::size_t(placement::pixelsOf(offset[0], map.width)) * channels;
+    const int down = placement::pixelsOf(offset[1], map.height);
+    for (int y = 0; y < map.height; ++y) {
+      const float* const from = &map.values[std::size_t((y + down) % map.height) * rowValues];
+      float* const sum = &sums[std::size_t(y) * rowValues];
+      for (std::size_t i = 0; i < rowValues - along; ++i)
+        sum[i] += from[i + along];
+      for (std::size_t i = rowValues - along; i < rowValues; ++i)
+        sum[i] += from[i + along - rowValues];
+    }
   }
   const auto varianceOf = [&](const std::vector<float>& values) {
     return exemplar::momentsOf(values, int(channels)).covariance.trace();

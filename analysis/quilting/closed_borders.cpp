@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Maps -> the same, each pixel from its own place or from a shift further.
+// Maps -> the same, with pixels along borders that do not fit taken from a shift further.
+// docs/decisions/039-quilting.md says how the constants were chosen.
 #include "closed_borders.h"
+
+#include "placement/border_misfit.h"
+#include "placement/near_periods.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +25,17 @@ float fromBorder(float position) {
   return std::min(share, 1.0f - share);
 }
 
-/// How far the centre of what a border cuts from a cell lies from the border at most: half a cell,
-/// of whose points the root mean square distance from the centre is 1 / sqrt(12). [tiles]
+/// How far the centre of what a border cuts from a cell lies from the border at most: half of a
+/// large cell. [tiles]
 float halfCell(const CellField& cells, std::size_t axis) {
-  constexpr double kLeast = 1.0 / 64.0, kMost = 1.0 / 8.0;
-  double squares = 0.0;
+  constexpr double kLarge = 0.95; // of all texels, which lie nearer to their centres
+  constexpr float kLeast = 1.0f / 64.0f, kMost = 1.0f / 8.0f;
+  std::vector<float> distances;
   for (const std::array<float, 2>& way : cells.toCentre)
-    squares += std::pow(double(way[axis]), 2.0);
-  return float(std::clamp(std::sqrt(3.0 * squares / double(cells.toCentre.size())), kLeast, kMost));
+    distances.push_back(std::abs(way[axis]));
+  const auto large = distances.begin() + std::ptrdiff_t(kLarge * double(distances.size() - 1));
+  std::ranges::nth_element(distances, large);
+  return std::clamp(*large, kLeast, kMost);
 }
 
 /// Of the shifts that repeat the exemplar the one nearest to half a tile along the axis. If none is
@@ -70,10 +77,8 @@ void closeAxis(std::span<MapExemplar> maps, const CellField& cells, std::size_t 
   for (MapExemplar& map : maps) {
     const std::vector<float> original = map.values;
     const std::size_t channels = map.channels.size();
-    const auto pixels = [](double share, int side) {
-      return (int(std::lround(share * side)) + side) % side;
-    };
-    const int shiftX = pixels(shift[0], map.width), shiftY = pixels(shift[1], map.height);
+    const int shiftX = placement::pixelsOf(shift[0], map.width);
+    const int shiftY = placement::pixelsOf(shift[1], map.height);
     for (int y = 0; y < map.height; ++y)
       for (int x = 0; x < map.width; ++x) {
         const auto centre = [&](int column, int row) {
@@ -104,7 +109,8 @@ std::vector<double> meansOf(const MapExemplar& map) {
   return means;
 }
 
-/// Shifts each channel to another mean, as far as values stay within their range.
+/// Shifts each channel to another mean. The least and the greatest values, such as the 0 and 1 of a
+/// mask, stay, and all others stay between them.
 void shiftMeans(MapExemplar& map, const std::vector<double>& means) {
   const std::vector<double> own = meansOf(map);
   std::vector<float> least(own.size(), std::numeric_limits<float>::max());
@@ -116,8 +122,23 @@ void shiftMeans(MapExemplar& map, const std::vector<double>& means) {
   }
   for (std::size_t i = 0; i < map.values.size(); ++i) {
     const std::size_t c = i % own.size();
-    map.values[i] = std::clamp(map.values[i] + float(means[c] - own[c]), least[c], most[c]);
+    float& value = map.values[i];
+    if (value > least[c] && value < most[c])
+      value = std::clamp(value + float(means[c] - own[c]), least[c], most[c]);
   }
+}
+
+/// Whether the borders across an axis meet in joints of all maps.
+bool meetInJoints(std::span<const MapExemplar> maps, std::size_t axis) {
+  constexpr double kMostMisfit = 0.125;
+  return std::ranges::all_of(maps, [&](const MapExemplar& map) {
+    const exemplar::ImageLevel image{map.width, map.height, int(map.channels.size()), map.values};
+    const double width = map.width, height = map.height;
+    const placement::BorderMisfit misfit(image);
+    const std::array<double, 2> from{0.0, 0.0};
+    return (axis == 0 ? misfit.between(from, {0.0, height}, {width - 1.0, 0.0})
+                      : misfit.between(from, {width, 0.0}, {0.0, height - 1.0})) < kMostMisfit;
+  });
 }
 
 } // namespace
@@ -128,7 +149,8 @@ void closeBorders(std::span<MapExemplar> maps, const CellField& cells, double co
   for (const MapExemplar& map : maps)
     means.push_back(meansOf(map));
   for (const std::size_t axis : {std::size_t(0), std::size_t(1)}) {
-    if (const std::optional<Shift> shift = shiftAlong(axis, shifts))
+    const std::optional<Shift> shift = shiftAlong(axis, shifts);
+    if (shift && !meetInJoints(maps, axis))
       closeAxis(maps, axis == 0 ? cells : cellsOf(maps, count), axis, *shift);
     progress.reach(0.5 * double(axis + 1));
   }

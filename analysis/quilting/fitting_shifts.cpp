@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Cells, shifts -> the shifts after which cells lie on cells. docs/decisions/039-quilting.md says
+// how the constants were chosen.
 #include "fitting_shifts.h"
+
+#include "placement/near_periods.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +13,11 @@
 namespace lichen::quilting {
 namespace {
 
-/// How far cells miss cells after a shift: the mean squared difference of the ways to their
-/// centres, over that of cells that have nothing to do with each other. About 0 to 1.
+/// How far cells miss cells after a shift: the mean squared difference of the vectors to their
+/// centres, over that of unrelated cells. About 0 to 1.
 double missOf(const CellField& cells, const std::array<double, 2>& shift) {
-  const auto pixels = [](double share, int side) {
-    return (int(std::lround(share * side)) + side) % side;
-  };
-  const int shiftX = pixels(shift[0], cells.width), shiftY = pixels(shift[1], cells.height);
+  const int shiftX = placement::pixelsOf(shift[0], cells.width);
+  const int shiftY = placement::pixelsOf(shift[1], cells.height);
   double differences = 0.0, squares = 0.0;
   std::size_t i = 0;
   for (int y = 0; y < cells.height; ++y)
@@ -34,8 +36,7 @@ double missOf(const CellField& cells, const std::array<double, 2>& shift) {
 } // namespace
 
 FittingShifts fittingShifts(const CellField& cells, std::span<const std::array<double, 2>> shifts) {
-  // Three for each colour of the lattice: fewer would repeat visibly.
-  constexpr std::size_t kFewest = 9;
+  constexpr std::size_t kFewest = 9; // fewer would repeat visibly
   std::vector<double> misses;
   double least = 1.0;
   for (const std::array<double, 2>& shift : shifts) {

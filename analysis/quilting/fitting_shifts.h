@@ -10,13 +10,16 @@
 
 namespace lichen::quilting {
 
+/// Between bricks and cobbles: docs/decisions/039-quilting.md.
+inline constexpr double kCloseMiss = 0.635;
+
 struct FittingShifts {
   std::vector<std::array<double, 2>> shifts; ///< [tiles]
   /// How far cells miss cells after the best of them: 0 not at all, 1 like any shift.
   double miss = 1.0;
 
-  /// Whether cells are as alike as those of bricks of one size are, not as those of cobbles.
-  [[nodiscard]] bool isClose() const { return miss < 0.635; }
+  /// Whether cells fit as closely as bricks of one size do, not as loosely as cobbles.
+  [[nodiscard]] bool isClose() const { return miss < kCloseMiss; }
 };
 
 /// The shifts after which the centres of cells are where they were, in their order. Values

@@ -86,7 +86,7 @@ TEST_CASE("the tile of bricks that borders cut is whole periods, or what --recti
     return runLichen(all).errors;
   };
   const auto other = Catch::Contains("the exemplar is 150 x 150, but was 128 x 128");
-  CHECK_THAT(notesOf({}), !other && Catch::Contains("--periodic no --rectify 1"));
+  CHECK_THAT(notesOf({}), !other && Catch::Contains("--periodic no --rectify "));
   CHECK_THAT(notesOf({"--rectify", "off"}), other);
 
   const nlohmann::json off = bakedAs(workplace, bricks, {"--periodic", "no", "--rectify", "off"});

@@ -38,7 +38,7 @@ MapExemplar planeOf(auto valueAt) {
 /// Upright bars of different greys, the first and the last of which the borders cut: 256 pixels
 /// are 6.4 of them.
 MapExemplar bars() {
-  constexpr std::array<float, 7> kGreys{0.5f, 0.8f, 0.3f, 0.9f, 0.4f, 0.7f, 0.6f};
+  constexpr std::array<float, 7> kGreys{0.4f, 0.8f, 0.3f, 0.7f, 0.5f, 0.6f, 0.9f};
   return planeOf([&](int x, int) {
     const int bar = (x + kPitch / 2) / kPitch;
     const int within = (x + kPitch / 2) % kPitch;
@@ -113,6 +113,26 @@ TEST_CASE("borders are closed by half a tile where nothing repeats, and mean and
   CHECK(meanOf(closed) == Approx(meanOf(cut)).margin(2e-3));
   CHECK(std::ranges::min(closed.values) >= std::ranges::min(cut.values));
   CHECK(std::ranges::max(closed.values) <= std::ranges::max(cut.values));
+}
+
+TEST_CASE("borders that meet in joints stay as they are") {
+  const MapExemplar map = planeOf([](int x, int y) { // 4 joints of 64 pixels along each axis
+    constexpr int kSquare = 64, kRows = kHeight / 2;
+    const bool isJoint = std::min({x % kSquare, kSquare - 1 - x % kSquare, y % kRows,
+                                   kRows - 1 - y % kRows}) < kJoint / 2;
+    return isJoint ? kDark : 0.4f + 0.1f * float(x / kSquare) + 0.05f * float(y / kRows);
+  });
+  MapExemplar closed = map;
+  close(closed, 8.0, {{0.0, 0.0}, {0.5, 0.0}, {0.5, 0.5}, {0.0, 0.5}});
+  CHECK(closed.values == map.values);
+}
+
+TEST_CASE("closed borders leave 0 and 1 of a mask") {
+  MapExemplar mask = bars();
+  for (float& value : mask.values)
+    value = value > 0.5f ? 1.0f : 0.0f;
+  close(mask, kBars, {{0.0, 0.0}, {3.0 * kPitch / kWidth, 0.0}});
+  CHECK(std::ranges::all_of(mask.values, [](float v) { return v == 0.0f || v == 1.0f; }));
 }
 
 TEST_CASE("a border stays where no shift that repeats the exemplar is near half a tile") {
