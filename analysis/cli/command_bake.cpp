@@ -183,9 +183,8 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
     notes.add(std::move(choice.value().reason));
   }
   const Structure& structure = read.value().structure;
-  constexpr double kWeak = 0.3; // then the bake would follow weakly what the lattice shows
-  if (structure.hasLattice && structure.strength < kWeak && !arguments.common.guide)
-    arguments.common.guide = kGuideRange.most;
+  if (!arguments.common.guide)
+    arguments.common.guide = structure.guide();
   if (byStructure && structure.isClear()) {
     arguments.method = Method::quilting;
     notes.add(structure.repeats()

@@ -18,10 +18,11 @@ namespace lichen {
 
 namespace {
 
-/// Such a lattice is no chance, whatever the outlines: docs/decisions/039-quilting.md.
+/// Whether streaks, which repeat by chance, have no such lattice: docs/decisions/039-quilting.md.
 bool isClear(const placement::WholePeriods& periods) {
   constexpr double kLeastCorrelation = 0.4, kLeastContrast = 0.15;
-  return periods.correlation >= kLeastCorrelation && periods.contrast >= kLeastContrast;
+  return periods.areSure && periods.correlation >= kLeastCorrelation &&
+         periods.contrast >= kLeastContrast;
 }
 
 /// How coherent the phases of the map are across scales.

@@ -13,6 +13,15 @@
 
 namespace lichen {
 
+/// A smaller picture shows too little to tell. [pixels]
+inline constexpr int kLeastStructureSide = 128;
+/// Streaks of wood repeat by chance, but have no outlines.
+inline constexpr double kLeastOutlines = 0.15;
+/// What holds an exemplar together by itself: outlines, or a strength of repetition.
+inline constexpr double kClearOutlines = 0.25, kClearStrength = 0.3;
+/// How closely a noise follows what repeats: 0 not at all.
+inline constexpr NumberRange kGuideRange{0.0, 1.0};
+
 struct Structure {
   double outlines = 0.0;   ///< [0, 1] how much outlines, such as joints, hold it together
   double strength = 0.0;   ///< how clearly it repeats: 0 of a random field, 1 of bricks
@@ -22,17 +31,18 @@ struct Structure {
   /// contradicts that, or if nothing repeats clearly.
   std::optional<TileCorners> wholePeriods;
 
-  [[nodiscard]] bool repeats() const { return strength >= 0.3 || hasLattice; }
+  [[nodiscard]] bool repeats() const { return isStrong() || hasLattice; }
   /// Whether random blending breaks it into pieces.
-  [[nodiscard]] bool isClear() const { return repeats() || outlines >= 0.25; }
-};
-/// A smaller picture shows too little to tell. [pixels]
-inline constexpr int kLeastStructureSide = 128;
-/// Streaks of wood repeat by chance, but have no outlines.
-inline constexpr double kLeastOutlines = 0.15;
-/// How closely a noise follows what repeats: 0 not at all.
-inline constexpr NumberRange kGuideRange{0.0, 1.0};
+  [[nodiscard]] bool isClear() const { return repeats() || outlines >= kClearOutlines; }
+  /// How closely a bake should follow what repeats; nothing: as clearly as it repeats. What only
+  /// the lattice shows would be followed weakly.
+  [[nodiscard]] std::optional<double> guide() const {
+    return hasLattice && !isStrong() ? std::optional(kGuideRange.most) : std::nullopt;
+  }
 
+private:
+  [[nodiscard]] bool isStrong() const { return strength >= kClearStrength; }
+};
 /// Measures the exemplar: outlines by its first map; how clearly it repeats by its largest maps,
 /// inside the part that holds whole periods, but not if outlines are less than kLeastOutlines and
 /// no lattice repeats the first map highly. Nothing is clear in a first map with a side under 128
