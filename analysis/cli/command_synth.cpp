@@ -109,21 +109,23 @@ Result<void> writeMap(const Arguments& arguments, const Bundle& bundle, LinearIm
   return png ? replaceFile(output, png.value()) : Result<void>(png.error());
 }
 
+/// A note if the picture repeats, and rows of the noise break where it does.
 std::vector<std::string> notesOf(const Bundle& bundle, const SynthesisOptions& synthesis) {
-  if (!synthesis.tileable)
-    return {};
   const Noise& noise = bundle.noises[synthesis.material.noise];
+  if (!synthesis.tileable || !commandOf(noise.method()).hasRows(noise))
+    return {};
   const auto [across, down] =
       pixelsPerTile(bundle, synthesis.material.noise, noise.maps[*findMap(noise, synthesis.map)],
                     synthesis.texelsPerTile);
-  const double tilesX = synthesis.width / across, tilesY = synthesis.height / down;
-  std::vector<std::string> notes = commandOf(noise.method()).periodNotes(noise, tilesX, tilesY);
-  const auto whole = [](double tiles, double pixels) {
-    return std::lround(std::max(1.0, std::round(tiles)) * pixels);
+  const auto whole = [](int pixels, double perTile) { // the nearest whole number of exemplars
+    return std::lround(std::max(1.0, std::round(pixels / perTile)) * perTile);
   };
-  if (!notes.empty())
-    notes.back() += fmt::format(": --size {}x{}", whole(tilesX, across), whole(tilesY, down));
-  return notes;
+  const long width = whole(synthesis.width, across), height = whole(synthesis.height, down);
+  if (width == synthesis.width && height == synthesis.height)
+    return {};
+  return {fmt::format("{:.4g} x {:.4g} exemplars break the rows of what repeats; whole numbers of "
+                      "them keep the rows: --size {}x{}",
+                      synthesis.width / across, synthesis.height / down, width, height)};
 }
 
 /// Synthesizes and writes one map after the other, so that memory holds one. Returns the names of

@@ -63,6 +63,11 @@ void setImage(shader::LichenMap& constants, const Table& image) {
   constants.mipCount = std::min<shader::uint>(image.mipLevels, LICHEN_MAX_MIPS);
 }
 
+float levelOffset(const Table& image, const std::array<std::uint32_t, 2>& tile) {
+  const double texels = double(image.width) * image.height;
+  return float(0.5 * std::log2(texels / (double(tile[0]) * tile[1])));
+}
+
 void setOffsetSteps(shader::LichenNoise& constants) {
   const auto step = [](float side) {
     return float(double(1u << tileOffsetShift(std::uint32_t(side))) / double(side));

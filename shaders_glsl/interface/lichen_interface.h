@@ -235,7 +235,7 @@ struct LichenMap {
   uint reserved0; // 0
   uint dimensions;                 // D of the Gaussian image, channels of a texton, 1 to 3
   uint mipCount;                   // [1, LICHEN_MAX_MIPS]
-  float levelOffset;               // of tiling: half of log2 of its texels over those of a tile
+  float levelOffset;               // of tiling, quilting: half of log2 of its texels over a tile's
   float interpolationLoss;         // of tiling: share of the variance that fetches of level 0 lose
   uint encoding;                   // LICHEN_ENCODING_*
   uint decoding;                   // LICHEN_DECODING_*

@@ -3,7 +3,6 @@
 #include "local_random_phase_command.h"
 
 #include "../table_words.h"
-#include "period_note.h"
 
 #include <lichen/counted.h>
 #include <lichen/local_random_phase.h>
@@ -168,11 +167,8 @@ std::vector<std::string> LocalRandomPhaseCommand::linesOf(const Bundle& bundle,
           inverseTableWords(own.inverseTable, own.dimensions, bundle.tables)};
 }
 
-std::vector<std::string> LocalRandomPhaseCommand::periodNotes(const Noise& noise, double tilesX,
-                                                              double tilesY) const {
-  if (noise.as<LocalRandomPhaseNoise>().structure.offsets == 0)
-    return {};
-  return noteOnRows(tilesX, tilesY);
+bool LocalRandomPhaseCommand::hasRows(const Noise& noise) const {
+  return noise.as<LocalRandomPhaseNoise>().structure.offsets > 0;
 }
 
 int LocalRandomPhaseCommand::fetches(const Bundle&, const Noise& noise, const NoiseMap& map,

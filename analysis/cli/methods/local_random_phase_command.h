@@ -23,8 +23,7 @@ public:
                 nlohmann::ordered_json& json) const override;
   [[nodiscard]] std::vector<std::string> linesOf(const Bundle& bundle,
                                                  const NoiseMap& map) const override;
-  [[nodiscard]] std::vector<std::string> periodNotes(const Noise& noise, double tilesX,
-                                                     double tilesY) const override;
+  [[nodiscard]] bool hasRows(const Noise& noise) const override;
   [[nodiscard]] int fetches(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                             const MaterialNoise& use) const override;
   [[nodiscard]] bool fetchesVary() const override { return false; }

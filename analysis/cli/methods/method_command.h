@@ -108,11 +108,9 @@ public:
                         nlohmann::ordered_json& json) const = 0;
   [[nodiscard]] virtual std::vector<std::string> linesOf(const Bundle& bundle,
                                                          const NoiseMap& map) const = 0;
-  /// Notes on a picture that repeats after these exemplars, in which the noise may look otherwise
-  /// than without a period.
-  [[nodiscard]] virtual std::vector<std::string> periodNotes(const Noise&, double, double) const {
-    return {};
-  }
+  /// Whether the noise has rows, such as those of bricks, which only a period of whole exemplars
+  /// continues.
+  [[nodiscard]] virtual bool hasRows(const Noise&) const { return false; }
   /// The number of texture fetches per pixel for one map on one plane: an average if fetchesVary(),
   /// otherwise the maximum.
   [[nodiscard]] virtual int fetches(const Bundle& bundle, const Noise& noise, const NoiseMap& map,

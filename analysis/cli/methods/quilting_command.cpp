@@ -2,8 +2,6 @@
 // Quilting: options, bake reports, and descriptions for `inspect`.
 #include "quilting_command.h"
 
-#include "period_note.h"
-
 #include <lichen/plain_fetches.h>
 #include <lichen/quilting.h>
 
@@ -110,11 +108,8 @@ int QuiltingCommand::sharedFetches() const {
   return 3; // of the cells of all tiles at a point
 }
 
-std::vector<std::string> QuiltingCommand::periodNotes(const Noise& noise, double tilesX,
-                                                      double tilesY) const {
-  if (noise.as<QuiltingNoise>().offsets.empty())
-    return {};
-  return noteOnRows(tilesX, tilesY);
+bool QuiltingCommand::hasRows(const Noise& noise) const {
+  return !noise.as<QuiltingNoise>().offsets.empty();
 }
 
 const Table& QuiltingCommand::imageOf(const Bundle& bundle, const NoiseMap& map) const {

@@ -25,8 +25,7 @@ public:
                             const MaterialNoise& use) const override;
   [[nodiscard]] int sharedFetches() const override;
   [[nodiscard]] bool fetchesVary() const override { return false; }
-  [[nodiscard]] std::vector<std::string> periodNotes(const Noise& noise, double tilesX,
-                                                     double tilesY) const override;
+  [[nodiscard]] bool hasRows(const Noise& noise) const override;
   [[nodiscard]] const Table& imageOf(const Bundle& bundle, const NoiseMap& map) const override;
 };
 

@@ -26,12 +26,6 @@ std::array<float, 4> meanOf(const Table& image, ValueEncoding encoding) {
   return {mean[0], mean[1], mean[2], 1.0f};
 }
 
-/// By how many mip levels an image is larger than the largest map.
-float levelOffset(const Table& image, const std::array<std::uint32_t, 2>& largest) {
-  const double texels = double(image.width) * image.height;
-  return float(0.5 * std::log2(texels / (double(largest[0]) * largest[1])));
-}
-
 /// Of [0, 1) in 65,536ths.
 shader::uint word16(double share) {
   constexpr double kSteps = 65536.0;

@@ -45,10 +45,7 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
   const Table& image = bundle.tables[tiling.gaussian];
   setImage(constants, image);
   constants.dimensions = shader::uint(tiling.dimensions);
-  const auto [width, height] = tileSize(bundle, noise);
-  // 0 for images of the tile's size alone: others do not share their texels.
-  constants.levelOffset =
-      float(0.5 * std::log2(double(image.width) * image.height / (double(width) * double(height))));
+  constants.levelOffset = levelOffset(image, tileSize(bundle, noise));
   constants.interpolationLoss = fetchLosses(image).front();
   setDecoding(constants, bundle, map, tiling.inverseTable);
 }
