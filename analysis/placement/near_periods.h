@@ -25,7 +25,7 @@ struct NearPeriods {
 
 inline constexpr std::size_t kFewestShifts = 3;
 
-/// A shift of at most a tile either way along an axis -> whole pixels to the right or down, in
+/// A shift in [-1, 1] tiles along an axis -> whole pixels to the right or down, in
 /// [0, side).
 [[nodiscard]] inline int pixelsOf(double shift, int side) {
   return (int(std::lround(shift * side)) + side) % side;

@@ -9,10 +9,11 @@
 
 namespace lichen::placement {
 
-/// How highly a picture correlates with itself, moved by (x, y), less than its sides either way.
+/// How highly a picture correlates with itself, moved by (x, y), less than its sides in either
+/// direction.
 struct SelfCorrelation {
   int width = 0, height = 0; ///< twice the picture's
-  std::vector<float> values;
+  std::vector<float> values; ///< [y * width + x], negative x and y from the end
 
   [[nodiscard]] float at(int x, int y) const {
     x = x < 0 ? x + width : x;

@@ -22,8 +22,7 @@ struct WholePeriods {
   /// The largest part whose sides are whole numbers of periods, which follow the rows and the
   /// columns of what repeats, turned by up to 15 degrees and sheared by up to 10. It is a
   /// parallelogram, or a trapezoid of a picture in perspective, which repeats clearly more highly
-  /// without it. Of all places in the picture, the one where its opposite borders fit best, as in
-  /// joints. Nothing unless areSure.
+  /// without it. It lies where its opposite borders fit best, as in joints. Nothing unless areSure.
   std::optional<TileCorners> part;
 };
 

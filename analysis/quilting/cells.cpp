@@ -116,7 +116,7 @@ Plane gradientOf(const std::vector<ImageLevel>& images) {
   return result;
 }
 
-/// A plane of half the sides, each value the largest of those in its place: 2 x 2, or up to 3 along
+/// A plane of half the sides, each value the largest of those it covers: 2 x 2, or up to 3 along
 /// an odd side.
 Plane halfMaximum(const Plane& source) {
   Plane result{std::max(1, source.width / 2), std::max(1, source.height / 2), {}};
@@ -142,7 +142,7 @@ float quantile(std::vector<float> values, double share) {
 /// Whether coordinates pass: 1 in the middle of a cell, nearly 0 on its outline.
 Plane conductances(Plane edges) {
   constexpr double kMiddle = 0.5, kStrong = 0.98;
-  constexpr float kShare = 0.15f; // of the way from a middling gradient to a strong one
+  constexpr float kShare = 0.15f; // from a middling gradient to a strong one
   constexpr float kMostExponent = 16.0f;
   const float middling = quantile(edges.values, kMiddle);
   const float strong = quantile(edges.values, kStrong);
@@ -191,12 +191,12 @@ std::vector<std::array<float, 2>> spreadCoordinates(const Plane& passes, double 
   return result;
 }
 
-/// For each texel, the way to the nearest one of `isInside`. [texels] 0, 0 if there is none.
+/// For each texel, the vector to the nearest one of `isInside`. [texels] 0, 0 if there is none.
 std::vector<std::array<int, 2>> nearestInside(const Plane& grid,
                                               const std::vector<std::uint8_t>& isInside) {
   constexpr int kNone = std::numeric_limits<int>::max();
   const int width = grid.width, height = grid.height;
-  // Along each column, the way to the nearest one; of those, the nearest along each row.
+  // Along each column, the vector to the nearest one; of those, the nearest along each row.
   std::vector<int> down(isInside.size(), kNone);
   for (int x = 0; x < width; ++x)
     for (const int step : {1, -1}) {
@@ -217,13 +217,13 @@ std::vector<std::array<int, 2>> nearestInside(const Plane& grid,
         if (std::int64_t(k) * k >= nearest)
           break;
         for (const int across : {k, -k}) {
-          const int way = down[grid.index(((x + across) % width + width) % width, y)];
-          if (way == kNone)
+          const int rows = down[grid.index(((x + across) % width + width) % width, y)];
+          if (rows == kNone)
             continue;
-          const std::int64_t distance = std::int64_t(across) * across + std::int64_t(way) * way;
+          const std::int64_t distance = std::int64_t(across) * across + std::int64_t(rows) * rows;
           if (distance < nearest) {
             nearest = distance;
-            result[grid.index(x, y)] = {across, way};
+            result[grid.index(x, y)] = {across, rows};
           }
         }
       }
@@ -257,16 +257,16 @@ CellField cellsOf(std::span<const MapExemplar> maps, double count) {
 CellImage cellImage(const CellField& cells, int bits) {
   CellImage image;
   float reach = 1e-3f;
-  for (const std::array<float, 2>& way : cells.toCentre)
-    for (const float axis : way)
+  for (const std::array<float, 2>& vector : cells.toCentre)
+    for (const float axis : vector)
       reach = std::max(reach, std::abs(axis));
   image.reach = std::min(double(reach), kMostCellReach);
   image.table.format = bits == 8 ? TexelFormat::rgba8Unorm : TexelFormat::rgba16Sfloat;
   image.table.width = std::uint32_t(cells.width);
   image.table.height = std::uint32_t(cells.height);
   ImageLevel level{cells.width, cells.height, 2, {}};
-  for (const std::array<float, 2>& way : cells.toCentre)
-    level.values.insert(level.values.end(), way.begin(), way.end());
+  for (const std::array<float, 2>& vector : cells.toCentre)
+    level.values.insert(level.values.end(), vector.begin(), vector.end());
   double first = 0.0; // mean square of level 0
   while (true) {
     double squares = 0.0;

@@ -11,7 +11,7 @@
 
 namespace lichen::quilting {
 
-/// For each texel of a width x height grid over the tile, the way to the centre of its cell.
+/// For each texel of a width x height grid over the tile, the vector to the centre of its cell.
 struct CellField {
   int width = 0, height = 0;
   std::vector<std::array<float, 2>> toCentre; ///< [tiles]

@@ -31,8 +31,8 @@ float halfCell(const CellField& cells, std::size_t axis) {
   constexpr double kLarge = 0.95; // of all texels, which lie nearer to their centres
   constexpr float kLeast = 1.0f / 64.0f, kMost = 1.0f / 8.0f;
   std::vector<float> distances;
-  for (const std::array<float, 2>& way : cells.toCentre)
-    distances.push_back(std::abs(way[axis]));
+  for (const std::array<float, 2>& vector : cells.toCentre)
+    distances.push_back(std::abs(vector[axis]));
   const auto large = distances.begin() + std::ptrdiff_t(kLarge * double(distances.size() - 1));
   std::ranges::nth_element(distances, large);
   return std::clamp(*large, kLeast, kMost);
@@ -66,13 +66,13 @@ void closeAxis(std::span<MapExemplar> maps, const CellField& cells, std::size_t 
   const auto centreAt = [&](float x, float y) {
     const auto column = std::min(int(x * float(cells.width)), cells.width - 1);
     const auto row = std::min(int(y * float(cells.height)), cells.height - 1);
-    const std::array<float, 2>& way =
+    const std::array<float, 2>& toCentre =
         cells.toCentre[std::size_t(row) * std::size_t(cells.width) + std::size_t(column)];
     // From the middle of the texel of cells, not from that of the pixel: the whole cell is on one
     // side.
     return (axis == 0 ? (float(column) + 0.5f) / float(cells.width)
                       : (float(row) + 0.5f) / float(cells.height)) +
-           way[axis];
+           toCentre[axis];
   };
   for (MapExemplar& map : maps) {
     const std::vector<float> original = map.values;

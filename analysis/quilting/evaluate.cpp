@@ -46,10 +46,10 @@ Value inRange(Value value, shader::uint encoding) {
 }
 
 /// lichenHat: 1 at a vertex, 0 on the hexagon of its neighbours and beyond, linear in between.
-/// `way` is from the vertex, in skewed coordinates. [cells]
-float hat(const Vec2& way) {
-  return std::max(0.0f,
-                  1.0f - std::max({std::abs(way[0]), std::abs(way[1]), std::abs(way[0] + way[1])}));
+/// `fromVertex` is, in skewed coordinates. [cells]
+float hat(const Vec2& fromVertex) {
+  return std::max(0.0f, 1.0f - std::max({std::abs(fromVertex[0]), std::abs(fromVertex[1]),
+                                         std::abs(fromVertex[0] + fromVertex[1])}));
 }
 
 } // namespace

@@ -38,16 +38,17 @@ vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, vec2 step) 
   return vec2(ivec2(uvec2(word & 0xFFFFu, word >> 16u))) * (1.0 / 65536.0);
 }
 
-/// 1 at a vertex, 0 on the hexagon of its neighbours and beyond, linear in between. `way` is from
-/// the vertex, in skewed coordinates. [cells]
-float lichenHat(vec2 way) {
-  return 1.0 - max(max(abs(way.x), abs(way.y)), abs(way.x + way.y));
+/// 1 at a vertex, 0 on the hexagon of its neighbours and beyond, linear in between. `fromVertex` is
+/// in skewed coordinates. [cells]
+float lichenHat(vec2 fromVertex) {
+  return 1.0 - max(max(abs(fromVertex.x), abs(fromVertex.y)), abs(fromVertex.x + fromVertex.y));
 }
 
 /// Where the tile of a vertex is fetched [tiles]. `height` is the hat of the vertex at the centre of
 /// the cell that the tile shows there, `sharpness` that of cuts at this level.
-vec2 lichenQuiltingTap(uvec2 vertex, vec2 way, vec2 position, float level, LichenMaterial material,
-                       LichenNoise noise, out float height, out float sharpness) {
+vec2 lichenQuiltingTap(uvec2 vertex, vec2 fromVertex, vec2 position, float level,
+                       LichenMaterial material, LichenNoise noise, out float height,
+                       out float sharpness) {
   LichenQuiltingNoise shape = lichenQuiltingNoise(noise);
   vec2 tap = position - lichenReduceToPeriod(vertex, material);
   tap += lichenQuiltingOffset(vertex, material.seedWord, shape.offsets,
@@ -55,7 +56,7 @@ vec2 lichenQuiltingTap(uvec2 vertex, vec2 way, vec2 position, float level, Liche
   vec3 cell = LICHEN_SAMPLE_CELLS(tap, level).rgb;
   vec2 toCentre = shape.reach * (2.0 * cell.rg - 1.0);
   sharpness = cell.b;
-  height = lichenHat(way + lichenSkewed(toCentre, material));
+  height = lichenHat(fromVertex + lichenSkewed(toCentre, material));
   return tap;
 }
 

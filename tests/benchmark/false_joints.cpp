@@ -19,7 +19,7 @@
 namespace lichen::bench {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullCircle = 2.0 * std::numbers::pi;
 
 struct Pixel {
   int x = 0, y = 0;
@@ -49,8 +49,8 @@ MapExemplar mapOf(MapTarget target, std::vector<MapChannel> channels, int side,
 /// occlusion-roughness-metallic, the position along y in emissive. A position is an angle, stored
 /// as its cosine and sine, since it wraps.
 Bundle carryingPositions(const Bundle& quilting, const std::vector<int>& cells, int side) {
-  const auto cosine = [&](int at) { return float(0.5 + 0.5 * std::cos(kTurn * at / side)); };
-  const auto sine = [&](int at) { return float(0.5 + 0.5 * std::sin(kTurn * at / side)); };
+  const auto cosine = [&](int at) { return float(0.5 + 0.5 * std::cos(kFullCircle * at / side)); };
+  const auto sine = [&](int at) { return float(0.5 + 0.5 * std::sin(kFullCircle * at / side)); };
   const std::array maps{
       mapOf(MapTarget::occlusionRoughnessMetallic,
             {MapChannel::occlusion, MapChannel::roughness, MapChannel::metallic}, side,
@@ -93,7 +93,7 @@ int positionOf(float cosine, float sine, int side) {
   const double x = 2.0 * double(cosine) - 1.0, y = 2.0 * double(sine) - 1.0;
   if (std::hypot(x, y) < kLeastLength)
     return -1;
-  return wrapped(int(std::lround(std::atan2(y, x) / kTurn * side)), side);
+  return wrapped(int(std::lround(std::atan2(y, x) / kFullCircle * side)), side);
 }
 
 /// A pixel of a cell.
@@ -108,8 +108,8 @@ struct Cell {
   std::vector<CellPixel> pixels;
 };
 
-/// The shorter way from one column or row to another; the exemplar repeats.
-int shortest(int way, int side) { return wrapped(way + side / 2, side) - side / 2; }
+/// The shorter distance from one column or row to another; the exemplar repeats.
+int shortest(int distance, int side) { return wrapped(distance + side / 2, side) - side / 2; }
 
 /// Whether all pixels around are of the same cell.
 bool isInner(const std::vector<int>& cells, int side, int x, int y) {

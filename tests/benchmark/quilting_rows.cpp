@@ -50,8 +50,8 @@ SrgbImage plainRepeat(const SrgbImage& exemplar, int startX, int startY) {
   return image;
 }
 
-/// lattice_visibility of a plain repeat: the mean over several starts, since the lattice meets each
-/// in another way.
+/// lattice_visibility of a plain repeat: the mean over several starts, since the lattice meets
+/// other cells of each.
 double plainLatticeVisibility(const SrgbImage& exemplar, const LatticeView& view) {
   constexpr int kStarts = 4;
   double sum = 0.0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Picture -> its autocorrelation, by a Fourier transform -> the highest of the moves that count.
 #include "repetition.h"
 
 #include <lichen/fft.h>

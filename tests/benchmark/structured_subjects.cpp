@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Generated photographs -> the exemplars that bakes make of them, for those that repeat clearly.
 #include "structured_subjects.h"
 
 #include <lichen/structure.h>
@@ -54,12 +55,8 @@ std::optional<StructuredSubject> subjectOf(int side, const exemplars::Structured
   if (structure.strength <= kLeastStrength)
     return std::nullopt;
   maps = test::wholePeriodsOf(std::move(maps), structure);
-  StructuredSubject subject{plan.name(),
-                            plan.material,
-                            imageOf(maps.front()),
-                            structure.strength,
-                            shortestPeriod(picture.periods),
-                            {}};
+  StructuredSubject subject{
+      plan.name(), plan.material, imageOf(maps.front()), shortestPeriod(picture.periods), {}};
   if (plan.condition.whole && !structure.wholePeriods && maps.front().width == side)
     subject.cells = std::move(picture.cells);
   return subject;

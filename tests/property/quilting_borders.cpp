@@ -94,8 +94,8 @@ TEST_CASE("borders are closed by half a tile where nothing repeats, and mean and
     for (float& grey : row)
       grey = uniform(generator);
   const MapExemplar cut = planeOf([&](int x, int y) { // brighter in the middle
-    const float way = std::hypot(float(x) / kWidth - 0.5f, float(y) / kHeight - 0.5f);
-    return 0.7f - 0.6f * way + greys[std::size_t(y / kSquare)][std::size_t(x / kSquare)];
+    const float fromMiddle = std::hypot(float(x) / kWidth - 0.5f, float(y) / kHeight - 0.5f);
+    return 0.7f - 0.6f * fromMiddle + greys[std::size_t(y / kSquare)][std::size_t(x / kSquare)];
   });
   MapExemplar closed = cut;
   close(closed, double(kWidth / kSquare * kHeight / kSquare), {});

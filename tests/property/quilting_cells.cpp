@@ -98,13 +98,13 @@ TEST_CASE("texels of a brick point to its centre, those of mortar to that of a b
     double worst = 0.0, worstOfMortar = 0.0;
     for (int y = 0; y < cells.height; ++y)
       for (int x = 0; x < cells.width; ++x) {
-        const auto& way =
+        const auto& toCentre =
             cells.toCentre[std::size_t(y) * std::size_t(cells.width) + std::size_t(x)];
         const double px = (x + 0.5) * kWallWidth / cells.width;
         const double py = (y + 0.5) * kWallHeight / cells.height;
         const auto missOf = [&](const Bond::Brick& brick) {
-          return std::hypot(double(way[0]) * kWallWidth - brick.toCentre[0],
-                            double(way[1]) * kWallHeight - brick.toCentre[1]);
+          return std::hypot(double(toCentre[0]) * kWallWidth - brick.toCentre[0],
+                            double(toCentre[1]) * kWallHeight - brick.toCentre[1]);
         };
         const Bond::Brick own = bond.at(px, py);
         if (own.inside > 0.5 * kMortar) {
@@ -153,13 +153,13 @@ TEST_CASE("along stripes the coordinate stays, across them texels point to the m
       double along = 0.0, across = 0.0;
       for (int y = 0; y < cells.height; ++y)
         for (int x = 0; x < cells.width; ++x) {
-          const auto& way = cells.toCentre[std::size_t(y * cells.width + x)];
+          const auto& toCentre = cells.toCentre[std::size_t(y * cells.width + x)];
           const double at = (isAlongX ? y + 0.5 : x + 0.5) * side / cells.height;
           const double within = at - stripe * std::floor(at / stripe);
-          along = std::max(along, std::abs(double(way[isAlongX ? 0 : 1])));
+          along = std::max(along, std::abs(double(toCentre[isAlongX ? 0 : 1])));
           if (std::min(within, stripe - within) > 2.0)
-            across = std::max(
-                across, std::abs(double(way[isAlongX ? 1 : 0]) * side - (0.5 * stripe - within)));
+            across = std::max(across, std::abs(double(toCentre[isAlongX ? 1 : 0]) * side -
+                                               (0.5 * stripe - within)));
         }
       INFO(side << " pixels");
       CHECK(along < 1e-4);
@@ -170,8 +170,8 @@ TEST_CASE("along stripes the coordinate stays, across them texels point to the m
 TEST_CASE("a picture without edges has no cells") {
   const MapExemplar constant = planeMap(96, 80, [](int, int) { return 0.25f; });
   for (const double count : {1.0, 150.0})
-    for (const std::array<float, 2>& way : cellsOf({&constant, 1}, count).toCentre)
-      for (const float axis : way) {
+    for (const std::array<float, 2>& toCentre : cellsOf({&constant, 1}, count).toCentre)
+      for (const float axis : toCentre) {
         REQUIRE(std::isfinite(axis));
         REQUIRE(std::abs(axis) < 1e-5f);
       }
@@ -198,8 +198,8 @@ TEST_CASE("the image of cells holds what points to centres over its reach, down 
   const CellField& cells = wallCells();
   const CellImage image = cellImage(cells, 8);
   double reach = 0.0;
-  for (const std::array<float, 2>& way : cells.toCentre)
-    reach = std::max({reach, std::abs(double(way[0])), std::abs(double(way[1]))});
+  for (const std::array<float, 2>& toCentre : cells.toCentre)
+    reach = std::max({reach, std::abs(double(toCentre[0])), std::abs(double(toCentre[1]))});
   CHECK(image.reach == Approx(reach));
   CHECK(image.table.width == std::uint32_t(cells.width));
   CHECK(image.table.height == std::uint32_t(cells.height));

@@ -6,6 +6,7 @@
 // over pictures of these kinds in equal shares, of 176 to 208 pixels; a smaller group at 512 pixels
 // bounds them less closely. verdict_held_back_pictures.h says what in the verdict depends on
 // earlier pictures of these kinds.
+#include "error_rate.h"
 #include "prepared_exemplar.h"
 #include "verdict_held_back_pictures.h"
 
@@ -105,32 +106,9 @@ void addFaulty(Tally& tally, const FaultyKind& kind, int index, int side, Random
             verdictOf(kind.draw(side, random)), false);
 }
 
-/// The most errors among this many pictures that exclude an error rate of a tenth at a confidence
-/// of 95 %: at a rate of a tenth, as few or fewer have a probability of at most 5 %. The bound is
-/// that of C. Clopper and E. Pearson, "The use of confidence or fiducial limits", 1934.
-int mostErrors(int pictures) {
-  constexpr double kRate = 0.1, kDoubt = 0.05;
-  double one = 1.0; // the probability of exactly `errors`
-  for (int i = 0; i < pictures; ++i)
-    one *= 1.0 - kRate;
-  double all = 0.0;
-  int errors = 0;
-  while ((all += one) <= kDoubt) {
-    one *= kRate / (1.0 - kRate) * double(pictures - errors) / double(errors + 1);
-    ++errors;
-  }
-  return errors - 1;
-}
+constexpr double kMostErrors = 0.1; // of all such pictures, at a confidence of 95 %
 
 } // namespace
-
-TEST_CASE("the bound on errors is that of tables") {
-  CHECK(mostErrors(28) == -1); // 0.9^28 is 5.2 %
-  CHECK(mostErrors(29) == 0);
-  CHECK(mostErrors(100) == 4);
-  CHECK(mostErrors(120) == 6);
-  CHECK(mostErrors(128) == 6);
-}
 
 TEST_CASE("fewer than a tenth of the held-back materials have a verdict that is not good",
           "[large]") {
@@ -143,7 +121,7 @@ TEST_CASE("fewer than a tenth of the held-back materials have a verdict that is 
     }
   INFO(tally.report());
   CHECK(tally.pictures() == 120);
-  CHECK(tally.wrong() <= mostErrors(tally.pictures()));
+  CHECK(upperErrorBound(tally.wrong(), tally.pictures()) <= kMostErrors);
 }
 
 TEST_CASE("fewer than a tenth of the held-back faulty pictures have a good verdict", "[large]") {
@@ -157,7 +135,7 @@ TEST_CASE("fewer than a tenth of the held-back faulty pictures have a good verdi
     }
   INFO(tally.report());
   CHECK(tally.pictures() == 128);
-  CHECK(tally.wrong() <= mostErrors(tally.pictures()));
+  CHECK(upperErrorBound(tally.wrong(), tally.pictures()) <= kMostErrors);
 }
 
 // With one error each, four and sixteen pictures bound the rates only to 76 and 27 %. A material

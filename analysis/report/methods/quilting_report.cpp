@@ -43,8 +43,8 @@ LinearImage meanOver(const Table& table, std::span<const std::array<double, 2>> 
 /// Marks a point [tiles] of a picture: white in a black frame, which show on any colour.
 void mark(SrgbImage& image, const std::array<double, 2>& point) {
   constexpr int kDot = 2, kFrame = 3; // half a side [pixels]
-  const auto wrapped = [](double place, int side) {
-    return ((int(std::lround(place)) % side) + side) % side;
+  const auto wrapped = [](double at, int side) {
+    return ((int(std::lround(at)) % side) + side) % side;
   };
   for (int down = -kFrame; down <= kFrame; ++down)
     for (int across = -kFrame; across <= kFrame; ++across)
@@ -110,7 +110,7 @@ Result<Json> QuiltingReport::image(const Bundle& bundle, const Noise&, const Noi
   if (!shown)
     return shown;
   shown.value()["title"] = "Cells";
-  shown.value()["text"] = "The way from each texel to the centre of its cell: red to the right, "
+  shown.value()["text"] = "The vector from each texel to the centre of its cell: red to the right, "
                           "green down. Tiles are cut along the outlines of cells.";
   return shown;
 }

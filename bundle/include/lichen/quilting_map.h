@@ -40,9 +40,9 @@ inline constexpr std::size_t kFewestQuiltingOffsets = 3; // fewer hardly differ 
 /// mip levels know the variance that they lose. A texel of level l is the average of the decoded
 /// quantity, light for colours, over 2^l x 2^l texels, stored again.
 ///
-/// The image of cells is RGBA with values in [0, 1]. Red and green are the way from a texel to the
-/// centre of its cell: (2 value - 1) reach along x and y. Blue is the sharpness of cuts, constant
-/// over each level, alpha is 1.
+/// The image of cells is RGBA with values in [0, 1]. Red and green are the vector from a texel to
+/// the centre of its cell: (2 value - 1) reach along x and y. Blue is the sharpness of cuts,
+/// constant over each level, alpha is 1.
 struct QuiltingMap {
   std::size_t image = 0; ///< index into Bundle::tables
   std::size_t cells = 0; ///< likewise, the same for all maps of a noise
