@@ -72,7 +72,7 @@ std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise
     return name + " is a mix; expected one that is not";
   if (!formatOf(noise).isLayerable())
     return name + " has the method " + std::string(nameOf(noise.method())) +
-           ", which layers do not take; expected another";
+           ", which layers do not take; expected " + layerableNames();
   if (!areAlike(noise.tileSizeMetres, first.tileSizeMetres))
     return name + " has tiles of " + std::to_string(noise.tileSizeMetres) + " m; expected " +
            std::to_string(first.tileSizeMetres) + " m, as those of " + quoted(first.name);
@@ -85,6 +85,17 @@ std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise
 } // namespace
 
 bool isLayerable(Method method) { return formatOf(method).isLayerable(); }
+
+std::string layerableNames() {
+  std::vector<std::string> names;
+  for (const Method method : allMethods())
+    if (isLayerable(method))
+      names.emplace_back(nameOf(method));
+  std::string all;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    all += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
+  return all;
+}
 
 std::string layerTargetFault(std::size_t layers, MapTarget target) {
   const std::vector<MapTarget> targets = targetsOf(layers);

@@ -116,9 +116,9 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
   }
   if (arguments.layers.isGiven() && !isLayerable(arguments.method))
     return Error{ErrorKind::usage,
-                 fmt::format("{}: layers do not take the method {}; expected another --method",
+                 fmt::format("{}: layers do not take the method {}; expected --method {}",
                              arguments.layers.count ? "--layers" : "--labels",
-                             nameOf(arguments.method))};
+                             nameOf(arguments.method), layerableNames())};
   if (arguments.budget)
     return Error{ErrorKind::usage, "--budget: belongs to --method auto"};
   const MethodCommand& command = commandOf(arguments.method);
@@ -193,6 +193,10 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
                   : "outlines hold the exemplar together, so it is baked by quilting, which keeps "
                     "what they enclose; --method tiling blends it");
   }
+  if (!arguments.wanted.method && !arguments.wanted.comparesAll && arguments.common.guide == 0.0)
+    notes.add(
+        "--guide 0 lays tiles anywhere, so the exemplar is baked by tiling, which blends them; "
+        "--method quilting cuts them along outlines");
   for (std::string& line : set.notes)
     notes.add(std::move(line));
   return Exemplar{arguments.name.empty() ? asUtf8(set.name) : arguments.name,
@@ -246,6 +250,10 @@ Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exempla
                  !result.about.bordersWereBlended, arguments.shared);
   if (!judged)
     return judged.error();
+  if (arguments.wanted.comparesAll && judged.value().verdict.level == Verdict::Level::unsuitable)
+    notes.add(fmt::format("no method that was tried looks like the exemplar; {} is the nearest for "
+                          "its cost",
+                          nameOf(arguments.method)));
   return JudgedBake{std::move(result), std::move(judged).value()};
 }
 
@@ -387,8 +395,9 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(
       verb, "--spectrum", arguments->common.spectrum, spectrumChoice(), "",
       "A spectrum in place of the exemplar's, which gives the colours: a picture of amplitudes, "
-      "frequency 0 in the middle and a cycle per tile a pixel; or rings FROM:TO and bands "
-      "LEFT:RIGHT:TOP:BOTTOM in cycles per tile")
+      "frequency 0 in the middle and a cycle per tile a pixel; or rings FROM:TO, bands "
+      "LEFT:RIGHT:TOP:BOTTOM and lobes "
+      "U:V:RADIUS in cycles per tile")
       .group("Local random phase and multiple kernels");
   addLayersOption(verb, arguments->layers);
   arguments->verb = &verb;

@@ -59,6 +59,9 @@ Result<Input> readInput(const std::string& text) {
     return Error{ErrorKind::usage,
                  fmt::format("{}: noise '{}' is layered itself; expected one that is not", file,
                              chosen.name)};
+  if (!isLayerable(chosen.method()))
+    return Error{ErrorKind::usage, fmt::format("{}: layers do not take the method {}; expected {}",
+                                               file, nameOf(chosen.method()), layerableNames())};
   return Input{file, std::move(bundle).value(), noise.value()};
 }
 

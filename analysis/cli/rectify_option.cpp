@@ -29,41 +29,60 @@ std::optional<TileCorners> cornersFrom(const std::string& text) {
   return at == end && areConvex(corners) ? std::optional(corners) : std::nullopt;
 }
 
-/// "turned by 3.1 degrees and sheared by 0.5", as far as that is to be seen.
-std::string wordsFor(const TileCorners& corners) {
-  constexpr double kSeen = 0.25; // degrees
+/// How a part lies in the picture. [degrees]
+struct Slant {
+  double turn = 0.0, shear = 0.0;
+  double perspective = 0.0; ///< the larger angle between two opposite sides
+};
+
+Slant slantOf(const TileCorners& corners) {
   const auto degrees = [&](std::size_t from, std::size_t to) {
     return std::atan2(corners[to][1] - corners[from][1], corners[to][0] - corners[from][0]) *
            180.0 / std::numbers::pi;
   };
   const double upper = degrees(0, 1), lower = degrees(3, 2), left = degrees(0, 3),
                right = degrees(1, 2);
-  const double turn = 0.5 * (upper + lower), shear = 0.5 * (left + right) - 90.0 - turn;
-  const double perspective = std::max(std::abs(upper - lower), std::abs(left - right));
+  const double turn = 0.5 * (upper + lower);
+  return {turn, 0.5 * (left + right) - 90.0 - turn,
+          std::max(std::abs(upper - lower), std::abs(left - right))};
+}
+
+/// ", turned by 3.1 degrees, sheared by 0.5 degrees", as far as that is to be seen.
+std::string wordsFor(const Slant& slant) {
+  constexpr double kSeen = 0.25; // degrees
   std::vector<std::string> words;
-  if (std::abs(turn) > kSeen)
-    words.push_back(fmt::format("turned by {:.1f} degrees", turn));
-  if (std::abs(shear) > kSeen)
-    words.push_back(fmt::format("sheared by {:.1f} degrees", shear));
-  if (perspective > kSeen)
+  if (std::abs(slant.turn) > kSeen)
+    words.push_back(fmt::format("turned by {:.1f} degrees", slant.turn));
+  if (std::abs(slant.shear) > kSeen)
+    words.push_back(fmt::format("sheared by {:.1f} degrees", slant.shear));
+  if (slant.perspective > kSeen)
     words.emplace_back("seen in perspective");
   return words.empty() ? "" : fmt::format(", {}", fmt::join(words, ", "));
+}
+
+/// Whether other vectors of the lattice may have been taken for its rows and columns. Of pictures
+/// turned by 10 degrees or sheared by 5 the right ones are found; of those turned by 14, which is
+/// about as far as the search goes, they are not.
+bool isDoubtful(const Slant& slant) {
+  constexpr double kMostTurn = 12.0, kMostShear = 6.0; // degrees
+  return std::abs(slant.turn) > kMostTurn || std::abs(slant.shear) > kMostShear;
 }
 
 } // namespace
 
 Accepted<Rectification> rectification() {
-  return {"auto|off|X,Y,...",
-          "auto, off, or X,Y of the upper left, upper right, lower right and lower left corner in "
-          "pixels, which must be convex",
-          [](const std::string& text) -> std::optional<Rectification> {
-            if (text == "auto")
-              return Rectification{true, std::nullopt};
-            if (text == "off")
-              return Rectification{};
-            const std::optional<TileCorners> corners = cornersFrom(text);
-            return corners ? std::optional(Rectification{false, corners}) : std::nullopt;
-          }};
+  return {
+      "auto|off|X,Y,...",
+      "auto, off, or eight numbers: X,Y in pixels of the upper left, upper right, lower right and "
+      "lower left corner, which must be convex",
+      [](const std::string& text) -> std::optional<Rectification> {
+        if (text == "auto")
+          return Rectification{true, std::nullopt};
+        if (text == "off")
+          return Rectification{};
+        const std::optional<TileCorners> corners = cornersFrom(text);
+        return corners ? std::optional(Rectification{false, corners}) : std::nullopt;
+      }};
 }
 
 Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const Rectification& use,
@@ -95,9 +114,13 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
   if (Result<void> made = rectify(maps, *part.corners); !made)
     return made.error();
   part.widthShare = maps.front().width / width;
-  notes.push_back(fmt::format("the tile is the part of {} x {} pixels that holds whole periods{}; "
-                              "--rectify off keeps the whole picture",
-                              maps.front().width, maps.front().height, wordsFor(*part.corners)));
+  const Slant slant = slantOf(*part.corners);
+  notes.push_back(fmt::format(
+      "the tile is the part of {} x {} pixels that holds whole periods{}; {}", maps.front().width,
+      maps.front().height, wordsFor(slant),
+      isDoubtful(slant) ? "so much may be wrong: if its rows are not straight, give its corners to "
+                          "--rectify"
+                        : "--rectify off keeps the whole picture"));
   return part;
 }
 

@@ -123,8 +123,10 @@ TEST_CASE("a bake with layers neither advises nor chooses a method that layers r
                                 !Catch::Contains("--method quilting"));
   // Alone, the exemplar is baked by quilting for this budget.
   CHECK(reportOf({"--method", "auto", "--budget", "10"}).at("method") != "quilting");
-  checkRefusal({"bake", bricks, "-o", output, "--layers", "2", "--method", "quilting"}, kUsage,
-               {"--layers: layers do not take the method quilting; expected another --method"});
+  checkRefusal(
+      {"bake", bricks, "-o", output, "--layers", "2", "--method", "quilting"}, kUsage,
+      {"--layers: layers do not take the method quilting; expected --method tiling, texton, "
+       "local-random-phase or multiple-kernels"});
   checkRefusal({"bake", bricks, "-o", output, "--labels", bricks, "--guide", "0.5"}, kUsage,
                {"--labels: layers do not take the method quilting"});
 }
@@ -146,7 +148,7 @@ TEST_CASE("layers that do not fit together are refused by name") {
   const std::string quilting = bake("quilting.glb", {"--method", "quilting"});
   for (const auto& [first, second] : {std::pair{one, quilting}, {quilting, one}})
     checkRefusal({"layer", first, second, "-o", output}, kUsage,
-                 {"has the method quilting, which layers do not take; expected another"});
+                 {quilting + ": layers do not take the method quilting; expected tiling, texton"});
   checkRefusal({"bake", image, "-o", output, "--labels", image, "--layers", "2"}, kUsage,
                {"--layers: given with --labels"});
   checkRefusal({"bake", image, "-o", output, "--layers", "5"}, kUsage, {"--layers 5", "2 to 4"});

@@ -58,6 +58,12 @@ TEST_CASE("bricks are baked by quilting, unless an option or their size says oth
   const std::string speckles = workplace.write("speckles.png", speckled(160, 160, 3));
   CHECK(bakedAs(workplace, speckles).at("method") == "tiling");
   CHECK(bakedAs(workplace, speckles, {"--guide", "0.5"}).at("method") == "quilting");
+  const auto unguided = Catch::Contains("--guide 0 lays tiles anywhere, so the exemplar is baked "
+                                        "by tiling");
+  CHECK_THAT(bakedAs(workplace, speckles, {"--guide", "0"}).at("notes").dump(), unguided);
+  CHECK_THAT(
+      bakedAs(workplace, speckles, {"--guide", "0", "--method", "quilting"}).at("notes").dump(),
+      !unguided);
 }
 
 TEST_CASE("the tile of bricks that borders cut is whole periods, or what --rectify says") {
@@ -100,6 +106,27 @@ TEST_CASE("the tile of bricks that borders cut is whole periods, or what --recti
   CHECK(cornersOf() == TileCorners{{{4.0, 6.0}, {100.0, 8.0}, {102.0, 134.0}, {2.0, 132.0}}});
 }
 
+TEST_CASE("a turn that may be found wrongly is doubted, one that is found is not") {
+  const Workplace workplace;
+  const SrgbImage wall = brickwork(512);
+  const auto turned = [&](double degrees) {
+    constexpr int kSide = 200, kMiddle = 256;
+    const double angle = degrees * std::acos(-1.0) / 180.0;
+    SrgbImage part(kSide, kSide, 1);
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const double right = x - kSide / 2, down = y - kSide / 2;
+        *part.pixel(x, y) = *wall.pixel(
+            kMiddle + int(std::floor(std::cos(angle) * right - std::sin(angle) * down)),
+            kMiddle + int(std::floor(std::sin(angle) * right + std::cos(angle) * down)));
+      }
+    return bakedAs(workplace, workplace.write("turned.png", part)).at("notes").dump();
+  };
+  const auto doubt = Catch::Contains("if its rows are not straight, give its corners to --rectify");
+  CHECK_THAT(turned(10.0), Catch::Contains("turned by -10.") && !doubt);
+  CHECK_THAT(turned(13.5), doubt);
+}
+
 TEST_CASE("--tile is the width of the photograph, also if only a part of it is baked") {
   const Workplace workplace;
   const std::string bricks = workplace.write("bricks.png", cutBricks());
@@ -139,9 +166,9 @@ TEST_CASE("corners that are outside the picture, not four or not convex are refu
   checkRefusal({"bake", bricks, "-o", output, "--rectify", "0,0,151,0,150,150,0,150"}, kUsage,
                {"--rectify: the corner 151,0 is outside the 150 x 150 pixels"});
   for (const char* corners : {"0,0,100,0,100,100", "0,0,100,100,100,0,0,100", "whole"})
-    checkRefusal(
-        {"bake", bricks, "-o", output, "--rectify", corners}, kUsage,
-        {std::string("--rectify ") + corners, "expected auto, off, or X,Y of the upper left"});
+    checkRefusal({"bake", bricks, "-o", output, "--rectify", corners}, kUsage,
+                 {std::string("--rectify ") + corners,
+                  "expected auto, off, or eight numbers: X,Y in pixels of the upper left"});
 }
 
 TEST_CASE("a quilting has neither rotated tiles nor a mix, and the message says which noise does") {
