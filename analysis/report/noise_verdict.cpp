@@ -50,6 +50,8 @@ Risk riskOfMeasure(const Measure& measure, bool bordersWereKept) {
   Remedy remedy{{}, "a photograph that shows more of the material"};
   if (measure.name == kSeamVisibilityName)
     remedy = bordersWereKept ? Remedy{{{"periodic", "no"}}, {}} : Remedy{{}, "an image that tiles"};
+  if (measure.name == kCutMismatchName)
+    remedy.advice = "a photograph of more regular bricks or stones, from straight in front";
   return riskOf(measure.name, scoreOf(*measure.value, fault->visible),
                 fmt::format(fmt::runtime(fault->words), *measure.value),
                 std::string(fault->consequence), remedy);
