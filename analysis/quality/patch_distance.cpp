@@ -54,7 +54,16 @@ Plane averaged(const SrgbImage& image, int spacing) {
   return plane;
 }
 
-/// Patches spread evenly over the plane: all of them, or at most kMostPatchesAcross^2.
+/// The place of part `index` of `parts` equal parts of a row of places, all of them in turn if
+/// there are as many parts. `random` is in [0, 2^32).
+int placeIn(int index, int parts, int places, std::uint32_t random) {
+  const auto fixed = (std::uint64_t(index) << 32U) + random; // 32 bits after the point
+  return int(fixed * std::uint64_t(places) / std::uint64_t(parts) >> 32U);
+}
+
+/// All patches, or at most kMostPatchesAcross^2: one from a random place in each cell of a grid
+/// over the plane. At a fixed spacing, patches of a periodic picture would show only a few of its
+/// phases.
 Patches patchesOf(const Plane& plane) {
   const int placesX = plane.width - kPatchSide + 1, placesY = plane.height - kPatchSide + 1;
   const int columns = std::min(placesX, kMostPatchesAcross);
@@ -62,8 +71,9 @@ Patches patchesOf(const Plane& plane) {
   Patches patches(Eigen::Index(columns) * rows, kPatchPixels);
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
-      const int left = int(std::int64_t(i) * placesX / columns);
-      const int top = int(std::int64_t(j) * placesY / rows);
+      const auto random = pcg3d({std::uint32_t(i), std::uint32_t(j), 1}); // 0 is of directions()
+      const int left = placeIn(i, columns, placesX, random[0]);
+      const int top = placeIn(j, rows, placesY, random[1]);
       const Eigen::Index row = Eigen::Index(j) * columns + i;
       for (int k = 0; k < kPatchPixels; ++k)
         patches(row, k) =

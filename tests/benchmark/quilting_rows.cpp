@@ -3,7 +3,6 @@
 // exemplars, and how often a bake chooses it wrongly.
 #include "exemplars.h"
 #include "false_joints.h"
-#include "patch_sheet.h"
 #include "repetition.h"
 #include "rows.h"
 #include "structured_subjects.h"
@@ -74,16 +73,15 @@ void addToMean(double& mean, double value) { mean += value / kSeeds; }
 
 /// Adds the measures that have a counterpart in tiling.
 void addComparison(Scores& scores, const SrgbImage& exemplar, const SrgbImage& own,
-                   const SrgbImage& tiled, std::uint32_t seed) {
+                   const SrgbImage& tiled) {
   // The longest support that autocovarianceError() takes: cells are often longer than its default.
   const int support = std::min(exemplar.width, exemplar.height) / 4;
   addToMean(scores.covariance.own, require(autocovarianceError(exemplar, own, support)));
   addToMean(scores.covariance.other, require(autocovarianceError(exemplar, tiled, support)));
   addToMean(scores.shortCovariance.own, require(autocovarianceError(exemplar, own)));
   addToMean(scores.shortCovariance.other, require(autocovarianceError(exemplar, tiled)));
-  const SrgbImage wanted = patchSheet(exemplar, 0);
-  addToMean(scores.patches.own, require(patchDistance(wanted, patchSheet(own, seed))));
-  addToMean(scores.patches.other, require(patchDistance(wanted, patchSheet(tiled, seed))));
+  addToMean(scores.patches.own, require(patchDistance(exemplar, own)));
+  addToMean(scores.patches.other, require(patchDistance(exemplar, tiled)));
 }
 
 Scores scoresOf(const StructuredSubject& subject) {
@@ -99,7 +97,7 @@ Scores scoresOf(const StructuredSubject& subject) {
         Pair{0.0, repetitionOfPlainRepeat(exemplar, kNearlyAPeriod * subject.shortestPeriod)};
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     const SrgbImage own = resultOf(quilting, exemplar, seed);
-    addComparison(scores, exemplar, own, resultOf(tiling, exemplar, seed), seed);
+    addComparison(scores, exemplar, own, resultOf(tiling, exemplar, seed));
     addToMean(scores.color, require(colorDistance(exemplar, own)));
     if (scores.repetition)
       addToMean(scores.repetition->own, repetition(own, std::min(exemplar.width, exemplar.height)));

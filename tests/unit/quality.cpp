@@ -483,6 +483,17 @@ TEST_CASE("coarser patches see what finer ones are too small for") {
   CHECK(coarse > 2.0 * fine);
 }
 
+TEST_CASE("patches of a picture that repeats show all phases of its period") {
+  const auto wave = [](int side) {
+    return makeImage(side, side, 1, [](int x, int, int) {
+      return float(0.5 + 0.3 * std::sin(2.0 * 3.14159265 * x / 8.0));
+    });
+  };
+  // 96 and 768 places in a row: every eighth of the larger picture has the same phase, which would
+  // be 0.29. Of random places, each phase has an eighth of 9216 with a deviation of 3 %: 0.015.
+  CHECK(patchDistance(wave(104), wave(776)).value() < 0.03);
+}
+
 TEST_CASE("patches need images of nine spacings") {
   const SrgbImage image = whiteNoise(35, 64, 1);
   for (const int spacing : {0, 1025, 1 << 30})

@@ -25,10 +25,11 @@ namespace lichen {
 [[nodiscard]] Result<double> colorDistance(const SrgbImage& exemplar, const SrgbImage& result);
 
 /// Sliced Wasserstein-2 distance between the 9 x 9 patches of the luminance, at most 96 x 96 of
-/// them spread evenly over each image: the root mean square over 256 fixed directions, in units of
-/// the code value of a pixel. A pixel of a patch is the mean of `spacingPixels` x `spacingPixels`
-/// pixels of an image. Equal sets give 0. Sides must be at least 9 times the spacing, which is 1 to
-/// 1024. Source: [RPDB12].
+/// them, one from a random place in each cell of a grid over the image: the root mean square over
+/// 256 directions, in units of the code value of a pixel. Places and directions are the same at
+/// each call. A pixel of a patch is the mean of `spacingPixels` x `spacingPixels` pixels of an
+/// image. Equal sets give 0. Sides must be at least 9 times the spacing, which is 1 to 1024.
+/// Source: [RPDB12].
 [[nodiscard]] Result<double> patchDistance(const SrgbImage& exemplar, const SrgbImage& result,
                                            int spacingPixels = 1);
 
