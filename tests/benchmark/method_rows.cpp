@@ -22,7 +22,7 @@ struct Score {
   int agreed = 0, count = 0;
   double overTiling = 0.0; ///< the largest
   std::string worst, disagreements;
-  std::array<int, 4> chosen{};
+  std::array<int, 5> chosen{};
 };
 
 double distanceOf(MethodTrial& trial, const MapExemplar& map, std::uint32_t seed) {
@@ -33,11 +33,12 @@ double distanceOf(MethodTrial& trial, const MapExemplar& map, std::uint32_t seed
 void judge(const VariedExemplar& exemplar, Score& score) {
   const MapExemplar map = baseColorMap(exemplar.image);
   // With the commands' defaults.
-  std::array<MethodTrial, 4> trials{
+  std::array<MethodTrial, 5> trials{
       MethodTrial{bakedBundle(exemplar.image), 0.0, kTilingFetches},
       MethodTrial{textonBundle(exemplar.image), 0.0, textonFetches(30.0)},
       MethodTrial{localRandomPhaseBundle(exemplar.image), 0.0, cosineFetches(50, true)},
-      MethodTrial{multipleKernelsBundle(exemplar.image), 0.0, kernelFetches(30.0, 0)}};
+      MethodTrial{multipleKernelsBundle(exemplar.image), 0.0, kernelFetches(30.0, 0)},
+      MethodTrial{quiltingBundle(exemplar.image), 0.0, kQuiltingFetches}};
   std::vector<MethodCandidate> once, independent;
   for (MethodTrial& trial : trials) {
     const Method method = trial.bundle.noises.front().method();
@@ -68,7 +69,7 @@ void judge(const VariedExemplar& exemplar, Score& score) {
 
 Row disagreement(const std::string& what, const Score& score) {
   Row row{what, 1.0 - double(score.agreed) / score.count, 0.1, "",
-          "chose tiling, texton, local random phase, kernels: "};
+          "chose tiling, texton, local random phase, kernels, quilting: "};
   for (const int count : score.chosen)
     row.note += std::to_string(count) + " ";
   row.note += "; " + score.disagreements;
