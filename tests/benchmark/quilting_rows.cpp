@@ -13,6 +13,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <optional>
 #include <quilting_choice.h>
@@ -20,7 +21,8 @@
 namespace lichen::bench {
 namespace {
 
-constexpr int kPhotographSide = 256, kExemplarsASide = 4;
+constexpr std::array<int, 2> kPhotographSides{512, 256};
+constexpr int kExemplarsASide = 4;
 constexpr std::uint32_t kSeeds = 2;
 
 /// A measure of quilting and what it is compared with, both means over the seeds.
@@ -166,9 +168,10 @@ std::vector<Detail> detailsOf(const Pair& pair, const std::string& other) {
   return {{"own", pair.own}, {other, pair.other}};
 }
 
-/// The rows of all structured subjects.
-void appendStructureRows(std::vector<Row>& rows) {
-  const std::vector<StructuredSubject> subjects = structuredSubjects(kPhotographSide);
+/// The rows of all structured subjects, of photographs of so many pixels a side.
+void appendStructureRows(std::vector<Row>& rows, int side) {
+  const std::vector<StructuredSubject> subjects = structuredSubjects(side);
+  const std::string of = std::to_string(side) + ": ";
   std::vector<Scores> all(subjects.size());
   // One subject at a time: they take seconds, and unlike times.
   tbb::parallel_for(
@@ -197,15 +200,15 @@ void appendStructureRows(std::vector<Row>& rows) {
                  {{"% of inner pixels", kPercent * scores.joints->inner},
                   {"% of the result in cells shown", kPercent * scores.joints->shownCells}});
   }
-  covariance.append(rows, "autocovariance_error over tiling's, a quarter of a side", 0.4);
-  floorCovariance.append(rows, "the same of floor boards", 0.8);
-  shortCovariance.append(rows, "the same of all, default support of 32 pixels", kNoTarget);
-  farPatches.append(rows, "patch_distance over tiling's, where that exceeds 0.1", 0.6);
-  nearPatches.append(rows, "patch_distance over tiling's, where that is at most 0.1", 1.1);
-  joints.append(rows, "false joints", 0.5, "%");
-  color.append(rows, "color_distance", 0.004);
-  repetition.append(rows, "repetition less the exemplar's", 0.05);
-  lattice.append(rows, "lattice_visibility over a plain repeat's", 1.1);
+  covariance.append(rows, of + "autocovariance_error over tiling's, a quarter of a side", 0.4);
+  floorCovariance.append(rows, of + "the same of floor boards", 0.8);
+  shortCovariance.append(rows, of + "the same of all, default support of 32 pixels", kNoTarget);
+  farPatches.append(rows, of + "patch_distance over tiling's, where that exceeds 0.1", 0.6);
+  nearPatches.append(rows, of + "patch_distance over tiling's, where that is at most 0.1", 1.1);
+  joints.append(rows, of + "false joints", 0.5, "%");
+  color.append(rows, of + "color_distance", 0.004);
+  repetition.append(rows, of + "repetition less the exemplar's", 0.05);
+  lattice.append(rows, of + "lattice_visibility over a plain repeat's", 1.1);
 }
 
 /// The bound of an error rate of the choice that a bake makes without --method.
@@ -227,7 +230,8 @@ Row choiceRow(const std::string& what, const test::ErrorRate& rate) {
 
 std::vector<Row> quiltingRows() {
   std::vector<Row> rows;
-  appendStructureRows(rows);
+  for (const int side : kPhotographSides)
+    appendStructureRows(rows, side);
   rows.push_back(choiceRow("held-back pictures with a structure, not baked by quilting",
                            test::quiltingMisses()));
   rows.push_back(choiceRow("held-back pictures without a structure, baked by quilting",
