@@ -30,7 +30,7 @@ double BorderMisfit::between(const std::array<double, 2>& from, const std::array
     return &image_.values[(std::size_t(row) * std::size_t(image_.width) + std::size_t(column)) *
                           channels];
   };
-  const double distance = std::hypot(apart[0], apart[1]);
+  const double distance = std::max(1.0, std::hypot(apart[0], apart[1])); // of a pixel: 0
   const int samples = std::max(1, int(std::hypot(side[0], side[1])));
   double sum = 0.0;
   for (int k = 0; k < samples; ++k) {

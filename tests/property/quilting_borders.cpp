@@ -127,6 +127,19 @@ TEST_CASE("borders that meet in joints stay as they are") {
   CHECK(closed.values == map.values);
 }
 
+TEST_CASE("borders are closed beside a map of one pixel, which stays as it is") {
+  MapExemplar pixel;
+  pixel.channels = {MapChannel::red};
+  pixel.encoding = ValueEncoding::linear;
+  pixel.width = pixel.height = 1;
+  pixel.values = {0.5f};
+  std::vector<MapExemplar> maps{bars(), pixel};
+  closeBorders(maps, cellsOf(maps, kBars), kBars, {{{0.0, 0.0}, {3.0 * kPitch / kWidth, 0.0}}, 0.0},
+               ProgressPart());
+  CHECK(maps[0].values != bars().values);
+  CHECK(maps[1].values == pixel.values);
+}
+
 TEST_CASE("closed borders leave 0 and 1 of a mask") {
   MapExemplar mask = bars();
   for (float& value : mask.values)
