@@ -5,6 +5,7 @@
 #include <lichen/local_random_phase_evaluate.h>
 #include <lichen/multiple_kernels_evaluate.h>
 #include <lichen/noise_evaluator.h>
+#include <lichen/quilting_evaluate.h>
 #include <lichen/texton_evaluate.h>
 #include <lichen/tiling_evaluate.h>
 
@@ -132,6 +133,11 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
     return withEvaluator(
         [twin = MultipleKernelsEvaluator::create(bundle, 0).value()](
             const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
+  if (bundle.noises[0].method() == Method::quilting)
+    return withEvaluator(
+        [twin = QuiltingEvaluator::create(bundle, 0).value()](const auto& use, const auto& at) {
+          return twin.evaluate(0, use, at);
+        });
   return withEvaluator([twin = TilingEvaluator::create(bundle, 0, quality).value()](
                            const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Noise at every distance. Compares views from eight pixels per texel to one pixel per 100 tiles,
 // and a camera that moves over a floor, with the same pixels supersampled; also checks steps in the
-// level of detail and between tiles. Covers all methods but quilting, on texture coordinates and
-// triplanar.
+// level of detail and between tiles. Covers all methods, on texture coordinates and triplanar.
 #include "bundle_of.h"
 #include "example_exemplar.h"
 #include "filtered_views.h"
@@ -11,6 +10,7 @@
 #include <lichen/lattice.h>
 #include <lichen/local_random_phase.h>
 #include <lichen/multiple_kernels.h>
+#include <lichen/quilting.h>
 #include <lichen/texton.h>
 #include <lichen/tiling.h>
 
@@ -31,12 +31,19 @@ constexpr int kTexels = 128; // texels per side of the exemplar
 struct NamedPlane {
   std::string name;
   Plane plane;
-  int pixels;          // per view: texton noise costs more
-  double ofFits = 0.0; // by how much ratios differ between fits of the same exemplar
+  int pixels;                // per view: texton noise costs more
+  double ofFits = 0.0;       // by how much ratios differ between fits of the same exemplar
+  double ofRoots = 0.0;      // by how much points are darker than a distant view
+  bool stepsInLevel = false; // values jump as a pixel grows
 };
 /// Of kernels and of structure, between a CPU with AVX-512 and one without: the last bit of a
 /// Fourier transform makes another fit.
 constexpr double kOfFits = 0.035;
+/// Of quilting. Its images store roots of light, and a filter between texels averages these, whose
+/// square is less than the mean light. Level 1 x 1 has the mean light. Points of this exemplar,
+/// whose texels have grain, are darker by 0.0133, of which up to 0.002 is rounding to 8 bits. An
+/// exemplar with the same values in linear light has 0.0018.
+constexpr double kOfRoots = 0.0133;
 
 const std::vector<NamedPlane>& planes() {
   static const std::vector<NamedPlane> all = [] {
@@ -54,6 +61,7 @@ const std::vector<NamedPlane>& planes() {
         bundleOf(bakeTiling("other", std::array{threeMaterials(kTexels, kTexels, 5)}, {}));
     const Bundle layered =
         layeredExample({tiling, other}, examplePatches(kTexels, kTexels), {0.4}, 0.1);
+    const Bundle quilting = bundleOf(bakeQuilting("example", {&map, 1}, {}));
     const Bundle structured = bundleOf(bakeLocalRandomPhase("example", {&map, 1}, half));
     return std::vector<NamedPlane>{
         {"tiling, uv", noisePlane(tiling, Mapping::uv), 1200},
@@ -64,7 +72,10 @@ const std::vector<NamedPlane>& planes() {
         {"local random phase, triplanar", noisePlane(cosines, Mapping::triplanar), 300},
         {"structure, uv", noisePlane(structured, Mapping::uv), 400, kOfFits},
         {"kernels, uv", noisePlane(kernels, Mapping::uv), 300, kOfFits},
-        {"layered, uv", noisePlane(layered, Mapping::uv), 400}};
+        {"layered, uv", noisePlane(layered, Mapping::uv), 400},
+        {"quilting, uv", noisePlane(quilting, Mapping::uv), 1200, 0.0, kOfRoots, true},
+        {"quilting, triplanar", noisePlane(quilting, Mapping::triplanar), 1200, 0.0, kOfRoots,
+         true}};
   }();
   return all;
 }
@@ -77,24 +88,35 @@ TEST_CASE("a view has the mean colour, contrast and features of its supersampled
   // pixels are a quarter as wide as long.
   struct Size {
     double texels, slant;
-    std::array<int, 9> contrast, difference; // bounds of the planes [%]
+    std::array<int, 11> contrast, difference; // bounds of the planes [%]
   };
   // What each plane has plus at most 0.03, the spread of the ratios of 400 pixels. At the level of
   // the longer side, contrast is off by 0.1 to 0.3 from 2 texels on, and by 0.3 for narrow pixels.
   // Local random phase has frequencies up to the limit of the exemplar's texels, over which pixels
   // of a texel or less do not average: so that a view of one texel a pixel is as sharp as the
   // exemplar.
-  for (const auto& [texels, slant, contrast, difference] :
-       {Size{0.125, 1, {1, 1, 1, 1, 2, 2, 4, 5, 3}, {2, 2, 2, 2, 11, 11, 11, 12, 3}},
-        Size{0.5, 1, {4, 3, 5, 5, 11, 10, 11, 12, 5}, {7, 6, 9, 8, 29, 28, 29, 30, 8}},
-        Size{1, 1, {8, 6, 12, 10, 21, 19, 21, 21, 8}, {20, 13, 22, 18, 49, 46, 47, 48, 18}},
-        Size{1.41, 1, {5, 6, 10, 10, 15, 15, 3, 6, 7}, {15, 17, 24, 23, 30, 37, 21, 27, 17}},
-        Size{2, 1, {5, 5, 8, 8, 13, 13, 4, 7, 7}, {16, 16, 29, 27, 29, 27, 22, 30, 20}},
-        Size{2.83, 1, {5, 3, 4, 4, 10, 10, 6, 8, 5}, {18, 17, 29, 28, 29, 28, 19, 31, 22}},
-        Size{4, 1, {9, 6, 9, 5, 10, 10, 6, 8, 8}, {19, 19, 27, 27, 29, 29, 18, 32, 26}},
-        Size{5.66, 1, {10, 10, 10, 8, 10, 10, 11, 10, 9}, {24, 22, 27, 27, 29, 29, 25, 36, 31}},
-        Size{1, 4, {6, 4, 8, 8, 13, 13, 5, 7, 7}, {26, 22, 39, 36, 33, 30, 25, 38, 30}},
-        Size{2, 4, {12, 11, 13, 9, 10, 10, 11, 13, 12}, {34, 31, 39, 37, 33, 30, 32, 42, 41}}})
+  constexpr std::array<Size, 10> kSizes{{
+      {0.125, 1, {1, 1, 1, 1, 2, 2, 4, 5, 3, 1, 1}, {2, 2, 2, 2, 11, 11, 11, 12, 3, 2, 2}},
+      {0.5, 1, {4, 3, 5, 5, 11, 10, 11, 12, 5, 4, 3}, {7, 6, 9, 8, 29, 28, 29, 30, 8, 8, 6}},
+      {1, 1, {8, 6, 12, 10, 21, 19, 21, 21, 8, 8, 6}, {20, 13, 22, 18, 49, 46, 47, 48, 18, 18, 13}},
+      {1.41,
+       1,
+       {5, 6, 10, 10, 15, 15, 3, 6, 7, 7, 7},
+       {15, 17, 24, 23, 30, 37, 21, 27, 17, 19, 17}},
+      {2, 1, {5, 5, 8, 8, 13, 13, 4, 7, 7, 7, 7}, {16, 16, 29, 27, 29, 27, 22, 30, 20, 24, 20}},
+      {2.83, 1, {5, 3, 4, 4, 10, 10, 6, 8, 5, 6, 7}, {18, 17, 29, 28, 29, 28, 19, 31, 22, 28, 24}},
+      {4, 1, {9, 6, 9, 5, 10, 10, 6, 8, 8, 3, 7}, {19, 19, 27, 27, 29, 29, 18, 32, 26, 29, 27}},
+      {5.66,
+       1,
+       {10, 10, 10, 8, 10, 10, 11, 10, 9, 3, 4},
+       {24, 22, 27, 27, 29, 29, 25, 36, 31, 34, 31}},
+      {1, 4, {6, 4, 8, 8, 13, 13, 5, 7, 7, 4, 5}, {26, 22, 39, 36, 33, 30, 25, 38, 30, 35, 29}},
+      {2,
+       4,
+       {12, 11, 13, 9, 10, 10, 11, 13, 12, 6, 3},
+       {34, 31, 39, 37, 33, 30, 32, 42, 41, 43, 39}},
+  }};
+  for (const auto& [texels, slant, contrast, difference] : kSizes)
     for (std::size_t k = 0; k < planes().size(); ++k) {
       const NamedPlane& one = planes()[k];
       const FilteredView view =
@@ -138,7 +160,8 @@ TEST_CASE("a distant view has the mean colour of its supersampled pixels and no 
     for (const NamedPlane& one : planes()) {
       const FilteredView view = filteredView(one.plane, tiles, tiles, one.pixels, 6);
       INFO(one.name << ", " << tiles << " tiles a pixel");
-      CHECK(view.meanError < view.meanTolerance(1.0, one.pixels));
+      const double ofRoots = tiles >= 1.0 ? one.ofRoots : 0.0; // nearer views are as dark
+      CHECK(view.meanError < view.meanTolerance(1.0, one.pixels) + ofRoots);
       // What averages of independent parts of a plane leave falls with their area: measured at most
       // 2.3e-4 for three channels at 1 tile a pixel, a deviation of 0.009 each.
       constexpr double kOfOneTile = 2.6e-4;
@@ -159,7 +182,8 @@ TEST_CASE("a camera moving over a floor shimmers hardly more than supersampled f
   // fetch keeps more of it than their average does: measured 1.14, 1.23, 1.39 and 1.57, to 0.02.
   // Kernels keep their size when they fade (1.56). The index of layered noise has few kernels: with
   // other weights of the energy in their fit, 0.05 to 0.3, 1.22 to 1.29 were measured.
-  const std::array<double, 9> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5, 1.25, 1.6, 1.3};
+  // Quilting has 1.35, and 1.43 in three planes.
+  const std::array<double, 11> most{1.2, 1.26, 1.42, 1.6, 1.35, 1.5, 1.25, 1.6, 1.3, 1.4, 1.48};
   for (std::size_t k = 0; k < planes().size(); ++k) {
     const NamedPlane& one = planes()[k];
     const CameraMove move = cameraMove(one.plane, 5);
@@ -221,7 +245,10 @@ TEST_CASE("values change continuously with the size of a pixel and across a floo
     };
     INFO(one.name);
     constexpr int kOctaves = 18; // an eighth of a texel to 256 tiles
-    check(growing(1.0 / 512, 512 * kOctaves), growing(1.0 / 64, 64 * kOctaves));
+    // Quilting reads its cells at the nearest mip level, so cuts move where that changes: a tenth
+    // of the points of a texture of this exemplar then jump by more than 1/255, the worst by 0.4.
+    if (!one.stepsInLevel)
+      check(growing(1.0 / 512, 512 * kOctaves), growing(1.0 / 64, 64 * kOctaves));
     for (const double texels : {1.0, 3.0, 12.0}) {
       const auto across = [&](double stepTexels) {
         return change(
