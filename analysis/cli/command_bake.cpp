@@ -193,7 +193,8 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
                   : "outlines hold the exemplar together, so it is baked by quilting, which keeps "
                     "what they enclose; --method tiling blends it");
   }
-  if (!arguments.wanted.method && !arguments.wanted.comparesAll && arguments.common.guide == 0.0)
+  if (!arguments.wanted.method && !arguments.wanted.comparesAll && arguments.common.guide == 0.0 &&
+      !arguments.layers.isGiven())
     notes.add(
         "--guide 0 lays tiles anywhere, so the exemplar is baked by tiling, which blends them; "
         "--method quilting cuts them along outlines");

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 #include <string_view>
+#include <vector>
 
 namespace lichen::cli {
 namespace {
@@ -31,7 +33,7 @@ std::optional<TileCorners> cornersFrom(const std::string& text) {
 
 /// How a part lies in the picture. [degrees]
 struct Slant {
-  double turn = 0.0, shear = 0.0;
+  double rotation = 0.0, shear = 0.0;
   double perspective = 0.0; ///< the larger angle between two opposite sides
 };
 
@@ -42,30 +44,31 @@ Slant slantOf(const TileCorners& corners) {
   };
   const double upper = degrees(0, 1), lower = degrees(3, 2), left = degrees(0, 3),
                right = degrees(1, 2);
-  const double turn = 0.5 * (upper + lower);
-  return {turn, 0.5 * (left + right) - 90.0 - turn,
+  const double rotation = 0.5 * (upper + lower);
+  return {rotation, 0.5 * (left + right) - 90.0 - rotation,
           std::max(std::abs(upper - lower), std::abs(left - right))};
 }
 
 /// ", turned by 3.1 degrees, sheared by 0.5 degrees", as far as that is to be seen.
 std::string wordsFor(const Slant& slant) {
-  constexpr double kSeen = 0.25; // degrees
+  constexpr double kVisible = 0.25; // degrees
   std::vector<std::string> words;
-  if (std::abs(slant.turn) > kSeen)
-    words.push_back(fmt::format("turned by {:.1f} degrees", slant.turn));
-  if (std::abs(slant.shear) > kSeen)
+  if (std::abs(slant.rotation) > kVisible)
+    words.push_back(fmt::format("turned by {:.1f} degrees", slant.rotation));
+  if (std::abs(slant.shear) > kVisible)
     words.push_back(fmt::format("sheared by {:.1f} degrees", slant.shear));
-  if (slant.perspective > kSeen)
+  if (slant.perspective > kVisible)
     words.emplace_back("seen in perspective");
   return words.empty() ? "" : fmt::format(", {}", fmt::join(words, ", "));
 }
 
-/// Whether other vectors of the lattice may have been taken for its rows and columns. Of pictures
-/// turned by 10 degrees or sheared by 5 the right ones are found; of those turned by 14, which is
-/// about as far as the search goes, they are not.
+/// Whether other vectors of the lattice may have been taken for its rows and columns. The limits
+/// lie in the middle between pictures rotated by 10 or sheared by 5 degrees, of which the right
+/// vectors are found (docs/decisions/039-quilting.md), and one rotated by 14, which came out
+/// sheared by 7.
 bool isDoubtful(const Slant& slant) {
-  constexpr double kMostTurn = 12.0, kMostShear = 6.0; // degrees
-  return std::abs(slant.turn) > kMostTurn || std::abs(slant.shear) > kMostShear;
+  constexpr double kMostRotation = 12.0, kMostShear = 6.0; // degrees
+  return std::abs(slant.rotation) > kMostRotation || std::abs(slant.shear) > kMostShear;
 }
 
 } // namespace
@@ -118,9 +121,10 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
   notes.push_back(fmt::format(
       "the tile is the part of {} x {} pixels that holds whole periods{}; {}", maps.front().width,
       maps.front().height, wordsFor(slant),
-      isDoubtful(slant) ? "so much may be wrong: if its rows are not straight, give its corners to "
-                          "--rectify"
-                        : "--rectify off keeps the whole picture"));
+      isDoubtful(slant)
+          ? "angles as large as these may be wrong: if rows of the bake slope, give the "
+            "corners to --rectify"
+          : "--rectify off keeps the whole picture"));
   return part;
 }
 

@@ -48,7 +48,8 @@ double BorderMisfit::between(const std::array<double, 2>& from, const std::array
     }
     sum += least;
   }
-  return unrelated_ > 0.0 ? sum / (samples * unrelated_) : 0.0;
+  constexpr double kNoVariance = 1e-4; // a deviation of two code values
+  return unrelated_ > 2.0 * kNoVariance ? sum / (samples * unrelated_) : 0.0;
 }
 
 } // namespace lichen::placement

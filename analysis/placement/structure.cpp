@@ -18,7 +18,8 @@ namespace lichen {
 
 namespace {
 
-/// Whether streaks, which repeat by chance, have no such lattice: docs/decisions/039-quilting.md.
+/// Whether the lattice is clearer than those that streaks have by chance. Source:
+/// docs/decisions/039-quilting.md.
 bool isClear(const placement::WholePeriods& periods) {
   constexpr double kLeastCorrelation = 0.4, kLeastContrast = 0.15;
   return periods.areSure && periods.correlation >= kLeastCorrelation &&

@@ -163,13 +163,13 @@ Lattice reduced(Lattice lattice) {
 
 /// Calls use(i, j, vector) for half of the combinations i a + j b of the lattice's vectors whose
 /// overlap counts; the others are opposite. i and j are whole numbers of at most so many steps,
-/// plus `beside`, each 0 or 1/2.
+/// plus `beside`, each 0 or 1/2; one of them is at least 1, since within a cell all is alike.
 void eachOf(const Repetition& repetition, const Lattice& lattice, int steps, const auto& use,
             const Vector& beside = {}) {
   for (int row = 0; row <= steps; ++row)
     for (int column = -steps; column <= steps; ++column) {
       const double i = column + beside[0], j = row + beside[1];
-      if (j == 0.0 && i <= 0.0)
+      if ((j == 0.0 && i < 0.0) || (std::abs(i) < 1.0 && std::abs(j) < 1.0))
         continue;
       const Vector v = combined(i, lattice.a, j, lattice.b);
       if (repetition.overlap(v) >= kLeastOverlap)
@@ -382,11 +382,10 @@ TileCorners placed(const Lattice& sides, const ImageLevel& image) {
 } // namespace
 
 WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit) {
-  constexpr int kMostSide = 700;
   constexpr double kLeastCorrelation = 0.25, kLeastOfFew = 0.45;
   constexpr double kFew = 8.0; // periods in the picture, which may be alike by chance
   ImageLevel image{map.width, map.height, int(map.channels.size()), map.values};
-  while (std::max(image.width, image.height) > kMostSide)
+  while (std::max(image.width, image.height) > kMostPeriodSide)
     image = exemplar::areaAverage(image);
   const auto latticeOf = [](const ImageLevel& level) {
     return bestLattice(Repetition(withDetail(level)));

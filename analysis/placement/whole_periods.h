@@ -9,6 +9,9 @@
 
 namespace lichen::placement {
 
+/// Larger pictures are averaged to at most so many pixels a side.
+inline constexpr int kMostPeriodSide = 700;
+
 struct WholePeriods {
   /// The mean correlation of the picture with itself, moved by the vectors of the lattice that
   /// repeats it most highly, less its standard error. At most 1; 0 without a lattice.

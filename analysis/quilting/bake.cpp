@@ -142,7 +142,6 @@ Result<QuiltingBake> bakeMaps(const std::string& name, std::span<const MapExempl
   progress.reach(0.0);
   QuiltingBake bake;
   bake.noise.name = name;
-  bake.exemplarWasPeriodic = exemplar::keepsBorders(given, options.periodic, std::identity());
   std::vector<MapExemplar> maps = exemplar::asStored(given);
   constexpr std::size_t kMostSought = 64; // how many there are says how large cells are
   const placement::NearPeriods periods = placement::nearPeriods(maps, kMostSought, options.guide);
@@ -152,11 +151,11 @@ Result<QuiltingBake> bakeMaps(const std::string& name, std::span<const MapExempl
   progress.reach(kPeriodsOfProgress);
   quilting::CellField field = quilting::cellsOf(maps, count);
   const quilting::FittingShifts fitting = quilting::fittingShifts(field, periods.shifts);
-  if (!bake.exemplarWasPeriodic) {
-    quilting::closeBorders(maps, field, count, fitting,
-                           progress.part(kPeriodsOfProgress, kBordersOfProgress));
+  if (!exemplar::keepsBorders(given, options.periodic, std::identity()))
+    bake.bordersWereCut = quilting::closeBorders(
+        maps, field, count, fitting, progress.part(kPeriodsOfProgress, kBordersOfProgress));
+  if (bake.bordersWereCut)
     field = quilting::cellsOf(maps, count);
-  }
   const quilting::CellImage cells = quilting::cellImage(field, options.bits);
   progress.reach(kCellsOfProgress);
   QuiltingNoise shared;

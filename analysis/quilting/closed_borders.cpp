@@ -5,6 +5,7 @@
 
 #include "placement/border_misfit.h"
 #include "placement/near_periods.h"
+#include "placement/whole_periods.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +26,9 @@ float fromBorder(float position) {
   return std::min(share, 1.0f - share);
 }
 
-/// How far the centre of what a border cuts from a cell lies from the border at most: half of a
-/// large cell. [tiles]
+/// Half of a large cell: the 95 % quantile of the distances of texels from their centres. [tiles]
 float halfCell(const CellField& cells, std::size_t axis) {
-  constexpr double kLarge = 0.95; // of all texels, which lie nearer to their centres
+  constexpr double kLarge = 0.95;
   constexpr float kLeast = 1.0f / 64.0f, kMost = 1.0f / 8.0f;
   std::vector<float> distances;
   for (const std::array<float, 2>& vector : cells.toCentre)
@@ -109,31 +109,42 @@ std::vector<double> meansOf(const MapExemplar& map) {
   return means;
 }
 
-/// Shifts each channel to another mean. The least and the greatest values, such as the 0 and 1 of a
-/// mask, stay, and all others stay between them.
+/// Shifts each channel to another mean, by its values between the least and the greatest: those
+/// stay, such as the 0 and 1 of a mask. A channel of which most values are one of the two stays as
+/// it is. Values that reach them stop there, so the mean is met nearly.
 void shiftMeans(MapExemplar& map, const std::vector<double>& means) {
   const std::vector<double> own = meansOf(map);
-  std::vector<float> least(own.size(), std::numeric_limits<float>::max());
-  std::vector<float> most(own.size(), std::numeric_limits<float>::lowest());
+  const std::size_t channels = own.size();
+  std::vector<float> least(channels, std::numeric_limits<float>::max());
+  std::vector<float> most(channels, std::numeric_limits<float>::lowest());
   for (std::size_t i = 0; i < map.values.size(); ++i) {
-    const std::size_t c = i % own.size();
+    const std::size_t c = i % channels;
     least[c] = std::min(least[c], map.values[i]);
     most[c] = std::max(most[c], map.values[i]);
   }
+  const auto isBetween = [&](std::size_t i) {
+    return map.values[i] > least[i % channels] && map.values[i] < most[i % channels];
+  };
+  std::vector<double> between(channels); // the share of such values
+  for (std::size_t i = 0; i < map.values.size(); ++i)
+    between[i % channels] += isBetween(i) ? double(channels) / double(map.values.size()) : 0.0;
   for (std::size_t i = 0; i < map.values.size(); ++i) {
-    const std::size_t c = i % own.size();
-    float& value = map.values[i];
-    if (value > least[c] && value < most[c])
-      value = std::clamp(value + float(means[c] - own[c]), least[c], most[c]);
+    const std::size_t c = i % channels;
+    if (between[c] > 0.5 && isBetween(i))
+      map.values[i] =
+          std::clamp(map.values[i] + float((means[c] - own[c]) / between[c]), least[c], most[c]);
   }
 }
 
-/// Whether the borders across an axis meet in joints of all maps.
-bool meetInJoints(std::span<const MapExemplar> maps, std::size_t axis) {
+/// Whether opposite borders across an axis look alike in all maps: where they meet in joints, or
+/// cells of one colour are cut.
+bool lookAlike(std::span<const MapExemplar> maps, std::size_t axis) {
   constexpr double kMostMisfit = 0.125;
   return std::ranges::all_of(maps, [&](const MapExemplar& map) {
-    const exemplar::ImageLevel image{map.width, map.height, int(map.channels.size()), map.values};
-    const double width = map.width, height = map.height;
+    exemplar::ImageLevel image{map.width, map.height, int(map.channels.size()), map.values};
+    while (std::max(image.width, image.height) > placement::kMostPeriodSide)
+      image = exemplar::areaAverage(image);
+    const double width = image.width, height = image.height;
     const placement::BorderMisfit misfit(image);
     const std::array<double, 2> from{0.0, 0.0};
     return (axis == 0 ? misfit.between(from, {0.0, height}, {width - 1.0, 0.0})
@@ -143,20 +154,24 @@ bool meetInJoints(std::span<const MapExemplar> maps, std::size_t axis) {
 
 } // namespace
 
-void closeBorders(std::span<MapExemplar> maps, const CellField& cells, double count,
+bool closeBorders(std::span<MapExemplar> maps, const CellField& cells, double count,
                   const FittingShifts& shifts, ProgressPart progress) {
   std::vector<std::vector<double>> means;
   for (const MapExemplar& map : maps)
     means.push_back(meansOf(map));
+  bool isClosed = false;
   for (const std::size_t axis : {std::size_t(0), std::size_t(1)}) {
     const std::optional<Shift> shift = shiftAlong(axis, shifts);
-    if (shift && !meetInJoints(maps, axis))
-      closeAxis(maps, axis == 0 ? cells : cellsOf(maps, count), axis, *shift);
+    if (shift && !lookAlike(maps, axis)) {
+      closeAxis(maps, isClosed ? cellsOf(maps, count) : cells, axis, *shift);
+      isClosed = true;
+    }
     progress.reach(0.5 * double(axis + 1));
   }
   // What fills the bands may be brighter or darker than what it replaces.
-  for (std::size_t m = 0; m < maps.size(); ++m)
+  for (std::size_t m = 0; m < maps.size() && isClosed; ++m)
     shiftMeans(maps[m], means[m]);
+  return isClosed;
 }
 
 } // namespace lichen::quilting

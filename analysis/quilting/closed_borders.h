@@ -11,11 +11,13 @@
 
 namespace lichen::quilting {
 
-/// Replaces cells along the borders by what lies one of `shifts` [tiles] further, about half a
-/// tile, from which it is cut along the outlines of cells. If none is near, by what lies half a
-/// tile further if the shifts are not close, and otherwise it stays as it is. `cells` are those
-/// of the maps, `count` as in cellsOf(). Throws std::bad_alloc and Interrupted.
-void closeBorders(std::span<MapExemplar> maps, const CellField& cells, double count,
+/// Replaces cells along borders that do not look alike by what lies one of `shifts` [tiles]
+/// further, about half a tile, from which it is cut along the outlines of cells. If no shift is
+/// near, by what lies half a tile further if the shifts are not close, and otherwise the border
+/// stays as it is. The means of the maps hardly change. Returns whether any border was closed.
+/// `cells` are those of the maps, `count` as in cellsOf(). Throws std::bad_alloc and Interrupted.
+/// Source: docs/decisions/039-quilting.md.
+bool closeBorders(std::span<MapExemplar> maps, const CellField& cells, double count,
                   const FittingShifts& shifts, ProgressPart progress);
 
 } // namespace lichen::quilting

@@ -7,7 +7,6 @@
 #include <lichen/lattice.h>
 #include <lichen/quilting_cuts.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -95,7 +94,8 @@ std::optional<double> mismatch(const Bundle& bundle, const Noise& noise, const N
     const double count = double(image.values.size());
     unrelated += 2.0 * (squares / count - sum * sum / (count * count));
   }
-  const std::vector<std::array<int, 2>> outlines = outlinesOf(sampled(cells, cells));
+  const std::vector<std::array<int, 2>> outlines =
+      outlinesOf(Grid{int(cells.width), int(cells.height), texelsOf(cells, 0)});
   const std::vector<std::array<int, 2>> offsets = offsetsOf(noise.as<QuiltingNoise>(), image);
   constexpr double kNoVariance = 1e-9;
   if (outlines.empty() || offsets.empty() || unrelated < kNoVariance)

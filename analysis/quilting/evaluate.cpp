@@ -45,11 +45,11 @@ Value inRange(Value value, shader::uint encoding) {
   return value;
 }
 
-/// lichenHat: 1 at a vertex, 0 on the hexagon of its neighbours and beyond, linear in between.
-/// `fromVertex` is, in skewed coordinates. [cells]
+/// lichenHat: 1 at a vertex, 0 on the hexagon of its neighbours, linear in between and beyond.
+/// `fromVertex` is in skewed coordinates. [cells]
 float hat(const Vec2& fromVertex) {
-  return std::max(0.0f, 1.0f - std::max({std::abs(fromVertex[0]), std::abs(fromVertex[1]),
-                                         std::abs(fromVertex[0] + fromVertex[1])}));
+  return 1.0f - std::max({std::abs(fromVertex[0]), std::abs(fromVertex[1]),
+                          std::abs(fromVertex[0] + fromVertex[1])});
 }
 
 } // namespace
@@ -149,7 +149,7 @@ Value QuiltingEvaluator::blend(std::size_t mapIndex, const shader::LichenMateria
   const float steepness = std::exp2(kMostSharpness * sharpness);
   for (float& weight : weights)
     weight = std::max(0.0f, highest - steepness * (highest - weight));
-  // Less the least, two are left.
+  // Only two tiles are fetched: the smallest weight is taken from all.
   const auto least = std::min_element(weights.begin(), weights.end());
   const float taken = *least;
   for (float& weight : weights) {

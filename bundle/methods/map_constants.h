@@ -16,8 +16,8 @@ namespace lichen {
 /// Sets the size, dimensions and mip count of the image that the shader fetches.
 void setImage(shader::LichenMap& constants, const Table& image);
 
-/// By how many mip levels an image is larger than a tile of [width, height] texels: 0 for images of
-/// the tile's size alone, others do not share their texels.
+/// By how many mip levels an image is larger than a tile of [width, height] texels; negative for a
+/// smaller image.
 [[nodiscard]] float levelOffset(const Table& image, const std::array<std::uint32_t, 2>& tile);
 
 /// Sets the steps between neighbouring random offsets of a tile.

@@ -224,14 +224,14 @@ def in_bytes(levels):
 
 
 def quilt_images():
-    places = [[(x, y) for x in range(QUILT_SIDE)] for y in range(QUILT_SIDE)]
-    ways = averages([[((x + 1) % 2, (y + 1) % 2) for x, y in row] for row in places])
-    for level, rows in enumerate(ways):  # with the sharpness
-        ways[level] = [[way + (1 if level == 0 else 0,) for way in row] for row in rows]
-    heights = averages([[((x + QUILT_SIDE * y) * 5 % 16 * 16 / 255,) for x, y in row] for row in places])
-    slopes = [[(x / 4 - 1 / 2, 1 / 2 - y / 8) for x, y in row] for row in places]
+    texels = [[(x, y) for x in range(QUILT_SIDE)] for y in range(QUILT_SIDE)]
+    vectors = averages([[((x + 1) % 2, (y + 1) % 2) for x, y in row] for row in texels])
+    for level, rows in enumerate(vectors):  # with the sharpness
+        vectors[level] = [[vector + (1 if level == 0 else 0,) for vector in row] for row in rows]
+    heights = averages([[((x + QUILT_SIDE * y) * 5 % 16 * 16 / 255,) for x, y in row] for row in texels])
+    slopes = [[(x / 4 - 1 / 2, 1 / 2 - y / 8) for x, y in row] for row in texels]
     squares = averages([[(a, b, (a * a + b * b) / 2) for a, b in row] for row in slopes])
-    return in_bytes(ways), in_bytes(heights), squares
+    return in_bytes(vectors), in_bytes(heights), squares
 
 
 def trilinear(levels, u, v, level):
@@ -263,13 +263,13 @@ def quilt_value(slopes, texel):
     return [*texel[:2], max(0, texel[2] - (texel[0] ** 2 + texel[1] ** 2) / 2)] if slopes else texel
 
 
-def quilting(place, dpdx, dpdy, contrast, has_list, seed, period):
-    ways, heights, squares = quilt_images()
+def quilting(position, dpdx, dpdy, contrast, has_list, seed, period):
+    vectors, heights, squares = quilt_images()
     columns, rows = 3.5, 4
     if period:
         lattice = periodic_lattice(*period)
         columns, rows = lattice["columns"] / period[0], lattice["rows"] / period[1]
-    a, b = place[0] * columns - place[1] * rows / 2, place[1] * rows
+    a, b = position[0] * columns - position[1] * rows / 2, position[1] * rows
     i, j = math.floor(a), math.floor(b)
     corner = 0 if a - i + b - j < 1 else 1
     level = sharp_level(dpdx, dpdy, QUILT_SIDE)
@@ -286,8 +286,8 @@ def quilting(place, dpdx, dpdy, contrast, has_list, seed, period):
         offset = [step / QUILT_SIDE for step in tile_offset(*vertex, lattice_seed(seed, 0), QUILT_SIDE, QUILT_SIDE)]
         if has_list:
             offset = QUILT_OFFSETS[word // 65536 * len(QUILT_OFFSETS) // 65536]
-        tap = [p - s + o for p, s, o in zip(place, shift, offset)]
-        red, green, sharpness = trilinear(ways, *tap, math.floor(level + 0.5))
+        tap = [p - s + o for p, s, o in zip(position, shift, offset)]
+        red, green, sharpness = trilinear(vectors, *tap, math.floor(level + 0.5))
         x, y = (QUILT_REACH * (2 * c - 1) for c in (red, green))
         u, v = a - column + x * columns - y * rows / 2, b - row + y * rows
         taps.append(tap)
@@ -308,7 +308,7 @@ def quilting(place, dpdx, dpdy, contrast, has_list, seed, period):
         else:
             value = [min(max(v, 0), 1) for v in value]
         values.append([round(v, 7) for v in value])
-    return {"position": place, "dpdx": dpdx, "dpdy": dpdy, "contrast": contrast, "hasOffsets": has_list,
+    return {"position": position, "dpdx": dpdx, "dpdy": dpdy, "contrast": contrast, "hasOffsets": has_list,
             "seed": seed, "periodTiles": period or [0, 0], "height": values[0], "normal": values[1]}
 
 

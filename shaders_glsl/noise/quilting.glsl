@@ -38,7 +38,7 @@ vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, vec2 step) 
   return vec2(ivec2(uvec2(word & 0xFFFFu, word >> 16u))) * (1.0 / 65536.0);
 }
 
-/// 1 at a vertex, 0 on the hexagon of its neighbours and beyond, linear in between. `fromVertex` is
+/// 1 at a vertex, 0 on the hexagon of its neighbours, linear in between and beyond. `fromVertex` is
 /// in skewed coordinates. [cells]
 float lichenHat(vec2 fromVertex) {
   return 1.0 - max(max(abs(fromVertex.x), abs(fromVertex.y)), abs(fromVertex.x + fromVertex.y));

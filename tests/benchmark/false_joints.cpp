@@ -108,8 +108,8 @@ struct Cell {
   std::vector<CellPixel> pixels;
 };
 
-/// The shorter distance from one column or row to another; the exemplar repeats.
-int shortest(int distance, int side) { return wrapped(distance + side / 2, side) - side / 2; }
+/// The shorter of the steps from one column or row to another; the exemplar repeats.
+int shortest(int step, int side) { return wrapped(step + side / 2, side) - side / 2; }
 
 /// Whether all pixels around are of the same cell.
 bool isInner(const std::vector<int>& cells, int side, int x, int y) {

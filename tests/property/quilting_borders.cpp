@@ -144,7 +144,9 @@ TEST_CASE("closed borders leave 0 and 1 of a mask") {
   MapExemplar mask = bars();
   for (float& value : mask.values)
     value = value > 0.5f ? 1.0f : 0.0f;
+  const std::vector<float> before = mask.values;
   close(mask, kBars, {{0.0, 0.0}, {3.0 * kPitch / kWidth, 0.0}});
+  CHECK(mask.values != before);
   CHECK(std::ranges::all_of(mask.values, [](float v) { return v == 0.0f || v == 1.0f; }));
 }
 

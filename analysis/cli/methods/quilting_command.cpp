@@ -38,12 +38,12 @@ public:
     QuiltingBake& bake = baked.value();
     const auto& shared = bake.noise.as<QuiltingNoise>();
     MethodBake result;
-    result.bordersWereBlended = !bake.exemplarWasPeriodic;
+    result.bordersWereBlended = bake.bordersWereCut;
     result.borderTreatment = "cuts";
-    result.json["periodic"] = bake.exemplarWasPeriodic;
+    result.json["periodic"] = !bake.bordersWereCut;
     result.json["strength"] = bake.strength;
     result.json["offsets"] = shared.offsets.size();
-    result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "cut");
+    result.facts.emplace_back("Borders", bake.bordersWereCut ? "cut" : "left as they were");
     result.facts.emplace_back("Repeats", fmt::format("{:.2f} of 1", bake.strength));
     result.facts.emplace_back("Tiles", tileWords(shared));
     result.noise = std::move(bake.noise);

@@ -28,7 +28,7 @@ struct QuiltingOptions {
 struct QuiltingBake {
   Noise noise; ///< maps in the order given
   std::vector<Table> tables;
-  bool exemplarWasPeriodic = true;
+  bool bordersWereCut = false; ///< and closed by other cells of the exemplar
   double strength = 0.0; ///< how clearly the exemplar repeats: 0 of a random field, 1 of bricks
 };
 

@@ -34,8 +34,8 @@ struct Structure {
   [[nodiscard]] bool repeats() const { return isStrong() || hasLattice; }
   /// Whether random blending breaks it into pieces.
   [[nodiscard]] bool isClear() const { return repeats() || outlines >= kClearOutlines; }
-  /// How closely a bake should follow what repeats; nothing: as clearly as it repeats. What only
-  /// the lattice shows would be followed weakly.
+  /// How closely a bake should follow what repeats. Absent: as closely as the strength says; 1 if
+  /// only the lattice shows that it repeats.
   [[nodiscard]] std::optional<double> guide() const {
     return hasLattice && !isStrong() ? std::optional(kGuideRange.most) : std::nullopt;
   }

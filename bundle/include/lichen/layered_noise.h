@@ -12,7 +12,7 @@ namespace lichen {
 
 /// Whether a layer of a noise may have this method.
 [[nodiscard]] bool isLayerable(Method method);
-/// The names of all methods that are, for messages: "tiling, texton or local-random-phase".
+/// The names of all methods that are, for messages: "tiling, texton or multiple-kernels".
 [[nodiscard]] std::string layerableNames();
 
 /// Why maps with this target do not fit into so many layers, in [2, 4]: in one sentence, or empty.
