@@ -109,8 +109,9 @@ TEST_CASE("quilting is refused as a layer, first or later, with its method in th
     const std::vector<Finding> findings = checkBundle(parts.join());
     CHECK(std::ranges::any_of(findings, [&](const Finding& each) {
       return each.code == "layer-fit" &&
-             each.message == "the noise \"bricks\" has the method quilting, which layers do not "
-                             "take; expected another";
+             each.message ==
+                 "the noise \"bricks\" has the method quilting, which layers do not "
+                 "take; expected tiling, texton, local-random-phase or multiple-kernels";
     }));
   }
 }
