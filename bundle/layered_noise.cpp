@@ -63,8 +63,9 @@ bool areAlike(double a, double b) {
   return std::abs(a - b) <= kTolerance * std::max(a, b);
 }
 
-/// What is wrong with a layer or index noise beside the first layer, or nothing.
-std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise) {
+/// What is wrong with a layer or index noise beside the first layer, but for its maps, or nothing.
+std::string faultOf(const Bundle& firstBundle, const Noise& first, const Bundle& bundle,
+                    const Noise& noise) {
   const std::string name = "the noise " + quoted(noise.name);
   if (&noise != &first && noise.layers)
     return name + " is layered itself; expected one that is not";
@@ -72,11 +73,11 @@ std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise
     return name + " is a mix; expected one that is not";
   if (!formatOf(noise).isLayerable())
     return name + " has the method " + std::string(nameOf(noise.method())) +
-           ", which layers do not take; expected " + layerableNames();
+           ", which layers do not take; expected " + layerableMethods();
   if (!areAlike(noise.tileSizeMetres, first.tileSizeMetres))
     return name + " has tiles of " + std::to_string(noise.tileSizeMetres) + " m; expected " +
            std::to_string(first.tileSizeMetres) + " m, as those of " + quoted(first.name);
-  if (!areAlike(aspectOf(bundle, noise), aspectOf(bundle, first)))
+  if (!areAlike(aspectOf(bundle, noise), aspectOf(firstBundle, first)))
     return name + " has tiles of another shape than " + quoted(first.name) +
            "; expected the same width over height";
   return {};
@@ -86,15 +87,34 @@ std::string faultOf(const Bundle& bundle, const Noise& first, const Noise& noise
 
 bool isLayerable(Method method) { return formatOf(method).isLayerable(); }
 
-std::string layerableNames() {
+std::string layerableMethods() {
   std::vector<std::string> names;
   for (const Method method : allMethods())
     if (isLayerable(method))
       names.emplace_back(nameOf(method));
-  std::string all;
-  for (std::size_t k = 0; k < names.size(); ++k)
-    all += (k == 0 ? "" : k + 1 < names.size() ? ", " : " or ") + names[k];
-  return all;
+  std::string text;
+  for (std::size_t n = 0; n < names.size(); ++n)
+    text += (n == 0 ? "" : n + 1 == names.size() ? " or " : ", ") + names[n];
+  return text;
+}
+
+std::string layerFault(const Bundle& firstBundle, const Noise& first, const Bundle& bundle,
+                       const Noise& noise) {
+  if (std::string fault = faultOf(firstBundle, first, bundle, noise); !fault.empty())
+    return fault;
+  if (!hasSameMaps(first, noise))
+    return "the noises " + quoted(first.name) + " and " + quoted(noise.name) +
+           " have different maps or channels; expected the same";
+  return {};
+}
+
+std::string indexFault(const Noise& noise) {
+  if (noise.method() != Method::multipleKernels)
+    return "the noise " + quoted(noise.name) + " has the method " +
+           std::string(nameOf(noise.method())) + "; expected multiple-kernels for an index map";
+  if (noise.layers)
+    return "the index map " + quoted(noise.name) + " is layered itself; expected one that is not";
+  return {};
 }
 
 std::string layerTargetFault(std::size_t layers, MapTarget target) {
@@ -114,23 +134,16 @@ std::string layersFault(const Bundle& bundle, std::size_t noise) {
   for (const NoiseMap& map : first.maps)
     if (std::string fault = layerTargetFault(layers.others.size() + 1, map.target); !fault.empty())
       return fault;
-  for (const std::size_t layer : layersOf(bundle, noise)) {
-    if (std::string fault = faultOf(bundle, first, bundle.noises[layer]); !fault.empty())
+  for (const std::size_t layer : layersOf(bundle, noise))
+    if (std::string fault = layerFault(bundle, first, bundle, bundle.noises[layer]); !fault.empty())
       return fault;
-    if (!hasSameMaps(first, bundle.noises[layer]))
-      return "the noises " + quoted(first.name) + " and " + quoted(bundle.noises[layer].name) +
-             " have different maps or channels; expected the same";
+  for (const LayerNode& node : layers.nodes) {
+    const Noise& index = bundle.noises[node.index];
+    if (std::string fault = indexFault(index); !fault.empty())
+      return fault;
+    if (std::string fault = faultOf(bundle, first, bundle, index); !fault.empty())
+      return fault;
   }
-  for (const LayerNode& node : layers.nodes)
-    if (bundle.noises[node.index].method() != Method::multipleKernels)
-      return "the noise " + quoted(bundle.noises[node.index].name) + " has the method " +
-             std::string(nameOf(bundle.noises[node.index].method())) +
-             "; expected multiple-kernels for an index map";
-    else if (bundle.noises[node.index].layers)
-      return "the index map " + quoted(bundle.noises[node.index].name) +
-             " is layered itself; expected one that is not";
-    else if (std::string fault = faultOf(bundle, first, bundle.noises[node.index]); !fault.empty())
-      return fault;
   return {};
 }
 

@@ -2,6 +2,8 @@
 // Options -> the mix weight of a material; see apply_mix.h.
 #include "apply_mix.h"
 
+#include "noise_choice.h"
+
 #include <lichen/counted.h>
 #include <lichen/files.h>
 #include <lichen/image_io.h>
@@ -57,8 +59,7 @@ std::vector<std::string> sourcesOf(const MixOptions& options) {
 Result<void> check(const MixOptions& options, const Noise& noise) {
   const std::vector<std::string> sources = sourcesOf(options);
   if (!isMix(noise))
-    return usage(fmt::format("{}: noise '{}' is not a mix; expected one made by 'lichen mix'",
-                             sources.empty() ? "--mix-channel" : sources.front(), noise.name));
+    return notMixed(sources.empty() ? "--mix-channel" : sources.front(), noise);
   if (sources.size() > 1)
     return usage(fmt::format("{}: {} sources of the weight; expected one of them",
                              fmt::join(sources, ", "), sources.size()));

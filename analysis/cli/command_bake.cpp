@@ -68,11 +68,16 @@ Error foreignTo(Method method, const char* option, bool (MethodCommand::*takes)(
           fmt::format("{}: belongs to --method {}, not to {}", option, takers, nameOf(method))};
 }
 
-/// Whether the method depends on what repeats in the exemplar, which no other option decides.
-bool choosesByStructure(const Arguments& arguments) {
+/// Whether no option but --guide decides the method.
+bool leavesMethodOpen(const Arguments& arguments) {
   return !arguments.wanted.method && !arguments.wanted.comparesAll && !arguments.layers.isGiven() &&
-         !arguments.common.spectrum && !arguments.common.guide &&
+         !arguments.common.spectrum &&
          !givenOf(*arguments.verb, commandOf(Method::tiling).heading());
+}
+
+/// Whether the method depends on what repeats in the exemplar, which no option decides.
+bool choosesByStructure(const Arguments& arguments) {
+  return leavesMethodOpen(arguments) && !arguments.common.guide;
 }
 
 /// The methods of which --method auto chooses one.
@@ -118,7 +123,7 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
     return Error{ErrorKind::usage,
                  fmt::format("{}: layers do not take the method {}; expected --method {}",
                              arguments.layers.count ? "--layers" : "--labels",
-                             nameOf(arguments.method), layerableNames())};
+                             nameOf(arguments.method), layerableMethods())};
   if (arguments.budget)
     return Error{ErrorKind::usage, "--budget: belongs to --method auto"};
   const MethodCommand& command = commandOf(arguments.method);
@@ -182,6 +187,9 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
     arguments.method = choice.value().method;
     notes.add(std::move(choice.value().reason));
   }
+  if (leavesMethodOpen(arguments) && arguments.common.guide == kGuideRange.least)
+    notes.add("--guide 0: tiles are placed anywhere, so the noise is baked by tiling; --method "
+              "quilting cuts them along outlines");
   const Structure& structure = read.value().structure;
   if (!arguments.common.guide)
     arguments.common.guide = structure.guide();
@@ -193,11 +201,6 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
                   : "outlines hold the exemplar together, so it is baked by quilting, which keeps "
                     "what they enclose; --method tiling blends it");
   }
-  if (!arguments.wanted.method && !arguments.wanted.comparesAll && arguments.common.guide == 0.0 &&
-      !arguments.layers.isGiven())
-    notes.add(
-        "--guide 0 lays tiles anywhere, so the exemplar is baked by tiling, which blends them; "
-        "--method quilting cuts them along outlines");
   for (std::string& line : set.notes)
     notes.add(std::move(line));
   return Exemplar{arguments.name.empty() ? asUtf8(set.name) : arguments.name,
@@ -251,10 +254,6 @@ Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exempla
                  !result.about.bordersWereBlended, arguments.shared);
   if (!judged)
     return judged.error();
-  if (arguments.wanted.comparesAll && judged.value().verdict.level == Verdict::Level::unsuitable)
-    notes.add(fmt::format("no method that was tried looks like the exemplar; {} is the nearest for "
-                          "its cost",
-                          nameOf(arguments.method)));
   return JudgedBake{std::move(result), std::move(judged).value()};
 }
 
@@ -321,6 +320,11 @@ Result<int> run(Arguments& arguments) {
   MethodBake& bake = made.value().baked.about;
   for (const std::string& line : bake.notes)
     notes.add(line);
+  if (arguments.wanted.comparesAll &&
+      made.value().judged.verdict.level == Verdict::Level::unsuitable)
+    notes.add("the verdict on the choice of --method auto is unsuitable: auto compares "
+              "look_distance within --budget and does not ask the verdict; follow what the verdict "
+              "says helps");
   const Result<BundleFile> file = makeBundleFile(arguments, made.value().baked);
   if (!file)
     return file.error();
@@ -367,7 +371,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange, "metres"), "1",
            "Width of the exemplar in metres, before --rectify: 0.5 for 50 cm");
-  addExemplarOptions(verb, arguments->exemplar);
+  addExemplarOptions(verb, arguments->exemplar, ExemplarUse::bake);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);
   Choices<MethodWish> methods;
@@ -379,9 +383,9 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "tiling keeps the exemplar's histogram; texton makes a Gaussian texture, the smallest on "
       "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification; "
       "multiple-kernels does so with few kernels, for painted spectra; quilting keeps bricks, "
-      "boards and threads whole; auto: the cheapest within --budget, unless a dearer one looks "
-      "clearly nearer [default: quilting if something repeats clearly or has clear outlines, "
-      "otherwise tiling]");
+      "boards and threads whole; auto: of those within --budget the one that looks nearest to "
+      "the exemplar, or the cheapest if none looks clearly nearer [default: quilting if something "
+      "repeats clearly or has clear outlines, otherwise tiling]");
   addValue(verb, "--budget", arguments->budget, optional(number(kBudgetRange)), "",
            "With --method auto: the most time of a pixel, in plain texture fetches [default: that "
            "of tiling]");
@@ -396,9 +400,8 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addValue(
       verb, "--spectrum", arguments->common.spectrum, spectrumChoice(), "",
       "A spectrum in place of the exemplar's, which gives the colours: a picture of amplitudes, "
-      "frequency 0 in the middle and a cycle per tile a pixel; or rings FROM:TO, bands "
-      "LEFT:RIGHT:TOP:BOTTOM and lobes "
-      "U:V:RADIUS in cycles per tile")
+      "frequency 0 in the middle and a cycle per tile a pixel; or parts with commas between them, "
+      "in cycles per tile: ring:FROM:TO, band:LEFT:RIGHT:TOP:BOTTOM, lobe:U:V:RADIUS")
       .group("Local random phase and multiple kernels");
   addLayersOption(verb, arguments->layers);
   arguments->verb = &verb;

@@ -16,8 +16,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <memory>
 
 namespace lichen::cli {
@@ -48,13 +46,6 @@ struct MapMeasures {
   std::optional<KernelComparison> kernels;
 };
 
-bool isBundle(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& letter : extension)
-    letter = char(std::tolower(static_cast<unsigned char>(letter)));
-  return extension == ".glb" || extension == ".gltf";
-}
-
 /// A bundle, and which of its noises to compare.
 struct BakedNoise {
   Bundle bundle;
@@ -72,9 +63,7 @@ Result<BakedNoise> readBaked(const Arguments& arguments) {
     return index.error();
   BakedNoise baked{std::move(bundle).value(), index.value()};
   if (arguments.mix && !isMix(baked.noise()))
-    return Error{ErrorKind::usage,
-                 fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
-                             baked.noise().name)};
+    return notMixed("--mix", baked.noise());
   return baked;
 }
 
@@ -227,7 +216,7 @@ std::vector<std::string> linesOf(const KernelComparison& kernels) {
   return lines;
 }
 
-/// The verdict in words; says so if targets are missed by less than viewers see.
+/// The verdict in words; of a good one also why the exit code is 1, if it is.
 std::string wordsOf(const Verdict& verdict, const std::vector<MapMeasures>& maps) {
   std::ptrdiff_t missed = 0;
   for (const MapMeasures& map : maps)
@@ -235,7 +224,7 @@ std::string wordsOf(const Verdict& verdict, const std::vector<MapMeasures>& maps
   const std::string line = verdictLine(verdict, maps.size() > 1);
   if (verdict.level != Verdict::Level::good || missed == 0)
     return line;
-  return fmt::format("{}; {} by less than viewers see", line,
+  return fmt::format("{}; exit code 1, as {}: targets are stricter than the verdict", line,
                      missed == 1 ? "a target is missed"
                                  : fmt::format("{} targets are missed", missed));
 }
@@ -302,19 +291,19 @@ Result<int> run(Arguments& arguments) {
   } else {
     arguments.asBaked.outliers.recorded.emplace();
   }
-  if (!arguments.noise.empty() && !isBundle(arguments.result))
+  if (!arguments.noise.empty() && !namesBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
                                                arguments.noise, arguments.result)};
-  if (arguments.mix && !isBundle(arguments.result))
+  if (arguments.mix && !namesBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--mix {:g}: {} is an image; expected a bundle",
                                                *arguments.mix, arguments.result)};
-  if (isBundle(arguments.exemplar))
+  if (namesBundle(arguments.exemplar))
     return Error{ErrorKind::usage,
                  fmt::format("{}: is a bundle; expected a photograph or a folder, then the result",
                              arguments.exemplar)};
   std::optional<BakedNoise> baked;
   std::string adopted;
-  if (isBundle(arguments.result)) {
+  if (namesBundle(arguments.result)) {
     Result<BakedNoise> read = readBaked(arguments);
     if (!read)
       return read.error();
@@ -379,8 +368,7 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--mix", arguments->mix, optional(number(kMixWeightRange)), "",
            "Weight of a mix at which to measure: 0 for the first input, 1 for the last [default: "
            "0]");
-  addExemplarOptions(verb, arguments->asBaked, "",
-                     " [default: as the bundle says; none for an image, auto with --methods]");
+  addExemplarOptions(verb, arguments->asBaked, ExemplarUse::comparison);
   arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }

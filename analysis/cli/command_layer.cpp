@@ -59,9 +59,6 @@ Result<Input> readInput(const std::string& text) {
     return Error{ErrorKind::usage,
                  fmt::format("{}: noise '{}' is layered itself; expected one that is not", file,
                              chosen.name)};
-  if (!isLayerable(chosen.method()))
-    return Error{ErrorKind::usage, fmt::format("{}: layers do not take the method {}; expected {}",
-                                               file, nameOf(chosen.method()), layerableNames())};
   return Input{file, std::move(bundle).value(), noise.value()};
 }
 
@@ -84,8 +81,15 @@ Result<Input> readIndex(const Arguments& arguments, const Input& first) {
     const std::string& text = arguments.index;
     return text.ends_with(extension) || text.find(extension + std::string(":")) != text.npos;
   };
-  if (isBundle(".glb") || isBundle(".gltf") || isBundle(".lichen"))
-    return readInput(arguments.index);
+  if (isBundle(".glb") || isBundle(".gltf") || isBundle(".lichen")) {
+    Result<Input> input = readInput(arguments.index);
+    if (!input)
+      return input;
+    const std::string fault = indexFault(input.value().bundle.noises[input.value().noise]);
+    if (!fault.empty())
+      return Error{ErrorKind::usage, fmt::format("--index {}: {}", arguments.index, fault)};
+    return input;
+  }
   const auto choice = spectrumChoice().read(arguments.index);
   if (!choice || !*choice)
     return Error{ErrorKind::usage, fmt::format("--index {}: expected {}, or a bundle",
@@ -134,6 +138,12 @@ Result<Bundle> layered(const Arguments& arguments) {
       return input.error();
     names.push_back(input.value().bundle.noises[input.value().noise].name);
     inputs.push_back(std::move(input).value());
+    const Input& first = inputs.front();
+    const Input& last = inputs.back();
+    if (const std::string fault = layerFault(first.bundle, first.bundle.noises[first.noise],
+                                             last.bundle, last.bundle.noises[last.noise]);
+        !fault.empty())
+      return Error{ErrorKind::usage, last.file + ": " + fault};
   }
   const Result<Input> index = readIndex(arguments, inputs.front());
   if (!index)

@@ -5,12 +5,14 @@
 #include "exemplar_options.h"
 #include "html_report.h"
 #include "methods/texton_command.h"
+#include "noise_choice.h"
 #include "noise_name.h"
 #include "options.h"
 #include "preview_images.h"
 #include "progress_line.h"
 
 #include <lichen/bundle_writer.h>
+#include <lichen/layered_noise.h>
 #include <lichen/texton_mix.h>
 
 #include <fmt/format.h>
@@ -74,6 +76,13 @@ Result<void> check(const Arguments& arguments) {
                  fmt::format("INPUT: {} given; expected 2 to {} photographs or folders; 'lichen "
                              "bake' turns one into noise",
                              count, kMaxMixedExemplars)};
+  for (const std::string& input : arguments.inputs)
+    if (namesBundle(input))
+      return Error{ErrorKind::usage,
+                   fmt::format("{}: is a bundle; expected photographs or folders, which 'lichen "
+                               "mix' turns into textons; 'lichen layer' combines bundles of the "
+                               "methods {}",
+                               input, layerableMethods())};
   const std::vector<double>& weights = arguments.mix.weights;
   if (weights.empty())
     return {};
@@ -284,7 +293,7 @@ Runner addMix(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the pattern");
   addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange, "metres"), "1",
            "Width of the exemplars in metres: 0.5 for 50 cm");
-  addExemplarOptions(verb, arguments->exemplar);
+  addExemplarOptions(verb, arguments->exemplar, ExemplarUse::mix);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);
   addValue(verb, "--precision", arguments->mix.texton.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",

@@ -90,9 +90,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   material.contrast = arguments.contrast.value_or(material.contrast);
   arguments.methods[std::size_t(chosen.method())]->replace(material, synthesis.evaluation);
   if (arguments.mix && !isMix(chosen))
-    return Error{ErrorKind::usage,
-                 fmt::format("--mix: noise '{}' is not a mix; expected one made by 'lichen mix'",
-                             chosen.name)};
+    return notMixed("--mix", chosen);
   constexpr std::array<double, 2> kFullPath{0.0, 1.0}, kMiddle{0.5, 0.5};
   synthesis.mix = arguments.mix.value_or(synthesis.tileable ? kMiddle : kFullPath);
   return {};

@@ -150,35 +150,46 @@ std::string describe(const Preparation& preparation) {
   return fmt::format("{}", fmt::join(words, " "));
 }
 
-void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, const std::string& flattenPreset,
-                        const std::string& flattenDefault) {
-  addValue(
-      verb, "--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
+void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse use) {
+  const auto add = [&](const std::string& name, auto& value, const auto& accepted,
+                       const std::string& preset, const std::string& help) {
+    const Option option = addValue(verb, name, value, accepted, preset, help);
+    if (use == ExemplarUse::comparison)
+      option.shownDefault("as the bundle says" + (preset.empty() ? "" : ", else " + preset));
+    return option;
+  };
+  add("--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
       "Use only the W x H pixels from column X and row Y on, counted in the largest map; a bake "
       "without it cuts off a frame around the picture");
-  addValue(verb, "--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
-           "Resample every map to this size, after --crop");
+  add("--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
+      "Resample every map to this size, after --crop");
   const Choices<NormalConvention> conventions{{"gl", NormalConvention::openGl},
                                               {"dx", NormalConvention::directX}};
-  addValue(verb, "--normal", options.set.normal, oneOf(conventions), "gl",
-           "Convention of normal maps whose names do not say: gl (green up) or dx (green down)");
+  add("--normal", options.set.normal, oneOf(conventions), "gl",
+      "Convention of normal maps whose names do not say: gl (green up) or dx (green down)");
   const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
-  addValue(verb, "--alpha", options.set.alpha, oneOf(uses), "ignore",
-           "Ignore the alpha of the base colour, or bake it as opacity");
-  addValue(verb, "--flatten", options.flattening, flattening(), flattenPreset,
-           "Remove variation slower than PERIOD pixels; auto removes uneven light from the base "
-           "colour, if the noise would show it" +
-               flattenDefault);
+  add("--alpha", options.set.alpha, oneOf(uses), "ignore",
+      "Ignore the alpha of the base colour, or bake it as opacity");
+  const Option flatten =
+      add("--flatten", options.flattening, flattening(),
+          use == ExemplarUse::comparison ? "none" : "auto",
+          "Remove variation slower than PERIOD pixels; auto removes uneven light from the base "
+          "colour, if the noise would show it");
+  if (use == ExemplarUse::comparison)
+    flatten.shownDefault("as the bundle says; none for an image, auto with --methods");
   addFlag(verb, "--keep-outliers", options.outliers.keeps,
           "Keep what occurs once, such as a leaf, a fold or a stain, instead of filling its place "
           "from the rest");
-  addValue(verb, "--rectify", options.rectification, rectification(), "auto",
-           "Make the part between four corners the tile, after all that is above; auto: whole "
-           "periods of what repeats, in a bake by quilting");
+  const bool findsPeriods = use == ExemplarUse::bake;
+  add("--rectify", options.rectification, rectification(findsPeriods),
+      findsPeriods ? "auto" : "off",
+      std::string("Make the part between four corners the tile, after all that is above: X,Y of "
+                  "the upper left, upper right, lower right and lower left") +
+          (findsPeriods ? "; auto: whole periods of what repeats, in a bake by quilting" : ""));
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
-  addValue(verb, "--periodic", options.set.periodic, oneOf(periodic), "auto",
-           "Whether opposite borders fit together: yes leaves them, no blends them, auto measures");
+  add("--periodic", options.set.periodic, oneOf(periodic), "auto",
+      "Whether opposite borders fit together: yes leaves them, no blends them, auto measures");
 }
 
 Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,

@@ -41,12 +41,16 @@ struct ReadExemplar {
   double widthShare = 1.0;             ///< of the first map, over what it was before --rectify
 };
 
+/// What a verb does with exemplars, which decides the defaults of their options.
+enum class ExemplarUse {
+  bake,      ///< may find whole periods
+  mix,       ///< as a bake, without that
+  comparison ///< as the bundle says that a bake did; else without flattening and periods
+};
+
 /// Declares --crop, --size, --normal, --alpha, --flatten, --keep-outliers, --rectify and
-/// --periodic. An empty
-/// `flattenPreset` leaves --flatten to the verb, which says so in `flattenDefault`.
-void addExemplarOptions(CLI::App& verb, ExemplarOptions& options,
-                        const std::string& flattenPreset = "auto",
-                        const std::string& flattenDefault = "");
+/// --periodic.
+void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse use);
 
 /// Sets each option that the command line does not give to what a bundle recorded, and returns what
 /// was taken from the record.

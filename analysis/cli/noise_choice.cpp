@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace lichen::cli {
@@ -34,6 +35,21 @@ Result<std::size_t> indexOf(const std::string& wanted, const std::vector<std::st
     return wanted.empty() ? 0 : std::size_t(found - names.begin());
   return Error{ErrorKind::usage, fmt::format("{} {}: {} has no such {}; expected {}", option,
                                              wanted, owner, option.substr(2), alternatives(names))};
+}
+
+bool namesBundle(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& letter : extension)
+    letter = char(std::tolower(static_cast<unsigned char>(letter)));
+  return extension == ".glb" || extension == ".gltf" || extension == ".lichen";
+}
+
+Error notMixed(const std::string& option, const Noise& noise) {
+  return {
+      ErrorKind::usage,
+      fmt::format("{}: noise '{}' is not a mix; expected one made by 'lichen mix', which blends "
+                  "photographs",
+                  option, noise.name)};
 }
 
 std::pair<std::string, std::string> splitNoise(const std::string& text) {

@@ -191,6 +191,11 @@ const Option& Option::group(const std::string& heading) const {
   return *this;
 }
 
+const Option& Option::shownDefault(const std::string& words) const {
+  option_->default_str(words);
+  return *this;
+}
+
 Option addReadOption(CLI::App& verb, const std::string& name, const std::string& placeholder,
                      const std::string& sentence, std::function<bool(const std::string&)> take,
                      const std::string& preset, const std::string& help) {

@@ -102,6 +102,8 @@ public:
   const Option& required() const;
   /// Sets the heading under which the help lists the option.
   const Option& group(const std::string& heading) const;
+  /// Sets what the help shows as the default, where other things than the preset decide.
+  const Option& shownDefault(const std::string& words) const;
 
 private:
   CLI::Option* option_;

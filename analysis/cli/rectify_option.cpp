@@ -31,13 +31,20 @@ std::optional<TileCorners> cornersFrom(const std::string& text) {
   return at == end && areConvex(corners) ? std::optional(corners) : std::nullopt;
 }
 
-/// How a part lies in the picture. [degrees]
-struct Slant {
+/// What a camera did to the tile, in degrees.
+struct Distortion {
   double rotation = 0.0, shear = 0.0;
-  double perspective = 0.0; ///< the larger angle between two opposite sides
+  double perspective = 0.0; ///< the greatest angle between opposite sides
+
+  /// Beyond these the search may take another lattice for that of the material: it finds materials
+  /// turned by 10 degrees, or sheared by 0.08 (4.6 degrees), but not by 14 and 7.
+  [[nodiscard]] bool isDoubtful() const {
+    constexpr double kSureRotation = 12.0, kSureShear = 5.0;
+    return std::abs(rotation) > kSureRotation || std::abs(shear) > kSureShear;
+  }
 };
 
-Slant slantOf(const TileCorners& corners) {
+Distortion distortionOf(const TileCorners& corners) {
   const auto degrees = [&](std::size_t from, std::size_t to) {
     return std::atan2(corners[to][1] - corners[from][1], corners[to][0] - corners[from][0]) *
            180.0 / std::numbers::pi;
@@ -50,42 +57,34 @@ Slant slantOf(const TileCorners& corners) {
 }
 
 /// ", turned by 3.1 degrees, sheared by 0.5 degrees", as far as that is to be seen.
-std::string wordsFor(const Slant& slant) {
+std::string wordsFor(const Distortion& distortion) {
   constexpr double kVisible = 0.25; // degrees
   std::vector<std::string> words;
-  if (std::abs(slant.rotation) > kVisible)
-    words.push_back(fmt::format("turned by {:.1f} degrees", slant.rotation));
-  if (std::abs(slant.shear) > kVisible)
-    words.push_back(fmt::format("sheared by {:.1f} degrees", slant.shear));
-  if (slant.perspective > kVisible)
+  if (std::abs(distortion.rotation) > kVisible)
+    words.push_back(fmt::format("turned by {:.1f} degrees", distortion.rotation));
+  if (std::abs(distortion.shear) > kVisible)
+    words.push_back(fmt::format("sheared by {:.1f} degrees", distortion.shear));
+  if (distortion.perspective > kVisible)
     words.emplace_back("seen in perspective");
   return words.empty() ? "" : fmt::format(", {}", fmt::join(words, ", "));
 }
 
-/// Whether other vectors of the lattice may have been taken for its rows and columns. The limits
-/// lie in the middle between pictures rotated by 10 or sheared by 5 degrees, of which the right
-/// vectors are found (docs/decisions/039-quilting.md), and one rotated by 14, which came out
-/// sheared by 7.
-bool isDoubtful(const Slant& slant) {
-  constexpr double kMostRotation = 12.0, kMostShear = 6.0; // degrees
-  return std::abs(slant.rotation) > kMostRotation || std::abs(slant.shear) > kMostShear;
-}
-
 } // namespace
 
-Accepted<Rectification> rectification() {
-  return {
-      "auto|off|X,Y,...",
-      "auto, off, or eight numbers: X,Y in pixels of the upper left, upper right, lower right and "
-      "lower left corner, which must be convex",
-      [](const std::string& text) -> std::optional<Rectification> {
-        if (text == "auto")
-          return Rectification{true, std::nullopt};
-        if (text == "off")
-          return Rectification{};
-        const std::optional<TileCorners> corners = cornersFrom(text);
-        return corners ? std::optional(Rectification{false, corners}) : std::nullopt;
-      }};
+Accepted<Rectification> rectification(bool findsPeriods) {
+  return {findsPeriods ? "auto|off|X,Y,..." : "off|X,Y,...",
+          std::string(findsPeriods ? "auto, off" : "off") +
+              ", or 8 numbers from 0 with commas between them: X,Y of the upper left, upper right, "
+              "lower right and lower left corner, in this order and in pixels; the corners must be "
+              "convex",
+          [findsPeriods](const std::string& text) -> std::optional<Rectification> {
+            if (text == "auto" && findsPeriods)
+              return Rectification{true, std::nullopt};
+            if (text == "off")
+              return Rectification{};
+            const std::optional<TileCorners> corners = cornersFrom(text);
+            return corners ? std::optional(Rectification{false, corners}) : std::nullopt;
+          }};
 }
 
 Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const Rectification& use,
@@ -117,14 +116,14 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
   if (Result<void> made = rectify(maps, *part.corners); !made)
     return made.error();
   part.widthShare = maps.front().width / width;
-  const Slant slant = slantOf(*part.corners);
+  const Distortion distortion = distortionOf(*part.corners);
   notes.push_back(fmt::format(
-      "the tile is the part of {} x {} pixels that holds whole periods{}; {}", maps.front().width,
-      maps.front().height, wordsFor(slant),
-      isDoubtful(slant)
-          ? "angles as large as these may be wrong: if rows of the bake slope, give the "
-            "corners to --rectify"
-          : "--rectify off keeps the whole picture"));
+      "the tile is the part of {} x {} pixels that holds whole periods{}; "
+      "--rectify off keeps the whole picture{}",
+      maps.front().width, maps.front().height, wordsFor(distortion),
+      distortion.isDoubtful() ? "; this is at the limit of what is found, so check the tile: if "
+                                "it is wrong, give its four corners to --rectify"
+                              : ""));
   return part;
 }
 

@@ -19,8 +19,9 @@ struct Rectification {
   std::optional<TileCorners> corners; ///< as given, or recorded
 };
 
-/// "auto", "off", or "X,Y,X,Y,X,Y,X,Y", the corners, commas or spaces between them.
-[[nodiscard]] Accepted<Rectification> rectification();
+/// "off", or "X,Y,X,Y,X,Y,X,Y", the corners, commas or spaces between them; "auto" too if
+/// `findsPeriods`.
+[[nodiscard]] Accepted<Rectification> rectification(bool findsPeriods);
 
 /// What was made the tile, and what repeats in it.
 struct RectifiedPart {

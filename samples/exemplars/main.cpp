@@ -170,6 +170,29 @@ int failUsage(const CLI::App& app, const CLI::ParseError& fault) {
   return failUsage(text);
 }
 
+/// What a name should be; of one that begins like a structured material, which of those there are.
+std::string expectedFor(const std::string& name, const std::vector<std::string>& known) {
+  std::vector<std::string> materials, conditions;
+  const auto add = [](std::vector<std::string>& names, const std::string& own) {
+    if (std::ranges::find(names, own) == names.end())
+      names.push_back(own);
+  };
+  bool isStructured = false;
+  for (const exemplars::StructuredPlan& plan : exemplars::structuredPlans()) {
+    add(materials, plan.material);
+    add(conditions, plan.condition.name);
+    isStructured = isStructured || name == plan.material ||
+                   name.starts_with(std::string(plan.material) + "-") ||
+                   name.ends_with(std::string("-") + plan.condition.name) ||
+                   name.ends_with(std::string("-") + plan.condition.name + kMapsEnding);
+  }
+  if (!isStructured)
+    return cli::alternatives(known) + ", or one of the structured, such as bond-even";
+  return "MATERIAL-CONDITION or MATERIAL-CONDITION" + std::string(kMapsEnding) +
+         " with the material " + cli::alternatives(materials) + ", and the condition " +
+         cli::alternatives(conditions);
+}
+
 int run(int argc, char** argv) {
   std::vector<std::string> known;
   for (const exemplars::Material& picture : pictures())
@@ -209,8 +232,7 @@ int run(int argc, char** argv) {
     structured.insert({plan.name(), plan.name() + kMapsEnding});
   for (const std::string& name : names)
     if (std::ranges::find(known, name) == known.end() && !structured.contains(name))
-      return failUsage(name + ": no such exemplar; expected " + cli::alternatives(known) +
-                       ", or one of the structured, such as bond-even");
+      return failUsage(name + ": no such exemplar; expected " + expectedFor(name, known));
   if (std::ranges::find(names, kPhotographs) != names.end() && side > exemplars::kLargestPhotograph)
     return failUsage("--size " + std::to_string(side) + ": photographs have at most " +
                      std::to_string(exemplars::kLargestPhotograph) + " pixels a side");

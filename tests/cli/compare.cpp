@@ -130,6 +130,33 @@ TEST_CASE("compare gives the verdict of the bake") {
   }
 }
 
+TEST_CASE("a good verdict beside a missed target explains the exit code") {
+  const Workplace workplace;
+  SrgbImage grains(128, 128, 3); // nearly Gaussian, without any feature
+  std::uint32_t state = 1;
+  for (float& value : grains.values) {
+    value = 0.3f;
+    for (int k = 0; k < 4; ++k) {
+      state = state * 1664525u + 1013904223u;
+      value += 0.1f * float(state >> 8u) / float(1u << 24u);
+    }
+  }
+  const std::string photograph = workplace.write("grains.png", grains);
+  const std::string bundle = bake(workplace, photograph);
+  const Ended equal = runLichen({"compare", photograph, bundle});
+  CHECK(equal.code == 0);
+  CHECK_THAT(equal.output, Catch::StartsWith("verdict: good\n"));
+  // A shift of red by d is a colour distance of d / sqrt(3): above the target, but not visible.
+  constexpr float kShift = 2.0f / 255.0f;
+  for (std::size_t i = 0; i < grains.values.size(); i += 3)
+    grains.values[i] += kShift;
+  const Ended shifted = runLichen({"compare", workplace.write("red.png", grains), bundle});
+  CHECK(shifted.code == kFound);
+  CHECK_THAT(shifted.output,
+             Catch::StartsWith("verdict: good; exit code 1, as a target is missed: targets are "
+                               "stricter than the verdict\n"));
+}
+
 TEST_CASE("the result may have another size than the exemplar, which gives a note") {
   const Workplace workplace;
   const SrgbImage image = speckled(64, 64, 3);

@@ -31,6 +31,9 @@ TEST_CASE("cook writes the noise without the scene, and the other verbs read it"
   for (const std::string& bundle : {moss, cooked}) // the same picture
     REQUIRE(runLichen({"synth", bundle, "-o", bundle + ".png", "--size", "32"}).code == 0);
   CHECK(readFile(moss + ".png").value() == readFile(cooked + ".png").value());
+  const std::string photograph = workplace.path("moss.png");
+  CHECK(runLichen({"compare", photograph, cooked}).output ==
+        runLichen({"compare", photograph, moss}).output);
   CHECK(readBundle(cooked).value().materialNames == std::vector<std::string>{"moss"});
 }
 

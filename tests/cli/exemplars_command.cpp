@@ -55,6 +55,11 @@ TEST_CASE("lichen-exemplars reports wrong arguments in one line with the valid o
   const std::string out = workplace.path("out");
   const std::vector<std::pair<Arguments, std::string>> cases{
       {{out, "foo"}, "foo: no such exemplar; expected granite, "},
+      {{out, "bond-odd"},
+       "bond-odd: no such exemplar; expected MATERIAL-CONDITION or MATERIAL-CONDITION-maps with "
+       "the material bond, english, "},
+      {{out, "brick-even-maps"},
+       "brick-even-maps: no such exemplar; expected MATERIAL-CONDITION or "},
       {{out, "--size", "63"}, "--size 63: expected a whole number from 64 to 2048"},
       {{out, "structured", "--size", "1025"},
        "--size 1025: structured materials have at most 1024 pixels a side"},

@@ -97,7 +97,8 @@ TEST_CASE("layers are made of noises of several bundles, with the areas asked fo
   CHECK(runLichen({"layer", bundles[0], bundles[1], "-o", output, "--index", bundles[2]}).code ==
         0);
   checkRefusal({"layer", bundles[0], bundles[1], "-o", output, "--index", bundles[1]}, kUsage,
-               {"texton", "expected multiple-kernels for an index map"});
+               {"--index " + bundles[1] + ": the noise \"texton\" has the method texton",
+                "expected multiple-kernels for an index map"});
   checkRefusal({"layer", bundles[0], "-o", output}, kUsage, {"1 given; expected 2 to 4"});
   checkRefusal({"layer", bundles[0], bundles[1], "-o", output, "--shares", "1"}, kUsage,
                {"--shares: 1 for 2 bundles; expected one each"});
@@ -143,12 +144,16 @@ TEST_CASE("layers that do not fit together are refused by name") {
   const std::string one = bake("one.glb", {}), large = bake("large.glb", {"--tile", "2"}),
                     wide = bake("wide.glb", {"--crop", "0,0,256,128"});
   const std::string output = workplace.path("out.glb");
-  checkRefusal({"layer", one, large, "-o", output}, kUsage, {"has tiles of 2", "expected 1"});
-  checkRefusal({"layer", one, wide, "-o", output}, kUsage, {"has tiles of another shape"});
+  checkRefusal({"layer", one, large, "-o", output}, kUsage,
+               {"large.glb: the noise \"a\" has tiles of 2", "expected 1"});
+  checkRefusal({"layer", one, wide, "-o", output}, kUsage,
+               {"wide.glb: the noise \"a\" has tiles of another shape"});
   const std::string quilting = bake("quilting.glb", {"--method", "quilting"});
   for (const auto& [first, second] : {std::pair{one, quilting}, {quilting, one}})
-    checkRefusal({"layer", first, second, "-o", output}, kUsage,
-                 {quilting + ": layers do not take the method quilting; expected tiling, texton"});
+    checkRefusal(
+        {"layer", first, second, "-o", output}, kUsage,
+        {"quilting.glb: the noise \"a\" has the method quilting, which layers do not take; "
+         "expected tiling, texton, local-random-phase or multiple-kernels"});
   checkRefusal({"bake", image, "-o", output, "--labels", image, "--layers", "2"}, kUsage,
                {"--layers: given with --labels"});
   checkRefusal({"bake", image, "-o", output, "--layers", "5"}, kUsage, {"--layers 5", "2 to 4"});

@@ -40,6 +40,12 @@ TEST_CASE("auto takes tiling unless the budget allows more, and says what would"
                                Catch::Contains("--budget 80 tries all"));
 }
 
+TEST_CASE("auto says that its choice does not depend on the verdict, if that is unsuitable") {
+  const auto remark = Catch::Contains("the verdict on the choice of --method auto is unsuitable");
+  CHECK_THAT(chosenFor(brickwork(128)).notes, remark); // the budget has tiling alone
+  CHECK_THAT(chosenFor(speckled(128, 128, 3)).notes, !remark);
+}
+
 TEST_CASE("auto keeps the method that looks nearest for its cost") {
   // Rows of bricks come out whole by quilting, and in pieces by tiling.
   CHECK(chosenFor(brickwork(128), {"--budget", "100"}).method == "quilting");

@@ -295,6 +295,9 @@ TEST_CASE("synth shows a mix at one weight or along a ramp") {
   const std::string plain = bake(other, other.write("stone.png", smooth(16)), "stone.glb");
   checkRefusal({"synth", plain, "-o", other.path("new.png"), "--mix", "0.5"}, kUsage,
                {"--mix: noise 'stone' is not a mix"});
+  checkRefusal({"mix", plain, plain, "-o", other.path("new.glb")}, kUsage,
+               {"stone.glb: is a bundle; expected photographs or folders",
+                "'lichen layer' combines bundles of the methods tiling, texton"});
 }
 
 TEST_CASE("apply sets the weight of a mix from every source") {

@@ -111,9 +111,10 @@ std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
   addValue(verb, "--sharpness", options->sharpness, optional(number(kBlendSharpnessRange)), "",
            "Exponent of the blend weights [default: the bundle's]")
       .group(kHeading);
-  addValue(verb, "--tile-rotation", options->tileRotation, optional(cli::tileRotation()), "",
-           "Number of directions for random tile rotation: none, 2, 4, ..., or free [default: the "
-           "material's]")
+  addValue(
+      verb, "--tile-rotation", options->tileRotation, optional(cli::tileRotation()), "",
+      "Random rotation of each tile by a multiple of a turn / N, N from 2 to 65536; none; or free "
+      "for any angle [default: the bundle's]")
       .group(kHeading);
   return options;
 }

@@ -12,8 +12,16 @@ namespace lichen {
 
 /// Whether a layer of a noise may have this method.
 [[nodiscard]] bool isLayerable(Method method);
-/// The names of all methods that are, for messages: "tiling, texton or multiple-kernels".
-[[nodiscard]] std::string layerableNames();
+/// The names of the methods that isLayerable() accepts: "tiling, texton or multiple-kernels".
+[[nodiscard]] std::string layerableMethods();
+
+/// Why `noise` of `bundle` does not fit beside `first`, the first layer, of `firstBundle`: a
+/// sentence that names it, or empty. Compares `first` with itself too.
+[[nodiscard]] std::string layerFault(const Bundle& firstBundle, const Noise& first,
+                                     const Bundle& bundle, const Noise& noise);
+
+/// Why a noise, by its method or its layers, is no index map: a sentence that names it, or empty.
+[[nodiscard]] std::string indexFault(const Noise& noise);
 
 /// Why maps with this target do not fit into so many layers, in [2, 4]: in one sentence, or empty.
 [[nodiscard]] std::string layerTargetFault(std::size_t layers, MapTarget target);
