@@ -39,10 +39,10 @@ struct NamedPlane {
 /// Of kernels and of structure, between a CPU with AVX-512 and one without: the last bit of a
 /// Fourier transform makes another fit.
 constexpr double kOfFits = 0.035;
-/// Of quilting. Its images store roots of light, and a filter between texels averages these, whose
-/// square is less than the mean light. Level 1 x 1 has the mean light. Points of this exemplar,
-/// whose texels have grain, are darker by 0.0133, of which up to 0.002 is rounding to 8 bits. An
-/// exemplar with the same values in linear light has 0.0018.
+/// Of quilting. Its images store roots of light, and a filter between texels averages roots. The
+/// square of their mean is less than the mean light, which the last mip level has. Measured on this
+/// exemplar, whose neighbouring texels hardly correlate: points are 0.0133 darker than that level.
+/// The same values stored in linear light differ by 0.0018, from rounding to 8 bits.
 constexpr double kOfRoots = 0.0133;
 
 const std::vector<NamedPlane>& planes() {
