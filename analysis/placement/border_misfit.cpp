@@ -52,4 +52,12 @@ double BorderMisfit::between(const std::array<double, 2>& from, const std::array
   return unrelated_ > 2.0 * kNoVariance ? sum / (samples * unrelated_) : 0.0;
 }
 
+bool BorderMisfit::bordersLookAlike(std::size_t axis) const {
+  constexpr double kMostMisfit = 0.125; // docs/decisions/039-quilting.md
+  const double width = image_.width, height = image_.height;
+  const std::array<double, 2> from{0.0, 0.0};
+  return (axis == 0 ? between(from, {0.0, height}, {width - 1.0, 0.0})
+                    : between(from, {width, 0.0}, {0.0, height - 1.0})) < kMostMisfit;
+}
+
 } // namespace lichen::placement

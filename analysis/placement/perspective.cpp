@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace lichen::placement {
 
@@ -55,22 +54,26 @@ ImageLevel smoothed(const ImageLevel& image) {
 
 } // namespace
 
-std::array<double, 2> seen(const Keystone& keystone, double u, double v) {
-  if (keystone.isX)
-    std::swap(u, v);
-  const double share = std::abs(keystone.share);
-  const bool isMirrored = keystone.share < 0.0;
-  const double from = isMirrored ? 1.0 - v : v; // 0 at the short side
-  // The projective map of the unit square to (share / 2, 0), (1 - share / 2, 0), (1, 1), (0, 1).
-  // [Hec89] section 2.2.
-  const double scale = 1.0 / (1.0 - share * from);
-  double across = ((1.0 - share) * u + 0.5 * share * (1.0 - from)) * scale;
-  double along = (1.0 - share) * from * scale;
-  if (isMirrored)
+namespace {
+
+/// The unit square as a trapezoid whose side at along = 0 is shorter by this share, or the opposite
+/// one if it is negative. [Hec89] section 2.2.
+void squeeze(double share, double& across, double& along) {
+  const double most = std::abs(share);
+  const double from = share < 0.0 ? 1.0 - along : along; // 0 at the short side
+  const double scale = 1.0 / (1.0 - most * from);
+  across = ((1.0 - most) * across + 0.5 * most * (1.0 - from)) * scale;
+  along = (1.0 - most) * from * scale;
+  if (share < 0.0)
     along = 1.0 - along;
-  if (keystone.isX)
-    std::swap(across, along);
-  return {across, along};
+}
+
+} // namespace
+
+std::array<double, 2> seen(const Keystone& keystone, double u, double v) {
+  squeeze(keystone.x, v, u);
+  squeeze(keystone.y, u, v);
+  return {u, v};
 }
 
 ImageLevel straightened(const ImageLevel& image, const Keystone& keystone) {
@@ -95,8 +98,9 @@ ImageLevel straightened(const ImageLevel& image, const Keystone& keystone) {
 
 std::optional<Keystone> keystoneOf(const ImageLevel& image, const CorrelationOf& correlationOf) {
   constexpr int kMostSide = 256;
-  constexpr double kFirstStep = 0.06, kLastStep = 0.0075;
-  constexpr double kLeastStraight = 0.08, kLeast = 0.5, kLeastGain = 1.15; // of the correlation
+  constexpr double kFirstStep = 0.12, kLastStep = 0.0075;
+  constexpr double kLeastStraight = 0.08, kLeast = 0.45; // of the correlation
+  constexpr double kSlight = 0.075, kLeastGain = 1.05, kLeastGainOfMore = 1.15;
   ImageLevel reduced = gray(image);
   while (std::max(reduced.width, reduced.height) > kMostSide)
     reduced = exemplar::areaAverage(reduced);
@@ -107,23 +111,23 @@ std::optional<Keystone> keystoneOf(const ImageLevel& image, const CorrelationOf&
     return std::nullopt;
   Keystone best;
   double highest = straight;
-  const auto tryShare = [&](bool isX, double share) {
-    const double correlation = correlationOf(straightened(reduced, {isX, share}));
-    if (correlation > highest) {
-      highest = correlation;
-      best = {isX, share};
-    }
+  const auto tryAround = [&](const Keystone& from, double step) {
+    for (const Keystone& keystone :
+         {Keystone{from.x - step, from.y}, Keystone{from.x + step, from.y},
+          Keystone{from.x, from.y - step}, Keystone{from.x, from.y + step}})
+      if (const double correlation = correlationOf(straightened(reduced, keystone));
+          correlation > highest) {
+        highest = correlation;
+        best = keystone;
+      }
   };
-  for (const bool isX : {false, true})
-    for (const double steps : {-2.0, -1.0, 1.0, 2.0})
-      tryShare(isX, steps * kFirstStep);
-  if (best.share == 0.0)
-    return std::nullopt;
-  for (double step = 0.5 * kFirstStep; step >= kLastStep; step *= 0.5)
-    for (const double share : {best.share - step, best.share + step})
-      tryShare(best.isX, share);
-  const bool isClear = highest >= kLeast && highest >= kLeastGain * straight;
-  return isClear ? std::optional(best) : std::nullopt;
+  tryAround({}, kFirstStep);
+  tryAround({}, 0.5 * kFirstStep);
+  for (double step = 0.25 * kFirstStep; step >= kLastStep; step *= 0.5)
+    tryAround(best, step);
+  const bool isSlight = std::max(std::abs(best.x), std::abs(best.y)) <= kSlight;
+  const double leastGain = isSlight ? kLeastGain : kLeastGainOfMore;
+  return highest >= kLeast && highest >= leastGain * straight ? std::optional(best) : std::nullopt;
 }
 
 } // namespace lichen::placement

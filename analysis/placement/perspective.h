@@ -10,11 +10,10 @@
 
 namespace lichen::placement {
 
-/// A square seen as a trapezoid: one of two opposite sides is shorter.
+/// A rectangle seen as a quadrilateral: how much shorter its left and its upper side are than the
+/// opposite ones, or if negative these. (-1, 1)
 struct Keystone {
-  bool isX = false; ///< the left and the right side differ; otherwise the upper and the lower one
-  double share =
-      0.0; ///< (-1, 1): how much shorter the upper or left side is, or if negative the other
+  double x = 0.0, y = 0.0;
 };
 
 /// A position in the straightened picture -> in the picture; both from 0 to 1 along each side.
@@ -27,10 +26,10 @@ struct Keystone {
 /// How highly a picture correlates with itself where it repeats.
 using CorrelationOf = std::function<double(const exemplar::ImageLevel&)>;
 
-/// The keystone, of up to 17 %, without which the picture correlates most highly; nothing unless it
-/// repeats weakly with it and clearly more highly without it. Calls `correlationOf` up to 15 times,
-/// for pictures of at most 256 pixels a side. Deterministic. Throws std::bad_alloc. Source:
-/// docs/decisions/039-quilting.md.
+/// The keystone, of up to 17 % along each axis, without which the picture correlates most highly;
+/// nothing unless it repeats weakly with it and clearly more highly without it. Calls
+/// `correlationOf` up to 21 times, for pictures of at most 256 pixels a side. Deterministic. Throws
+/// std::bad_alloc. Source: docs/decisions/039-quilting.md.
 [[nodiscard]] std::optional<Keystone> keystoneOf(const exemplar::ImageLevel& image,
                                                  const CorrelationOf& correlationOf);
 

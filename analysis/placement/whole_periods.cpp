@@ -242,7 +242,8 @@ Lattice fitted(const Repetition& repetition, Lattice lattice, int mostSteps) {
 /// rectangle: bricks of a row to the right, and rows down.
 std::optional<Lattice> uprightCell(const Lattice& lattice) {
   constexpr int kSteps = 12;
-  constexpr double kMostTurn = std::numbers::pi / 12.0, kMostSkew = std::numbers::pi / 18.0;
+  constexpr double kMostTurn = 25.0 * std::numbers::pi / 180.0,
+                   kMostSkew = 10.0 * std::numbers::pi / 180.0;
   constexpr double kSkewLoss = 6.0, kTurnLoss = 1.0; // of the size, per radian
   std::vector<Vector> rights, downs;
   for (int j = -kSteps; j <= kSteps; ++j)
@@ -272,7 +273,8 @@ std::optional<Lattice> uprightCell(const Lattice& lattice) {
   return best;
 }
 
-/// The most copies of the cell, side by side, that fit in the picture.
+/// The sides of the largest frame: of the most copies of the cell, side by side, that fit in the
+/// picture.
 std::optional<Lattice> repeated(const Lattice& cell, int width, int height) {
   std::optional<Lattice> best;
   double most = 0.0;
@@ -286,14 +288,20 @@ std::optional<Lattice> repeated(const Lattice& cell, int width, int height) {
   return best;
 }
 
-/// The sides of the largest frame.
-std::optional<Lattice> frameOf(const Lattice& lattice, int width, int height) {
-  const std::optional<Lattice> cell = uprightCell(lattice);
-  return cell ? repeated(*cell, width, height) : std::nullopt;
+/// The cell without its turn and skew, if it correlates no less so: along boards any shift repeats
+/// the picture, and one that turns or shears the boards costs some of them.
+Lattice levelled(const Repetition& repetition, const Lattice& cell) {
+  constexpr int kSteps = 8;
+  constexpr double kNoLess = 0.5; // standard errors
+  const Lattice level{{cell.a[0], 0.0}, {0.0, cell.b[1]}};
+  const Estimate own = correlationAlong(repetition, cell, kSteps);
+  return correlationAlong(repetition, level, kSteps).mean >= own.mean - kNoLess * own.error ? level
+                                                                                            : cell;
 }
 
 struct FoundLattice {
   Lattice lattice;
+  Lattice cell;             ///< upright
   double correlation = 0.0; ///< the mean less its standard error
   double contrast = 0.0;    ///< as in WholePeriods
 };
@@ -310,6 +318,10 @@ FoundLattice bestLattice(const Repetition& repetition) {
   if (std::min(width, height) < kLeastSide)
     return {};
   const std::vector<Vector> peaks = highestPeaks(repetition);
+  const auto hasFrame = [&](const Lattice& lattice) {
+    const std::optional<Lattice> cell = uprightCell(lattice);
+    return cell && repeated(*cell, width, height);
+  };
   FoundLattice best;
   double highest = 0.0;
   for (std::size_t i = 0; i < peaks.size(); ++i)
@@ -321,7 +333,7 @@ FoundLattice bestLattice(const Repetition& repetition) {
       const Estimate estimate = correlationAlong(repetition, lattice, kSteps);
       const double score = (estimate.mean - estimate.error) *
                            (1.0 + kDensityGain * std::log2(double(width) * double(height) / area));
-      if (score <= highest || !frameOf(lattice, width, height) ||
+      if (score <= highest || !hasFrame(lattice) ||
           contrastOf(repetition, lattice, kSteps) < kLeastContrast * estimate.mean)
         continue;
       highest = score;
@@ -332,6 +344,10 @@ FoundLattice bestLattice(const Repetition& repetition) {
   best.lattice = reduced(fitted(repetition, best.lattice, kMostSteps));
   if (lengthOf(best.lattice.a) < kShortest)
     return {};
+  const std::optional<Lattice> cell = uprightCell(best.lattice);
+  if (!cell)
+    return {};
+  best.cell = levelled(repetition, *cell);
   const Estimate estimate = correlationAlong(repetition, best.lattice, kMostSteps);
   best.correlation = estimate.mean - estimate.error;
   best.contrast =
@@ -348,6 +364,12 @@ bool misses(const Lattice& lattice, int width, int height) {
     return std::max(std::abs(i - std::round(i)), std::abs(j - std::round(j)));
   };
   return away({double(width), 0.0}) > kClearly || away({0.0, double(height)}) > kClearly;
+}
+
+/// Whether the picture's own opposite borders look alike across both axes.
+bool lookAlike(const ImageLevel& image) {
+  const BorderMisfit misfit(image);
+  return misfit.bordersLookAlike(0) && misfit.bordersLookAlike(1);
 }
 
 /// The corners of a parallelogram inside the picture, with these sides: where opposite borders
@@ -390,20 +412,26 @@ WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit) {
   const auto latticeOf = [](const ImageLevel& level) {
     return bestLattice(Repetition(withDetail(level)));
   };
-  const std::optional<Keystone> keystone =
-      keystoneOf(image, [&](const ImageLevel& level) { return latticeOf(level).correlation; });
-  if (keystone)
+  FoundLattice found = latticeOf(image);
+  const bool tiles =
+      bordersFit && (lookAlike(image) || !misses(found.lattice, image.width, image.height));
+  std::optional<Keystone> keystone;
+  if (!tiles)
+    keystone =
+        keystoneOf(image, [&](const ImageLevel& level) { return latticeOf(level).correlation; });
+  if (keystone) {
     image = straightened(image, *keystone);
-  const FoundLattice found = latticeOf(image);
+    found = latticeOf(image);
+  }
   const double area = std::abs(cross(found.lattice.a, found.lattice.b));
   const bool areFew = kFew * area > double(image.width) * image.height;
   WholePeriods result;
   result.correlation = found.correlation;
   result.contrast = found.contrast;
   result.areSure = found.correlation >= (areFew ? kLeastOfFew : kLeastCorrelation);
-  if (!result.areSure || (bordersFit && !misses(found.lattice, image.width, image.height)))
+  if (tiles || !result.areSure)
     return result;
-  const std::optional<Lattice> sides = frameOf(found.lattice, image.width, image.height);
+  const std::optional<Lattice> sides = repeated(found.cell, image.width, image.height);
   if (!sides)
     return result;
   TileCorners corners = placed(*sides, image);

@@ -23,15 +23,16 @@ struct WholePeriods {
   /// picture holds fewer than 8 periods.
   bool areSure = false;
   /// The largest part whose sides are whole numbers of periods, which follow the rows and the
-  /// columns of what repeats, turned by up to 15 degrees and sheared by up to 10. It is a
+  /// columns of what repeats, turned by up to 25 degrees and sheared by up to 10. It is a
   /// parallelogram, or a trapezoid of a picture in perspective, which repeats clearly more highly
   /// without it. It lies where its opposite borders fit best, as in joints. Nothing unless areSure.
   std::optional<TileCorners> part;
 };
 
 /// `bordersFit` says that the picture's own borders seem to fit together; then there is no part
-/// unless a side of the picture clearly is no whole number of periods. O(N log N) in the pixels.
-/// Deterministic. Throws std::bad_alloc. Source: docs/decisions/039-quilting.md.
+/// unless they do not look alike and a side of the picture clearly is no whole number of periods.
+/// O(N log N) in the pixels. Deterministic. Throws std::bad_alloc. Source:
+/// docs/decisions/039-quilting.md.
 [[nodiscard]] WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit = false);
 
 } // namespace lichen::placement

@@ -136,19 +136,13 @@ void shiftMeans(MapExemplar& map, const std::vector<double>& means) {
   }
 }
 
-/// Whether opposite borders across an axis look alike in all maps: where they meet in joints, or
-/// cells of one colour are cut.
+/// Whether opposite borders across an axis look alike in all maps.
 bool lookAlike(std::span<const MapExemplar> maps, std::size_t axis) {
-  constexpr double kMostMisfit = 0.125;
   return std::ranges::all_of(maps, [&](const MapExemplar& map) {
     exemplar::ImageLevel image{map.width, map.height, int(map.channels.size()), map.values};
     while (std::max(image.width, image.height) > placement::kMostPeriodSide)
       image = exemplar::areaAverage(image);
-    const double width = image.width, height = image.height;
-    const placement::BorderMisfit misfit(image);
-    const std::array<double, 2> from{0.0, 0.0};
-    return (axis == 0 ? misfit.between(from, {0.0, height}, {width - 1.0, 0.0})
-                      : misfit.between(from, {width, 0.0}, {0.0, height - 1.0})) < kMostMisfit;
+    return placement::BorderMisfit(image).bordersLookAlike(axis);
   });
 }
 

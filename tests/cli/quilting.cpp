@@ -126,7 +126,7 @@ TEST_CASE("the note on a tile that is turned by nearly too much to be found asks
   const auto doubt = Catch::Contains("; this is at the limit of what is found, so check the tile: "
                                      "if it is wrong, give its four corners to --rectify");
   CHECK_THAT(notesOf(10.0), Catch::Contains("turned by 1") && !doubt);
-  CHECK_THAT(notesOf(12.5), Catch::Contains("turned by 12") && doubt);
+  CHECK_THAT(notesOf(18.0), Catch::Contains("turned by 1") && doubt);
 }
 
 TEST_CASE("a bake with --guide 0 says why it is by tiling, unless the method is given") {

@@ -130,7 +130,8 @@ double areaOf(const TileCorners& corners) {
   return right[0] * down[1] - right[1] * down[0];
 }
 
-/// The area of the largest rectangle of the lattice's vectors that fits in the picture.
+/// The area of the largest rectangle of the lattice's vectors that fits in the
+/// picture.
 double largestArea(const PictureLattice& lattice, int width, int height) {
   constexpr int kMost = 20;
   constexpr double kSkew = 0.03;
@@ -157,7 +158,7 @@ double largestArea(const PictureLattice& lattice, int width, int height) {
 
 TEST_CASE("the frame of a picture spans whole periods, turned and sheared as they are") {
   constexpr int kWidth = 210, kHeight = 180;
-  for (const double degrees : {0.0, 3.0, -8.0})
+  for (const double degrees : {0.0, 3.0, -8.0, 20.0})
     for (const double shear : {0.0, 0.1})
       for (const double noise : {0.0, 3.0}) { // the structure's deviation is about 3
         const PictureLattice lattice = slantedLattice(31.4, 23.7, degrees, shear);
@@ -168,7 +169,8 @@ TEST_CASE("the frame of a picture spans whole periods, turned and sheared as the
         checkInside(*frame, kWidth, kHeight);
         CHECK(lattice.distanceTo(rightOf(*frame)) < 1.0);
         CHECK(lattice.distanceTo(downOf(*frame)) < 1.0);
-        CHECK(areaOf(*frame) > 0.8 * largestArea(lattice, kWidth, kHeight));
+        if (degrees < 10.0) // of a greater turn, other vectors than the periods fill more
+          CHECK(areaOf(*frame) > 0.8 * largestArea(lattice, kWidth, kHeight));
       }
 }
 
@@ -209,29 +211,75 @@ TEST_CASE("the borders of the frame are in joints if the picture leaves room for
   }
 }
 
+TEST_CASE("a picture whose borders fit and look alike stays whole, whatever repeats inside") {
+  constexpr int kWidth = 210, kHeight = 180; // 6.7 and 7.6 periods
+  MapExemplar map = periodicPicture(kWidth, kHeight, slantedLattice(31.4, 23.7, 0.0, 0.0), 0.0, 5);
+  const auto hasPart = [&](bool bordersFit) {
+    return wholePeriods(map, bordersFit).part.has_value();
+  };
+  CHECK(hasPart(false));
+  CHECK(hasPart(true)); // what repeats contradicts
+  const std::size_t channels = map.channels.size();
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      if (std::min({x, y, kWidth - 1 - x, kHeight - 1 - y}) < 3) // a joint all around
+        std::fill_n(&map.values[std::size_t(y * kWidth + x) * channels], channels, 0.3f);
+  CHECK(hasPart(false));
+  CHECK_FALSE(hasPart(true));
+}
+
+TEST_CASE("the frame of upright boards is upright, though they repeat after any shift along them") {
+  constexpr int kSide = 300, kBoard = 48, kJoint = 4, kTones = 4, kFieldSide = 512, kStreak = 12;
+  constexpr double kSlant = 0.02; // a keystone that is found by chance makes some of that
+  int found = 0, slanted = 0;
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    const std::vector<float> field = test::randomField(kFieldSide, test::bellPower(100.0), seed);
+    MapExemplar map;
+    map.channels = {MapChannel::red};
+    map.encoding = ValueEncoding::linear;
+    map.width = map.height = kSide;
+    for (int y = 0; y < kSide; ++y)
+      for (int x = 0; x < kSide; ++x) {
+        const float streak = field[std::size_t((y / kStreak) * kFieldSide + x)];
+        const int tone = x / kBoard % kTones;
+        map.values.push_back(x % kBoard < kJoint ? 0.0f
+                                                 : 0.5f + 0.1f * float(tone) + 0.02f * streak);
+      }
+    const auto frame = wholePeriods(map).part;
+    if (!frame)
+      continue;
+    const PixelVector right = rightOf(*frame), down = downOf(*frame);
+    ++found;
+    slanted += int(std::abs(right[1]) > kSlant * right[0] || std::abs(down[0]) > kSlant * down[1]);
+  }
+  CHECK(found > 5);
+  CHECK(slanted == 0);
+}
+
 TEST_CASE("the corners of a picture in perspective span whole periods of the plane it shows") {
   constexpr int kSide = 220;
-  constexpr double kHalf = 0.5 * kSide, kShorter = 0.1;
+  constexpr double kHalf = 0.5 * kSide;
   const PictureLattice lattice = slantedLattice(31.4, 23.7, 3.0, 0.0);
-  for (const bool isX : {false, true})
-    for (const double sign : {-1.0, 1.0}) {
-      const OnPlane onPlane = [&](double x, double y) {
-        const double depth =
-            1.0 + sign * kShorter / (2.0 - kShorter) * ((isX ? x : y) - kHalf) / kHalf;
-        return PixelVector{(x - kHalf) / depth, (y - kHalf) / depth};
-      };
-      const auto corners =
-          wholePeriods(periodicPicture(kSide, kSide, lattice, 0.5, 7, onPlane)).part;
-      INFO((isX ? "left" : "upper") << " side, " << sign);
-      REQUIRE(corners);
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto& [x, y] = (*corners)[k];
-        const auto& [nextX, nextY] = (*corners)[(k + 1) % 4];
-        CHECK(std::min({x, y, kSide - x, kSide - y}) > -1e-6);
-        const PixelVector from = onPlane(x, y), to = onPlane(nextX, nextY);
-        CHECK(lattice.distanceTo({to[0] - from[0], to[1] - from[1]}) < 1.5);
-      }
+  // How much narrower the left and the upper side are.
+  for (const auto& [left, upper] :
+       {PixelVector{0.0, 0.1}, PixelVector{0.0, -0.1}, PixelVector{0.1, 0.0},
+        PixelVector{-0.1, 0.0}, PixelVector{0.0, 0.03}, PixelVector{0.05, -0.04}}) {
+    const OnPlane onPlane = [left = left, upper = upper](double x, double y) {
+      const double depth = 1.0 + left / (2.0 - left) * (x - kHalf) / kHalf +
+                           upper / (2.0 - upper) * (y - kHalf) / kHalf;
+      return PixelVector{(x - kHalf) / depth, (y - kHalf) / depth};
+    };
+    const auto corners = wholePeriods(periodicPicture(kSide, kSide, lattice, 0.5, 7, onPlane)).part;
+    INFO("left side " << left << ", upper side " << upper);
+    REQUIRE(corners);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto& [x, y] = (*corners)[k];
+      const auto& [nextX, nextY] = (*corners)[(k + 1) % 4];
+      CHECK(std::min({x, y, kSide - x, kSide - y}) > -1e-6);
+      const PixelVector from = onPlane(x, y), to = onPlane(nextX, nextY);
+      CHECK(lattice.distanceTo({to[0] - from[0], to[1] - from[1]}) < 1.5);
     }
+  }
 }
 
 TEST_CASE("a keystone maps a square to a trapezoid, and its middle to where the diagonals meet") {
@@ -241,15 +289,15 @@ TEST_CASE("a keystone maps a square to a trapezoid, and its middle to where the 
     CHECK(at[0] == Approx(x).margin(1e-12));
     CHECK(at[1] == Approx(y).margin(1e-12));
   };
-  checkSeen({false, kShare}, 0.0, 0.0, 0.5 * kShare, 0.0);
-  checkSeen({false, kShare}, 1.0, 0.0, 1.0 - 0.5 * kShare, 0.0);
-  checkSeen({false, kShare}, 1.0, 1.0, 1.0, 1.0);
-  checkSeen({false, kShare}, 0.0, 1.0, 0.0, 1.0);
+  checkSeen({0.0, kShare}, 0.0, 0.0, 0.5 * kShare, 0.0);
+  checkSeen({0.0, kShare}, 1.0, 0.0, 1.0 - 0.5 * kShare, 0.0);
+  checkSeen({0.0, kShare}, 1.0, 1.0, 1.0, 1.0);
+  checkSeen({0.0, kShare}, 0.0, 1.0, 0.0, 1.0);
   constexpr double kMeeting = (1.0 - kShare) / (2.0 - kShare); // from the short side
-  checkSeen({false, kShare}, 0.5, 0.5, 0.5, kMeeting);
-  checkSeen({false, -kShare}, 0.5, 0.5, 0.5, 1.0 - kMeeting);
-  checkSeen({true, kShare}, 0.5, 0.5, kMeeting, 0.5);
-  checkSeen({true, -kShare}, 1.0, 1.0, 1.0, 1.0 - 0.5 * kShare);
+  checkSeen({0.0, kShare}, 0.5, 0.5, 0.5, kMeeting);
+  checkSeen({0.0, -kShare}, 0.5, 0.5, 0.5, 1.0 - kMeeting);
+  checkSeen({kShare, 0.0}, 0.5, 0.5, kMeeting, 0.5);
+  checkSeen({-kShare, 0.0}, 1.0, 1.0, 1.0, 1.0 - 0.5 * kShare);
 }
 
 TEST_CASE("a random field has no frame") {
