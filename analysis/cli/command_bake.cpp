@@ -134,8 +134,12 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
   const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
   if (!foreign)
     return {};
-  return Error{ErrorKind::usage, fmt::format("{}: belongs to --method {}, not to {}", foreign->name,
-                                             nameOf(foreign->method), nameOf(arguments.method))};
+  return Error{ErrorKind::usage,
+               arguments.wanted.method
+                   ? fmt::format("{}: belongs to --method {}, not to {}", foreign->name,
+                                 nameOf(foreign->method), nameOf(arguments.method))
+                   : fmt::format("{}: belongs to --method {}, which was not given", foreign->name,
+                                 nameOf(foreign->method))};
 }
 
 /// The notes of a bake: printed as they arise, or part of the JSON report.
@@ -173,15 +177,20 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
   if (!arguments.layers.labels.empty())
     arguments.exemplar.set.cutsFrame = false; // the labels are of the whole picture
   const bool byStructure = choosesByStructure(arguments);
-  arguments.exemplar.findsStructure = byStructure || arguments.method == Method::quilting;
+  arguments.exemplar.findsStructure = byStructure || arguments.method == Method::quilting ||
+                                      (arguments.wanted.comparesAll && !arguments.layers.isGiven());
   Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
   if (!read)
     return read.error();
   MaterialSet& set = read.value().set;
+  const Structure& structure = read.value().structure;
   if (arguments.wanted.comparesAll) {
+    const Method usual = structure.isClear() ? Method::quilting : Method::tiling;
+    const double budget =
+        arguments.budget.value_or(arguments.methods[std::size_t(usual)]->plainFetches());
     Result<MethodChoice> choice =
-        chooseMethod(set.maps, set.periodic, arguments.methods, candidatesOf(arguments),
-                     arguments.budget, arguments.shared);
+        chooseMethod(set.maps, set.periodic, arguments.methods, candidatesOf(arguments), budget,
+                     arguments.shared);
     if (!choice)
       return choice.error();
     arguments.method = choice.value().method;
@@ -190,9 +199,6 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
   if (leavesMethodOpen(arguments) && arguments.common.guide == kGuideRange.least)
     notes.add("--guide 0: tiles are placed anywhere, so the noise is baked by tiling; --method "
               "quilting cuts them along outlines");
-  const Structure& structure = read.value().structure;
-  if (!arguments.common.guide)
-    arguments.common.guide = structure.guide();
   if (byStructure && structure.isClear()) {
     arguments.method = Method::quilting;
     notes.add(structure.repeats()
@@ -201,6 +207,8 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
                   : "outlines hold the exemplar together, so it is baked by quilting, which keeps "
                     "what they enclose; --method tiling blends it");
   }
+  if (arguments.method == Method::quilting && !arguments.common.guide)
+    arguments.common.guide = structure.guide();
   for (std::string& line : set.notes)
     notes.add(std::move(line));
   return Exemplar{arguments.name.empty() ? asUtf8(set.name) : arguments.name,

@@ -60,7 +60,9 @@ MapExemplar middleOf(const MapExemplar& map) {
   return middle;
 }
 
-MethodChoice chosenOf(const std::vector<MethodCandidate>& candidates, double budget) {
+/// `further`: what a greater budget would allow, if it would.
+MethodChoice chosenOf(const std::vector<MethodCandidate>& candidates, double budget,
+                      const std::string& further) {
   const MethodCandidate& best = candidates[nearestForItsCost(candidates)];
   std::string others;
   bool isCheapest = true;
@@ -73,12 +75,12 @@ MethodChoice chosenOf(const std::vector<MethodCandidate>& candidates, double bud
   }
   return {
       best.method,
-      fmt::format("--method auto chose {}: its look_distance is {:.4f}, and {} ({})",
+      fmt::format("--method auto chose {}: its look_distance is {:.4f}, and {} ({}){}",
                   nameOf(best.method), best.distance,
                   isCheapest
                       ? fmt::format("no other within {:g} plain fetches is clearly lower", budget)
                       : "that of cheaper methods is clearly higher",
-                  others)};
+                  others, further)};
 }
 
 } // namespace
@@ -110,25 +112,26 @@ BakeMemory largestMemory(const MethodOptions& methods) {
 
 Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic borders,
                                   const MethodOptions& methods, std::span<const Method> candidates,
-                                  std::optional<double> budget, const SharedOptions& shared) {
-  const double limit = budget.value_or(methods.front()->plainFetches());
+                                  double budget, const SharedOptions& shared) {
   const auto costOf = [&](Method method) { return methods[std::size_t(method)]->plainFetches(); };
   std::vector<Method> affordable;
   for (const Method method : candidates)
-    if (costOf(method) <= limit)
+    if (costOf(method) <= budget)
       affordable.push_back(method);
   const Method cheapest = *std::ranges::min_element(candidates, {}, costOf);
   if (affordable.empty())
     return Error{ErrorKind::usage,
                  fmt::format("--budget {:g}: no method is that cheap; expected at least {:g}",
-                             limit, costOf(cheapest))};
+                             budget, costOf(cheapest))};
+  std::string further;
+  if (affordable.size() < candidates.size())
+    further = fmt::format("; --budget {:g} tries all",
+                          std::ceil(std::ranges::max(candidates | std::views::transform(costOf))));
   if (affordable.size() == 1)
     return MethodChoice{
         cheapest,
-        fmt::format("--method auto chose {}, the only method within {:g} plain "
-                    "fetches a pixel; --budget {:g} tries all",
-                    nameOf(cheapest), limit,
-                    std::ceil(std::ranges::max(candidates | std::views::transform(costOf))))};
+        fmt::format("--method auto chose {}, the only method within {:g} plain fetches a pixel{}",
+                    nameOf(cheapest), budget, further)};
   const MapExemplar middle = middleOf(maps.front());
   if (std::min(middle.width, middle.height) < kLeastLookSide)
     return MethodChoice{
@@ -157,7 +160,7 @@ Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic bo
         {trial.bundle.noises.front().method(), trial.plainFetches, look.value().distance});
   }
   progress.erase();
-  return chosenOf(looks, limit);
+  return chosenOf(looks, budget, further);
 }
 
 } // namespace lichen::cli

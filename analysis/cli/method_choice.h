@@ -34,14 +34,12 @@ struct MethodChoice {
   std::string reason; ///< a sentence without a full stop
 };
 
-/// What nearestForItsCost() says of those of `candidates` within the budget, and the cheapest for
-/// an exemplar that is too small for lookDistance(). The noises are baked from the middle of the
-/// first map, at most 512 x 512 pixels. `budget`: by default the time of tiling. Source:
-/// docs/decisions/032-method-choice.md.
+/// What nearestForItsCost() says of those of `candidates` within the budget [plain fetches], and the
+/// cheapest for an exemplar that is too small for lookDistance(). The noises are baked from the
+/// middle of the first map, at most 512 x 512 pixels. Source: docs/decisions/032-method-choice.md.
 [[nodiscard]] Result<MethodChoice> chooseMethod(std::span<const MapExemplar> maps, Periodic borders,
                                                 const MethodOptions& methods,
-                                                std::span<const Method> candidates,
-                                                std::optional<double> budget,
+                                                std::span<const Method> candidates, double budget,
                                                 const SharedOptions& shared);
 
 } // namespace lichen::cli

@@ -39,7 +39,7 @@ constexpr std::array<Fault, 4> kFaults{{
      "which show as seams"},
     {kCutMismatchName,
      {kCutMismatchTarget, 2.0},
-     "its tiles differ {:.1f} times as much as any two points where they are cut",
+     "where two tiles meet, they differ {:.1f} times as much as two unrelated points",
      "so that bricks or stones lose pieces"},
 }};
 
@@ -51,7 +51,8 @@ Risk riskOfMeasure(const Measure& measure, bool bordersWereKept) {
   if (measure.name == kSeamVisibilityName)
     remedy = bordersWereKept ? Remedy{{{"periodic", "no"}}, {}} : Remedy{{}, "an image that tiles"};
   if (measure.name == kCutMismatchName)
-    remedy.advice = "a photograph of more regular bricks or stones, from straight in front";
+    remedy.advice = "a photograph of more regular bricks or stones, from straight in front, or the "
+                    "corners of a part with whole periods";
   return riskOf(measure.name, scoreOf(*measure.value, fault->visible),
                 fmt::format(fmt::runtime(fault->words), *measure.value),
                 std::string(fault->consequence), remedy);

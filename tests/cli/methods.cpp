@@ -40,9 +40,22 @@ TEST_CASE("auto takes tiling unless the budget allows more, and says what would"
                                Catch::Contains("--budget 80 tries all"));
 }
 
+TEST_CASE("auto tries tiling and quilting where the exemplar has a structure") {
+  const Chosen chosen = chosenFor(brickwork(128));
+  CHECK(chosen.method == "quilting");
+  CHECK_THAT(chosen.notes, Catch::Contains("(tiling 0.") && !Catch::Contains("texton") &&
+                               Catch::Contains("--budget 80 tries all"));
+}
+
+TEST_CASE("auto takes the only method that a small budget allows") {
+  const Chosen chosen = chosenFor(brickwork(128), {"--budget", "4.2"});
+  CHECK(chosen.method == "tiling");
+  CHECK_THAT(chosen.notes, Catch::Contains("the only method within 4.2 plain fetches"));
+}
+
 TEST_CASE("auto says that its choice does not depend on the verdict, if that is unsuitable") {
   const auto remark = Catch::Contains("the verdict on the choice of --method auto is unsuitable");
-  CHECK_THAT(chosenFor(brickwork(128)).notes, remark); // the budget has tiling alone
+  CHECK_THAT(chosenFor(brickwork(128), {"--budget", "4.2"}).notes, remark); // tiling alone
   CHECK_THAT(chosenFor(speckled(128, 128, 3)).notes, !remark);
 }
 

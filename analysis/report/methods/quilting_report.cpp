@@ -59,6 +59,7 @@ Result<std::vector<Risk>> QuiltingReport::assess(const AssessedMap& assessed,
                                                  const Progress&) const {
   constexpr double kNone = 0.0, kMild = 0.5;
   double score = kNone;
+  std::string reason = "the exemplar is too small to show whether it repeats";
   // The structure is that of all maps; a small picture shows too little of it to tell.
   if (assessed.place == 0 &&
       std::min(assessed.map().width, assessed.map().height) >= kLeastStructureSide) {
@@ -66,11 +67,13 @@ Result<std::vector<Risk>> QuiltingReport::assess(const AssessedMap& assessed,
         structureOf(assessed.maps, assessed.bordersFit ? Periodic::yes : Periodic::no);
     if (!structure)
       return structure.error();
-    score = structure.value().isClear() ? kNone : kMild;
+    const bool isClear = structure.value().isClear();
+    score = isClear ? kNone : kMild;
+    reason = isClear ? "the exemplar repeats or has clear outlines"
+                     : "the exemplar neither repeats nor has clear outlines";
   }
   return std::vector<Risk>{
-      suitability::riskOf("cuts", score, "the exemplar neither repeats nor has clear outlines",
-                          "and its noise looks cut into pieces",
+      suitability::riskOf("cuts", score, reason, "and its noise looks cut into pieces",
                           {{{"method", std::string(nameOf(Method::tiling))}}, {}})};
 }
 
