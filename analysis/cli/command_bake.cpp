@@ -177,8 +177,9 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
   if (!arguments.layers.labels.empty())
     arguments.exemplar.set.cutsFrame = false; // the labels are of the whole picture
   const bool byStructure = choosesByStructure(arguments);
-  arguments.exemplar.findsStructure = byStructure || arguments.method == Method::quilting ||
-                                      (arguments.wanted.comparesAll && !arguments.layers.isGiven());
+  arguments.exemplar.findsStructure =
+      !arguments.layers.isGiven() &&
+      (byStructure || arguments.wanted.comparesAll || arguments.method == Method::quilting);
   Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
   if (!read)
     return read.error();
@@ -188,9 +189,8 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
     const Method usual = structure.isClear() ? Method::quilting : Method::tiling;
     const double budget =
         arguments.budget.value_or(arguments.methods[std::size_t(usual)]->plainFetches());
-    Result<MethodChoice> choice =
-        chooseMethod(set.maps, set.periodic, arguments.methods, candidatesOf(arguments), budget,
-                     arguments.shared);
+    Result<MethodChoice> choice = chooseMethod(set.maps, set.periodic, arguments.methods,
+                                               candidatesOf(arguments), budget, arguments.shared);
     if (!choice)
       return choice.error();
     arguments.method = choice.value().method;

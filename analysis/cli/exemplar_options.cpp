@@ -184,8 +184,12 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse us
   add("--rectify", options.rectification, rectification(findsPeriods),
       findsPeriods ? "auto" : "off",
       std::string("Make the part between four corners the tile, after all that is above: X,Y of "
-                  "the upper left, upper right, lower right and lower left, whole periods apart") +
-          (findsPeriods ? "; auto: whole periods of what repeats, in a bake by quilting" : ""));
+                  "the upper left, upper right, lower right and lower left; choose points that lie "
+                  "whole periods apart") +
+          (findsPeriods
+               ? "; auto: whole periods of what repeats, in a bake by quilting or with --method "
+                 "auto"
+               : ""));
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
   add("--periodic", options.set.periodic, oneOf(periodic), "auto",

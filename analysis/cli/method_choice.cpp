@@ -60,7 +60,7 @@ MapExemplar middleOf(const MapExemplar& map) {
   return middle;
 }
 
-/// `further`: what a greater budget would allow, if it would.
+/// `further`: an end of the reason, on a greater budget.
 MethodChoice chosenOf(const std::vector<MethodCandidate>& candidates, double budget,
                       const std::string& further) {
   const MethodCandidate& best = candidates[nearestForItsCost(candidates)];

@@ -23,8 +23,9 @@ public:
   /// the image, since joints wind. O(N) in the pixels along the line.
   [[nodiscard]] double between(const std::array<double, 2>& from, const std::array<double, 2>& side,
                                const std::array<double, 2>& apart) const;
-  /// Whether the image's own opposite borders across an axis, 0 or 1, look alike: where they meet
-  /// in joints, or cells of one colour are cut. O(N) in the pixels along them.
+  /// Whether opposite borders of the image look alike: the left and the right one for the axis 0,
+  /// the upper and the lower one for 1. They do where they lie in joints, or cut cells of one
+  /// colour. O(N) in the pixels along them.
   [[nodiscard]] bool bordersLookAlike(std::size_t axis) const;
 
 private:

@@ -52,18 +52,14 @@ ImageLevel smoothed(const ImageLevel& image) {
   return result;
 }
 
-} // namespace
-
-namespace {
-
 /// The unit square as a trapezoid whose side at along = 0 is shorter by this share, or the opposite
 /// one if it is negative. [Hec89] section 2.2.
 void squeeze(double share, double& across, double& along) {
-  const double most = std::abs(share);
+  const double shorter = std::abs(share);
   const double from = share < 0.0 ? 1.0 - along : along; // 0 at the short side
-  const double scale = 1.0 / (1.0 - most * from);
-  across = ((1.0 - most) * across + 0.5 * most * (1.0 - from)) * scale;
-  along = (1.0 - most) * from * scale;
+  const double scale = 1.0 / (1.0 - shorter * from);
+  across = ((1.0 - shorter) * across + 0.5 * shorter * (1.0 - from)) * scale;
+  along = (1.0 - shorter) * from * scale;
   if (share < 0.0)
     along = 1.0 - along;
 }
@@ -100,7 +96,7 @@ std::optional<Keystone> keystoneOf(const ImageLevel& image, const CorrelationOf&
   constexpr int kMostSide = 256;
   constexpr double kFirstStep = 0.12, kLastStep = 0.0075;
   constexpr double kLeastStraight = 0.08, kLeast = 0.45; // of the correlation
-  constexpr double kSlight = 0.075, kLeastGain = 1.05, kLeastGainOfMore = 1.15;
+  constexpr double kSlight = 0.08, kLeastGain = 1.05, kLeastGainOfMore = 1.15;
   ImageLevel reduced = gray(image);
   while (std::max(reduced.width, reduced.height) > kMostSide)
     reduced = exemplar::areaAverage(reduced);
@@ -111,7 +107,7 @@ std::optional<Keystone> keystoneOf(const ImageLevel& image, const CorrelationOf&
     return std::nullopt;
   Keystone best;
   double highest = straight;
-  const auto tryAround = [&](const Keystone& from, double step) {
+  const auto tryAround = [&](Keystone from, double step) {
     for (const Keystone& keystone :
          {Keystone{from.x - step, from.y}, Keystone{from.x + step, from.y},
           Keystone{from.x, from.y - step}, Keystone{from.x, from.y + step}})

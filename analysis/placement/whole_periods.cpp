@@ -292,11 +292,28 @@ std::optional<Lattice> repeated(const Lattice& cell, int width, int height) {
 /// the picture, and one that turns or shears the boards costs some of them.
 Lattice levelled(const Repetition& repetition, const Lattice& cell) {
   constexpr int kSteps = 8;
-  constexpr double kNoLess = 0.5; // standard errors
+  constexpr double kNoLess = 0.5;       // standard errors
+  constexpr double kLeastOfSide = 0.02; // overlap
   const Lattice level{{cell.a[0], 0.0}, {0.0, cell.b[1]}};
-  const Estimate own = correlationAlong(repetition, cell, kSteps);
-  return correlationAlong(repetition, level, kSteps).mean >= own.mean - kNoLess * own.error ? level
-                                                                                            : cell;
+  double fall = 0.0, variance = 0.0; // sums over the same vectors of both
+  const auto add = [&](double i, double j, const Vector& v) {
+    const Vector upright = combined(i, level.a, j, level.b);
+    const double weight = std::min(repetition.overlap(v), repetition.overlap(upright));
+    const double own = repetition.near(v);
+    fall += weight * (own - repetition.near(upright));
+    variance += weight * weight * repetition.variance(own, v);
+  };
+  eachOf(repetition, cell, kSteps, add);
+  // Of long sides too, which that leaves out.
+  const auto isLeftOut = [&](const Vector& side) {
+    const double overlap = repetition.overlap(side);
+    return overlap >= kLeastOfSide && overlap < kLeastOverlap;
+  };
+  if (isLeftOut(cell.a))
+    add(1.0, 0.0, cell.a);
+  if (isLeftOut(cell.b))
+    add(0.0, 1.0, cell.b);
+  return fall <= kNoLess * std::sqrt(variance) ? level : cell;
 }
 
 struct FoundLattice {
@@ -412,9 +429,16 @@ WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit) {
   const auto latticeOf = [](const ImageLevel& level) {
     return bestLattice(Repetition(withDetail(level)));
   };
+  const auto isSure = [&](const FoundLattice& found) {
+    const double area = std::abs(cross(found.lattice.a, found.lattice.b));
+    const bool areFew = kFew * area > double(image.width) * image.height;
+    return found.correlation >= (areFew ? kLeastOfFew : kLeastCorrelation);
+  };
+  const auto isWhole = [&](const FoundLattice& found) {
+    return bordersFit && isSure(found) && !misses(found.lattice, image.width, image.height);
+  };
   FoundLattice found = latticeOf(image);
-  const bool tiles =
-      bordersFit && (lookAlike(image) || !misses(found.lattice, image.width, image.height));
+  const bool tiles = isWhole(found) || (bordersFit && lookAlike(image));
   std::optional<Keystone> keystone;
   if (!tiles)
     keystone =
@@ -423,13 +447,11 @@ WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit) {
     image = straightened(image, *keystone);
     found = latticeOf(image);
   }
-  const double area = std::abs(cross(found.lattice.a, found.lattice.b));
-  const bool areFew = kFew * area > double(image.width) * image.height;
   WholePeriods result;
   result.correlation = found.correlation;
   result.contrast = found.contrast;
-  result.areSure = found.correlation >= (areFew ? kLeastOfFew : kLeastCorrelation);
-  if (tiles || !result.areSure)
+  result.areSure = isSure(found);
+  if (tiles || !result.areSure || isWhole(found))
     return result;
   const std::optional<Lattice> sides = repeated(found.cell, image.width, image.height);
   if (!sides)

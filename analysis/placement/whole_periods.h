@@ -24,8 +24,9 @@ struct WholePeriods {
   bool areSure = false;
   /// The largest part whose sides are whole numbers of periods, which follow the rows and the
   /// columns of what repeats, turned by up to 25 degrees and sheared by up to 10. It is a
-  /// parallelogram, or a trapezoid of a picture in perspective, which repeats clearly more highly
-  /// without it. It lies where its opposite borders fit best, as in joints. Nothing unless areSure.
+  /// parallelogram, or another quadrilateral of a picture in perspective, which repeats clearly
+  /// more highly without it. It lies where its opposite borders fit best, as in joints. Nothing
+  /// unless areSure.
   std::optional<TileCorners> part;
 };
 

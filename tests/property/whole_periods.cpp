@@ -169,6 +169,9 @@ TEST_CASE("the frame of a picture spans whole periods, turned and sheared as the
         checkInside(*frame, kWidth, kHeight);
         CHECK(lattice.distanceTo(rightOf(*frame)) < 1.0);
         CHECK(lattice.distanceTo(downOf(*frame)) < 1.0);
+        const PixelVector right = rightOf(*frame);
+        CHECK(std::atan2(right[1], right[0]) * 180.0 / std::numbers::pi ==
+              Approx(degrees).margin(1.0));
         if (degrees < 10.0) // of a greater turn, other vectors than the periods fill more
           CHECK(areaOf(*frame) > 0.8 * largestArea(lattice, kWidth, kHeight));
       }
@@ -298,6 +301,9 @@ TEST_CASE("a keystone maps a square to a trapezoid, and its middle to where the 
   checkSeen({0.0, -kShare}, 0.5, 0.5, 0.5, 1.0 - kMeeting);
   checkSeen({kShare, 0.0}, 0.5, 0.5, kMeeting, 0.5);
   checkSeen({-kShare, 0.0}, 1.0, 1.0, 1.0, 1.0 - 0.5 * kShare);
+  // Both: from (0, 0) to (0, 0.1), of which the second leaves (0.09, 0.08) / 0.98.
+  checkSeen({kShare, kShare}, 0.0, 0.0, 0.09 / 0.98, 0.08 / 0.98);
+  checkSeen({kShare, kShare}, 1.0, 1.0, 1.0, 1.0);
 }
 
 TEST_CASE("a random field has no frame") {

@@ -27,8 +27,8 @@ struct Structure {
   double strength = 0.0;   ///< how clearly it repeats: 0 of a random field, 1 of bricks
   bool hasLattice = false; ///< whether two vectors clearly repeat it
   /// The largest part of the first map whose opposite borders lie alike in what repeats, which may
-  /// be turned and seen in perspective. Nothing if the map's own borders fit together and no period
-  /// contradicts that, or if nothing repeats clearly.
+  /// be turned and seen in perspective. Nothing if the map's own borders fit together, and look
+  /// alike or agree with what repeats; or if nothing repeats clearly.
   std::optional<TileCorners> wholePeriods;
 
   [[nodiscard]] bool repeats() const { return isStrong() || hasLattice; }

@@ -59,10 +59,11 @@ Result<std::vector<Risk>> QuiltingReport::assess(const AssessedMap& assessed,
                                                  const Progress&) const {
   constexpr double kNone = 0.0, kMild = 0.5;
   double score = kNone;
-  std::string reason = "the exemplar is too small to show whether it repeats";
-  // The structure is that of all maps; a small picture shows too little of it to tell.
+  std::string reason = "the first map tells whether the exemplar repeats";
   if (assessed.place == 0 &&
-      std::min(assessed.map().width, assessed.map().height) >= kLeastStructureSide) {
+      std::min(assessed.map().width, assessed.map().height) < kLeastStructureSide) {
+    reason = "the exemplar is too small to show whether it repeats";
+  } else if (assessed.place == 0) {
     const Result<Structure> structure =
         structureOf(assessed.maps, assessed.bordersFit ? Periodic::yes : Periodic::no);
     if (!structure)
