@@ -47,7 +47,8 @@ TEST_CASE("a generated photograph, baked and rendered, matches its golden image"
   if (!hasDevice())
     return;
   checkWholeWay("tiling", {"--method", "tiling"}, "uv");
-  checkWholeWay("texton", {"--method", "texton"}, "uv");
+  // How FFTs round depends on the processor, and what is fitted with them differs visibly.
+  checkWholeWay("texton", {"--method", "texton"}, "uv", test::checkGoldenLook);
   checkWholeWay("cosines", {"--method", "local-random-phase", "--structure", "0"}, "uv",
                 test::checkGoldenLook);
   checkWholeWay("structure", {"--method", "local-random-phase", "--structure", "0.5"}, "triplanar",
