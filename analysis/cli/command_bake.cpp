@@ -396,7 +396,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "repeats clearly or has clear outlines, otherwise tiling]");
   addValue(verb, "--budget", arguments->budget, optional(number(kBudgetRange)), "",
            "With --method auto: the most time of a pixel, in plain texture fetches [default: that "
-           "of tiling]");
+           "of tiling, or of quilting for what repeats or has clear outlines]");
   addValue(verb, "--precision", arguments->bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables; for textons 16- or 32-bit floats");
   for (const Method method : allMethods())

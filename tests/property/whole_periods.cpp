@@ -301,7 +301,7 @@ TEST_CASE("a keystone maps a square to a trapezoid, and its middle to where the 
   checkSeen({0.0, -kShare}, 0.5, 0.5, 0.5, 1.0 - kMeeting);
   checkSeen({kShare, 0.0}, 0.5, 0.5, kMeeting, 0.5);
   checkSeen({-kShare, 0.0}, 1.0, 1.0, 1.0, 1.0 - 0.5 * kShare);
-  // Both: from (0, 0) to (0, 0.1), of which the second leaves (0.09, 0.08) / 0.98.
+  // The share of x maps (0, 0) to (0, 0.1), and the share of y maps that to (0.09, 0.08) / 0.98.
   checkSeen({kShare, kShare}, 0.0, 0.0, 0.09 / 0.98, 0.08 / 0.98);
   checkSeen({kShare, kShare}, 1.0, 1.0, 1.0, 1.0);
 }
