@@ -3,9 +3,22 @@
 #include <lichen/lattice.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lichen {
+
+std::string_view nameOf(Grain grain) {
+  constexpr std::array<std::string_view, 3> kNames = {"none", "x", "y"};
+  return kNames[std::size_t(grain)];
+}
+
+std::optional<Grain> grainFrom(std::string_view name) {
+  for (const Grain grain : {Grain::x, Grain::y})
+    if (name == nameOf(grain))
+      return grain;
+  return std::nullopt;
+}
 
 Lattice infiniteLattice(Grain grain) {
   Lattice lattice;

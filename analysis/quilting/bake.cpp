@@ -5,6 +5,7 @@
 #include "exemplar/area_average.h"
 #include "exemplar/borders.h"
 #include "exemplar/color_space.h"
+#include "exemplar/grain.h"
 #include "exemplar/map_ranges.h"
 #include "exemplar/value_encoding.h"
 #include "fitting_shifts.h"
@@ -159,6 +160,7 @@ Result<QuiltingBake> bakeMaps(const std::string& name, std::span<const MapExempl
   const quilting::CellImage cells = quilting::cellImage(field, options.bits);
   progress.reach(kCellsOfProgress);
   QuiltingNoise shared;
+  shared.grain = exemplar::grainOf(given.front());
   shared.reach = cells.reach;
   for (const std::array<double, 2>& shift : fitting.shifts)
     if (shared.offsets.size() < kMostQuiltingOffsets)

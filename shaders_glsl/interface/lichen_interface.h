@@ -38,7 +38,7 @@
 // Of the list of a quilting noise.
 #define LICHEN_MAX_OFFSETS 24
 
-// LichenTilingNoise::grain.
+// LichenTilingNoise::grain and LichenQuiltingNoise::grain.
 #define LICHEN_GRAIN_NONE 0
 #define LICHEN_GRAIN_X 1
 #define LICHEN_GRAIN_Y 2
@@ -214,6 +214,7 @@ struct LichenQuiltingNoise {
   float correlation;     // [0, 1] of two tiles close up
   float cellLevelOffset; // as levelOffset of a map, of the image of cells
   uint offsets;          // of the list in the noise's block, 0: none
+  uint grain;            // LICHEN_GRAIN_*, as of tiling
 };
 
 /// What all maps of a noise share. Fixed by the bundle.

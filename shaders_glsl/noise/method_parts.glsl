@@ -46,7 +46,7 @@ LichenKernelsNoise lichenKernelsNoise(LichenNoise noise) {
 
 LichenQuiltingNoise lichenQuiltingNoise(LichenNoise noise) {
   return LichenQuiltingNoise(uintBitsToFloat(noise.own0.x), uintBitsToFloat(noise.own0.y),
-                             uintBitsToFloat(noise.own0.z), noise.own0.w);
+                             uintBitsToFloat(noise.own0.z), noise.own0.w, noise.own1.x);
 }
 
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {

@@ -4,6 +4,7 @@
 #include "measured_cloudiness.h"
 #include "statistics_of_maps.h"
 
+#include <lichen/quilting.h>
 #include <lichen/tiling.h>
 
 #include <catch2/catch.hpp>
@@ -206,8 +207,10 @@ TEST_CASE("the first map of a set decides the grain of all") {
     options.periodic = Periodic::no;
     options.transport = TransportEffort::fast;
     const Bundle bundle = bundleOf(bakeTiling("set", maps, options));
-    const Grain grain = bundle.noises[0].as<TilingNoise>().grain;
-    CHECK(grain == (woodFirst ? Grain::x : Grain::none));
+    const Grain expected = woodFirst ? Grain::x : Grain::none;
+    CHECK(bundle.noises[0].as<TilingNoise>().grain == expected);
+    const Bundle quilting = bundleOf(bakeQuilting("set", maps, {}));
+    CHECK(quilting.noises[0].as<QuiltingNoise>().grain == expected);
   }
 }
 

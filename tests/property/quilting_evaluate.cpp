@@ -18,8 +18,14 @@ namespace {
 
 constexpr int kSide = 128;
 
-/// With a list of offsets, or with tiles from anywhere.
-const Bundle& quiltingOf(bool hasOffsets) {
+struct Kind {
+  bool hasOffsets; ///< otherwise tiles are taken from anywhere
+  Grain grain;
+};
+constexpr Kind kKinds[] = {
+    {false, Grain::none}, {true, Grain::none}, {false, Grain::x}, {true, Grain::y}};
+
+Bundle quiltingOf(const Kind& kind) {
   const auto baked = [](double guide) {
     const MapExemplar map = test::threeMaterials(kSide, kSide, 11);
     QuiltingOptions options;
@@ -33,17 +39,18 @@ const Bundle& quiltingOf(bool hasOffsets) {
     return bundle;
   };
   static const Bundle anywhere = baked(0.0), listed = baked(1.0);
-  const Bundle& bundle = hasOffsets ? listed : anywhere;
-  REQUIRE(bundle.noises[0].as<QuiltingNoise>().offsets.empty() != hasOffsets);
+  Bundle bundle = kind.hasOffsets ? listed : anywhere;
+  REQUIRE(bundle.noises[0].as<QuiltingNoise>().offsets.empty() != kind.hasOffsets);
+  bundle.noises[0].as<QuiltingNoise>().grain = kind.grain;
   return bundle;
 }
 
-LinearImage windowOf(bool hasOffsets, std::array<double, 2> origin, int width, int height) {
+LinearImage windowOf(const Kind& kind, std::array<double, 2> origin, int width, int height) {
   SynthesisOptions options;
   options.width = width;
   options.height = height;
   options.origin = origin;
-  Result<LinearImage> image = synthesize(quiltingOf(hasOffsets), options);
+  Result<LinearImage> image = synthesize(quiltingOf(kind), options);
   REQUIRE(image);
   return std::move(image).value();
 }
@@ -61,8 +68,8 @@ TEST_CASE("quilting a billion tiles away is that of an origin there, or in a per
   origin.tileOriginY = -1'000'000'000;
   periodic.periodic = true;
   periodic.periodTilesX = periodic.periodTilesY = 2.0;
-  for (const bool hasOffsets : {false, true}) {
-    const Bundle& bundle = quiltingOf(hasOffsets);
+  for (const Kind& kind : kKinds) {
+    const Bundle bundle = quiltingOf(kind);
     const QuiltingEvaluator twin = QuiltingEvaluator::create(bundle, 0).value();
     const auto block = [&](const MaterialNoise& material, const Placement& placement) {
       return shaderMaterial(bundle, material, placement).material;
@@ -85,11 +92,11 @@ TEST_CASE("quilting a billion tiles away is that of an origin there, or in a per
 }
 
 TEST_CASE("crossing an integer tile origin changes no pixel of quilting, near or far") {
-  for (const bool hasOffsets : {false, true})
+  for (const Kind& kind : kKinds)
     for (const double far : {0.0, 1e7}) {
       // The same position as fraction and as integer, one whole tile apart on each axis.
-      const LinearImage first = windowOf(hasOffsets, {far + 3.0, -far - 2.0}, 160, 160);
-      const LinearImage second = windowOf(hasOffsets, {far + 4.0, -far - 1.0}, 32, 32);
+      const LinearImage first = windowOf(kind, {far + 3.0, -far - 2.0}, 160, 160);
+      const LinearImage second = windowOf(kind, {far + 4.0, -far - 1.0}, 32, 32);
       // A lattice coordinate below 6 has some five roundings of at most 2^-22, and so has each of
       // two heights of tiles. Cuts multiply their difference by 16 and divide by the sum of the
       // weights, taken as 1/2: it is less only near where three tiles meet. Values differ by at
@@ -103,8 +110,8 @@ TEST_CASE("crossing an integer tile origin changes no pixel of quilting, near or
 }
 
 TEST_CASE("quilting in a period of whole exemplars, or of others, repeats after it") {
-  for (const bool hasOffsets : {false, true}) {
-    const Bundle& bundle = quiltingOf(hasOffsets);
+  for (const Kind& kind : kKinds) {
+    const Bundle bundle = quiltingOf(kind);
     const QuiltingEvaluator twin = QuiltingEvaluator::create(bundle, 0).value();
     for (const auto& [periodX, periodY] : {std::pair{2.0, 3.0}, {1.0, 1.0}, {1.375, 2.25}}) {
       Placement placement;
@@ -136,7 +143,8 @@ TEST_CASE("quilting in a period of whole exemplars, or of others, repeats after 
         most = std::max({most, differ(material, right), differ(material, down)});
         mostOpen = std::max({mostOpen, differ(open, right), differ(open, down)});
       }
-      INFO("offsets " << hasOffsets << ", periods " << periodX << " and " << periodY);
+      INFO("offsets " << kind.hasOffsets << ", grain " << nameOf(kind.grain) << ", periods "
+                      << periodX << " and " << periodY);
       CHECK(most < 1e-3);
       CHECK(mostOpen > 0.1);
     }

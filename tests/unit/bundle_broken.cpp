@@ -196,8 +196,8 @@ TEST_CASE("every fault of a noise is found") {
        [=](GlbParts& p) {
          noise(p)["preparation"]["flattened"] = {{"period", 8}, {"maps", {"h\u00f6he"}}};
        }},
-      {"a grain along z", "tiling-grain", [=](GlbParts& p) { noise(p)["grain"] = "z"; }},
-      {"a grain of no axis", "tiling-grain", [=](GlbParts& p) { noise(p)["grain"] = "none"; }},
+      {"a grain along z", "noise-grain", [=](GlbParts& p) { noise(p)["grain"] = "z"; }},
+      {"a grain of no axis", "noise-grain", [=](GlbParts& p) { noise(p)["grain"] = "none"; }},
       {"a grain that is a number", "type", [=](GlbParts& p) { noise(p)["grain"] = 1; }},
       {"no tile", "range", [=](GlbParts& p) { noise(p)["tileSize"] = 0; }},
       {"huge tile", "range", [=](GlbParts& p) { noise(p)["tileSize"] = 1e300; }},

@@ -409,7 +409,8 @@ BundleFile smallestQuilting() {
   noise.name = "bricks";
   constexpr double kReach = 0.125; // from a texel to the centre of its cell
   constexpr double kCorrelation = 0.5;
-  noise.data = QuiltingNoise{kReach, kCorrelation, {{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}}};
+  noise.data = QuiltingNoise{
+      Grain::none, kReach, kCorrelation, {{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}}};
   constexpr std::size_t kSide = 4;
   std::vector<double> ways, heights, slopes;
   for (std::size_t i = 0; i < kSide * kSide; ++i) {

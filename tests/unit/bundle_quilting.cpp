@@ -82,6 +82,28 @@ TEST_CASE("a list of offsets is written only if there is one") {
   }
 }
 
+TEST_CASE("a grain of quilting is written only if there is one, and stretches the lattice") {
+  struct Stretched {
+    Grain grain;
+    float columns, rows;
+  };
+  for (const auto& [grain, columns, rows] :
+       {Stretched{Grain::none, 3.5f, 4.0f}, {Grain::x, 1.75f, 4.0f}, {Grain::y, 3.5f, 2.0f}}) {
+    BundleFile file = example::smallestQuilting();
+    file.bundle.noises[0].as<QuiltingNoise>().grain = grain;
+    const std::vector<std::byte> glb = encodeGlb(file).value();
+    CHECK(checkBundle(glb).empty());
+    const Bundle bundle = parseBundle(glb, "quilting").value();
+    CHECK(bundle.noises[0] == file.bundle.noises[0]);
+    GlbParts parts(glb);
+    CHECK(noiseOf(parts).value("grain", "none") == nameOf(grain));
+    CHECK(noiseOf(parts).contains("grain") == (grain != Grain::none));
+    const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+    CHECK(material.columnsPerTile == columns);
+    CHECK(material.rowsPerTile == rows);
+  }
+}
+
 TEST_CASE("every fault of what quilting's maps share is found") {
   const auto setOffset = [](json value) {
     return [value = std::move(value)](GlbParts& p) { noiseOf(p)["offsets"][3] = value; };
@@ -93,6 +115,7 @@ TEST_CASE("every fault of what quilting's maps share is found") {
           {"a reach of 0", "range", [](GlbParts& p) { noiseOf(p)["reach"] = 0; }},
           {"a reach beyond half a tile", "range", [](GlbParts& p) { noiseOf(p)["reach"] = 0.51; }},
           {"a reach in text", "type", [](GlbParts& p) { noiseOf(p)["reach"] = "0.1"; }},
+          {"a grain along z", "noise-grain", [](GlbParts& p) { noiseOf(p)["grain"] = "z"; }},
           {"offsets in text", "type", [](GlbParts& p) { noiseOf(p)["offsets"] = "0"; }},
           {"no offset in a list", "count",
            [](GlbParts& p) { noiseOf(p)["offsets"] = json::array(); }},

@@ -43,6 +43,10 @@ public:
     result.json["periodic"] = !bake.bordersWereCut;
     result.json["strength"] = bake.strength;
     result.json["offsets"] = shared.offsets.size();
+    if (shared.grain != Grain::none) {
+      result.json["grain"] = nameOf(shared.grain);
+      result.facts.emplace_back("Grain", fmt::format("along {}", nameOf(shared.grain)));
+    }
     result.facts.emplace_back("Borders", bake.bordersWereCut ? "cut" : "left as they were");
     result.facts.emplace_back("Repeats", fmt::format("{:.2f} of 1", bake.strength));
     result.facts.emplace_back("Tiles", tileWords(shared));
@@ -78,14 +82,20 @@ std::unique_ptr<const UseOptions> QuiltingCommand::addApplyOptions(CLI::App&) co
 
 void QuiltingCommand::describe(const Noise& noise, Json& json) const {
   const auto& shared = noise.as<QuiltingNoise>();
+  if (shared.grain != Grain::none)
+    json["grain"] = nameOf(shared.grain);
   json["reach"] = shared.reach;
   json["correlation"] = shared.correlation;
   json["offsets"] = shared.offsets;
 }
 
 std::vector<std::string> QuiltingCommand::linesOf(const Noise& noise, const MaterialNoise&) const {
-  return {"tiles " + tileWords(noise.as<QuiltingNoise>()),
-          fmt::format("{} fetches of cells, for all maps together", sharedFetches())};
+  const auto& shared = noise.as<QuiltingNoise>();
+  std::vector<std::string> lines{"tiles " + tileWords(shared)};
+  if (shared.grain != Grain::none)
+    lines.push_back(fmt::format("grain along {}", nameOf(shared.grain)));
+  lines.push_back(fmt::format("{} fetches of cells, for all maps together", sharedFetches()));
+  return lines;
 }
 
 void QuiltingCommand::describe(const Bundle&, const NoiseMap& map, Json& json) const {

@@ -12,6 +12,8 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace lichen {
 
@@ -100,6 +102,9 @@ tileOffsetTexels(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::
 
 /// The axis nearest to the long streaks of an exemplar such as wood; none without such streaks.
 enum class Grain { none, x, y };
+/// "none", "x" or "y". grainFrom() knows "x" and "y", since files leave out the member otherwise.
+[[nodiscard]] std::string_view nameOf(Grain grain);
+[[nodiscard]] std::optional<Grain> grainFrom(std::string_view name);
 
 /// The lattice of a noise with a grain has cells longer along it by this factor, so that borders of
 /// tiles cut half as many streaks. docs/decisions/036-grain.md chose it.

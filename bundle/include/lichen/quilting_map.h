@@ -3,6 +3,7 @@
 // such as bricks, stones or threads. docs/decisions/039-quilting.md.
 #pragma once
 
+#include <lichen/lattice.h>
 #include <lichen/table.h>
 
 #include <array>
@@ -20,6 +21,7 @@ inline constexpr double kMostCellReach = 0.5;
 
 /// What all maps of a quilting noise share.
 struct QuiltingNoise {
+  Grain grain = Grain::none;     ///< stretches the lattice
   double reach = kMostCellReach; ///< (0, kMostCellReach], of the image of cells [tiles]
   /// [0, 1] How highly two tiles correlate on average where they overlap, close up.
   double correlation = 0.0;

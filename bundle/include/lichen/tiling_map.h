@@ -57,8 +57,4 @@ enum class TableKind { joint, none };
 /// "joint" or "none".
 [[nodiscard]] std::string_view nameOf(TableKind kind);
 
-/// "none", "x" or "y". grainFrom() knows "x" and "y", since files leave out the member otherwise.
-[[nodiscard]] std::string_view nameOf(Grain grain);
-[[nodiscard]] std::optional<Grain> grainFrom(std::string_view name);
-
 } // namespace lichen

@@ -2,6 +2,8 @@
 // The supported mappings of quilting, the size of its exemplars, and its members as JSON.
 #include "quilting_format.h"
 
+#include "methods/grain_member.h"
+
 #include <algorithm>
 
 namespace lichen {
@@ -19,6 +21,7 @@ std::span<const std::string_view> QuiltingFormat::tableMembers() const {
 
 void QuiltingFormat::writeNoise(const Noise& noise, Json& json) const {
   const auto& shared = noise.as<QuiltingNoise>();
+  writeGrain(shared.grain, json);
   json["reach"] = shared.reach;
   if (shared.correlation > 0.0)
     json["correlation"] = shared.correlation;

@@ -26,6 +26,8 @@ std::array<float, 4> meanOf(const Table& image, ValueEncoding encoding) {
   return {mean[0], mean[1], mean[2], 1.0f};
 }
 
+Grain grainOf(const shader::LichenNoise& noise) { return Grain(quiltingPart(noise).grain); }
+
 /// Of [0, 1) in 65,536ths.
 shader::uint word16(double share) {
   constexpr double kSteps = 65536.0;
@@ -34,20 +36,22 @@ shader::uint word16(double share) {
 
 } // namespace
 
-Lattice QuiltingFormat::cells(const shader::LichenNoise&, const MaterialNoise&,
+Lattice QuiltingFormat::cells(const shader::LichenNoise& noise, const MaterialNoise&,
                               const Placement& placement) const {
-  return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY)
-                            : infiniteLattice(Grain::none);
+  const Grain grain = grainOf(noise);
+  return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY, grain)
+                            : infiniteLattice(grain);
 }
 
-std::array<std::int64_t, 2> QuiltingFormat::originStep(const shader::LichenNoise&,
+std::array<std::int64_t, 2> QuiltingFormat::originStep(const shader::LichenNoise& noise,
                                                        const MaterialNoise&) const {
-  return {latticeOriginStep(Grain::none), 1};
+  return {latticeOriginStep(grainOf(noise)), 1};
 }
 
-std::array<std::int32_t, 2> QuiltingFormat::cellOf(const shader::LichenNoise&, const MaterialNoise&,
-                                                   std::int64_t tileX, std::int64_t tileY) const {
-  return latticeCell(tileX, tileY);
+std::array<std::int32_t, 2> QuiltingFormat::cellOf(const shader::LichenNoise& noise,
+                                                   const MaterialNoise&, std::int64_t tileX,
+                                                   std::int64_t tileY) const {
+  return latticeCell(tileX, tileY, grainOf(noise));
 }
 
 void QuiltingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
@@ -64,6 +68,7 @@ void QuiltingFormat::setNoise(const Bundle& bundle, const Noise& noise,
                               shader::LichenNoise& constants) const {
   const auto& shared = noise.as<QuiltingNoise>();
   shader::LichenQuiltingNoise part{};
+  part.grain = shader::uint(shared.grain);
   part.reach = float(shared.reach);
   part.correlation = float(shared.correlation);
   part.offsets = shader::uint(shared.offsets.size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads the members of a quilting noise and of a map, and checks its images.
+#include "methods/grain_member.h"
 #include "quilting_format.h"
 
 #include <lichen/counted.h>
@@ -108,6 +109,7 @@ std::vector<std::array<double, 2>> readOffsets(ObjectReader& reader, FindingList
 MethodNoise QuiltingFormat::readNoise(ObjectReader& reader, FindingList& findings) const {
   constexpr double kLeastReach = 1e-4;
   QuiltingNoise shared;
+  shared.grain = readGrain(reader);
   shared.reach = reader.number("reach", {kLeastReach, kMostCellReach}).value_or(kMostCellReach);
   shared.correlation = reader.numberOr("correlation", {0.0, 1.0}, 0.0);
   if (reader.has("offsets"))

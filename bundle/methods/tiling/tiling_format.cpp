@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The supported mappings of tiling, the size of its exemplars, and its members as JSON.
+#include "methods/grain_member.h"
 #include "tiling_format.h"
 
 #include <algorithm>
@@ -18,8 +19,7 @@ std::span<const std::string_view> TilingFormat::tableMembers() const {
 }
 
 void TilingFormat::writeNoise(const Noise& noise, Json& json) const {
-  if (const Grain grain = noise.as<TilingNoise>().grain; grain != Grain::none)
-    json["grain"] = nameOf(grain);
+  writeGrain(noise.as<TilingNoise>().grain, json);
 }
 
 void TilingFormat::writeMap(const NoiseMap& map, Json& json) const {
@@ -53,18 +53,6 @@ TableKind tableKindOf(const TilingMap& map) {
 std::string_view nameOf(TableKind kind) {
   constexpr std::array<std::string_view, 2> kNames = {"joint", "none"};
   return kNames[std::size_t(kind)];
-}
-
-std::string_view nameOf(Grain grain) {
-  constexpr std::array<std::string_view, 3> kNames = {"none", "x", "y"};
-  return kNames[std::size_t(grain)];
-}
-
-std::optional<Grain> grainFrom(std::string_view name) {
-  for (const Grain grain : {Grain::x, Grain::y})
-    if (name == nameOf(grain))
-      return grain;
-  return std::nullopt;
 }
 
 } // namespace lichen

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the tiling members of a noise and of a map, and checks those of a map against one another
 // and against the Gaussian image.
+#include "methods/grain_member.h"
 #include "methods/inverse_table_reader.h"
 #include "tiling_format.h"
 
@@ -78,15 +79,7 @@ void checkGaussian(ObjectReader& reader, const TilingMap& tiling, const Table& i
 } // namespace
 
 MethodNoise TilingFormat::readNoise(ObjectReader& reader, FindingList&) const {
-  TilingNoise shared;
-  if (!reader.has("grain"))
-    return shared;
-  const std::optional<std::string> name = reader.text("grain");
-  const std::optional<Grain> grain = name ? grainFrom(*name) : std::nullopt;
-  if (name && !grain)
-    reader.error("tiling-grain", "grain", quoted(*name) + "; expected x or y");
-  shared.grain = grain.value_or(Grain::none);
-  return shared;
+  return TilingNoise{readGrain(reader)};
 }
 
 MethodMap TilingFormat::readMap(ObjectReader& reader, const Noise&, const NoiseMap& map,

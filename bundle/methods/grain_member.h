@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The member `grain` of a noise whose lattice can be stretched.
+#pragma once
+
+#include "object_reader.h"
+
+#include <lichen/lattice.h>
+
+#include <nlohmann/json.hpp>
+
+namespace lichen {
+
+/// Grain::none if the member is absent or not `x` or `y`, which is an error.
+[[nodiscard]] Grain readGrain(ObjectReader& reader);
+/// Writes nothing of Grain::none.
+void writeGrain(Grain grain, nlohmann::ordered_json& json);
+
+} // namespace lichen
