@@ -87,21 +87,34 @@ ImageLevel convolved(const ImageLevel& source, const std::vector<float>& alongX,
   return pass(pass(source, alongX, true), alongY, false);
 }
 
-/// The magnitude of the gradient of all channels of all images.
-Plane gradientOf(const std::vector<ImageLevel>& images) {
-  constexpr double kDeviation = 1.0 / 256.0; // of the smoothing, over a mean side
-  constexpr double kReach = 4.0;             // deviations
-  Plane result{images.front().width, images.front().height, {}};
-  const double deviation =
-      std::max(1.0, kDeviation * std::sqrt(double(result.width) * result.height));
-  std::vector<float> smooth, derivative;
+/// A share of the mean side of a plane. At least 1. [texels]
+double shareOfSide(double share, const Plane& plane) {
+  return std::max(1.0, share * std::sqrt(double(plane.width) * plane.height));
+}
+
+struct Gaussian {
+  std::vector<float> values, derivative;
+};
+
+/// At whole texels, the centre in the middle.
+Gaussian gaussianOf(double deviation) {
+  constexpr double kReach = 4.0; // deviations
+  Gaussian result;
   const int reach = int(std::ceil(kReach * deviation));
   for (int k = -reach; k <= reach; ++k) {
     const double value = std::exp(-0.5 * k * k / (deviation * deviation)) /
                          (deviation * std::sqrt(2.0 * 3.14159265358979));
-    smooth.push_back(float(value));
-    derivative.push_back(float(k / (deviation * deviation) * value));
+    result.values.push_back(float(value));
+    result.derivative.push_back(float(k / (deviation * deviation) * value));
   }
+  return result;
+}
+
+/// The magnitude of the gradient of all channels of all images.
+Plane gradientOf(const std::vector<ImageLevel>& images) {
+  constexpr double kDeviation = 1.0 / 256.0; // of the smoothing, over a mean side
+  Plane result{images.front().width, images.front().height, {}};
+  const auto [smooth, derivative] = gaussianOf(shareOfSide(kDeviation, result));
   result.values.resize(std::size_t(result.width) * std::size_t(result.height));
   for (const ImageLevel& image : images)
     for (const bool isX : {true, false}) {
@@ -137,6 +150,13 @@ float quantile(std::vector<float> values, double share) {
   const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
+}
+
+/// Smooths edges, so that joints a little apart still correlate.
+std::vector<float> averagedEdges(const Plane& edges) {
+  constexpr double kDeviation = 1.0 / 128.0; // over a mean side
+  const std::vector<float> smooth = gaussianOf(shareOfSide(kDeviation, edges)).values;
+  return convolved({edges.width, edges.height, 1, edges.values}, smooth, smooth).values;
 }
 
 /// Whether coordinates pass: 1 in the middle of a cell, nearly 0 on its outline.
@@ -235,13 +255,14 @@ std::vector<std::array<int, 2>> nearestInside(const Plane& grid,
 
 CellField cellsOf(std::span<const MapExemplar> maps, double count) {
   constexpr float kInside = 0.5f;
-  const Plane passes = conductances(halfMaximum(gradientOf(standardized(maps))));
+  const Plane edges = halfMaximum(gradientOf(standardized(maps)));
+  const Plane passes = conductances(edges);
   const std::vector<std::array<float, 2>> spread = spreadCoordinates(passes, count);
   std::vector<std::uint8_t> isInside;
   for (const float value : passes.values)
     isInside.push_back(value > kInside ? 1 : 0);
   const std::vector<std::array<int, 2>> nearest = nearestInside(passes, isInside);
-  CellField result{passes.width, passes.height, {}};
+  CellField result{passes.width, passes.height, {}, averagedEdges(edges)};
   for (int y = 0; y < result.height; ++y)
     for (int x = 0; x < result.width; ++x) {
       const auto [across, down] = nearest[passes.index(x, y)];

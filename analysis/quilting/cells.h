@@ -11,10 +11,12 @@
 
 namespace lichen::quilting {
 
-/// For each texel of a width x height grid over the tile, the vector to the centre of its cell.
+/// For each texel of a width x height grid over the tile, the vector to the centre of its cell, and
+/// how strong edges around it are.
 struct CellField {
   int width = 0, height = 0;
   std::vector<std::array<float, 2>> toCentre; ///< [tiles]
+  std::vector<float> edges;                   ///< magnitude of the gradient, smoothed
 };
 
 /// Spreads the coordinates of all points within what edges enclose, so that each cell gets those of

@@ -39,7 +39,7 @@ float halfCell(const CellField& cells, std::size_t axis) {
 }
 
 /// Of the shifts that repeat the exemplar the one nearest to half a tile along the axis. If none is
-/// near, half a tile of cells that fit loosely; others better stay as they are. Along x, closed
+/// near, half a tile if edges fit loosely, otherwise nothing, and the border stays. Along x, closed
 /// first, the shift is hardly across: it would bring the other border into the band.
 std::optional<Shift> shiftAlong(std::size_t axis, const FittingShifts& fitting) {
   constexpr double kMostAlong = 0.25, kMostAcross = 1.0 / 32.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which near-periods of an exemplar bring cells onto cells.
+// Which near-periods of an exemplar bring edges onto edges.
 #pragma once
 
 #include "cells.h"
@@ -10,21 +10,21 @@
 
 namespace lichen::quilting {
 
-/// Between bricks and cobbles: docs/decisions/039-quilting.md.
-inline constexpr double kCloseMiss = 0.635;
+/// Between knits and cobbles: docs/decisions/039-quilting.md.
+inline constexpr double kCloseMiss = 0.52;
 
 struct FittingShifts {
   std::vector<std::array<double, 2>> shifts; ///< [tiles]
-  /// How far cells miss cells after the best of them: 0 not at all, 1 like any shift.
+  /// How far edges miss edges after the best of them: 0 not at all, 1 like any shift.
   double miss = 1.0;
 
-  /// Whether cells fit as closely as bricks of one size do, not as loosely as cobbles.
+  /// Whether edges fit closely, as those of bricks of one size, or loosely, as those of cobbles.
   [[nodiscard]] bool isClose() const { return miss < kCloseMiss; }
 };
 
-/// The shifts after which the centres of cells are where they were, in their order. Values
-/// alone do not say so: rows of boards are alike after any shift along them, but their ends are
-/// not. At least nine, the best, if there are as many. Source:
+/// The shifts after which edges are where they were, in their order. Values alone do not say so:
+/// rows of boards are alike after any shift along them, but their ends are not. `shifts` are those
+/// of NearPeriods, the first of them 0. At least nine, the best, if there are as many. Source:
 /// docs/decisions/039-quilting.md.
 [[nodiscard]] FittingShifts fittingShifts(const CellField& cells,
                                           std::span<const std::array<double, 2>> shifts);

@@ -12,7 +12,7 @@ namespace lichen {
 
 /// Grain::none if the member is absent or not `x` or `y`, which is an error.
 [[nodiscard]] Grain readGrain(ObjectReader& reader);
-/// Writes nothing of Grain::none.
+/// Writes nothing for Grain::none.
 void writeGrain(Grain grain, nlohmann::ordered_json& json);
 
 } // namespace lichen

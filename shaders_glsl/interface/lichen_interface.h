@@ -214,7 +214,7 @@ struct LichenQuiltingNoise {
   float correlation;     // [0, 1] of two tiles close up
   float cellLevelOffset; // as levelOffset of a map, of the image of cells
   uint offsets;          // of the list in the noise's block, 0: none
-  uint grain;            // LICHEN_GRAIN_*, as of tiling
+  uint grain;            // LICHEN_GRAIN_*; shaders find it in columnsPerTile and rowsPerTile
 };
 
 /// What all maps of a noise share. Fixed by the bundle.

@@ -17,7 +17,7 @@
 #define LICHEN_BLEND_SHARPNESS 1
 #endif
 
-// 0 where no noise has a grain. A literal, or the host's specialization constant.
+// 0 where no noise of tiling has a grain. A literal, or the host's specialization constant.
 #ifndef LICHEN_GRAIN
 #define LICHEN_GRAIN 1
 #endif

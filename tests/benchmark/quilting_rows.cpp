@@ -91,7 +91,8 @@ Scores scoresOf(const StructuredSubject& subject) {
   TilingOptions fast; // its transport hardly shows beside what tiling breaks
   fast.transport = TransportEffort::fast;
   const Bundle quilting = quiltingBundle(exemplar), tiling = bakedBundle(exemplar, fast);
-  const LatticeView view{infiniteLattice(Grain::none), 1.0 / exemplar.width, 1.0 / exemplar.height};
+  const LatticeView view{infiniteLattice(quilting.noises[0].as<QuiltingNoise>().grain),
+                         1.0 / exemplar.width, 1.0 / exemplar.height};
   Scores scores;
   constexpr double kNearlyAPeriod = 0.9;
   if (subject.shortestPeriod > 0.0)

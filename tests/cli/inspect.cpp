@@ -132,9 +132,10 @@ TEST_CASE("inspect counts the fetches that all maps of a quilting share once") {
   for (const nlohmann::json& map : noise["maps"])
     CHECK(map.at("fetchesPerPixel") == 2);
   CHECK(noise.at("fetchesPerPixel") == 2 * 2 + 3);
-  CHECK_THAT(runLichen({"inspect", bundle}).output,
-             Catch::Contains(", 7 fetches per pixel and plane\n") &&
-                 Catch::Contains("  tiles at 4 offsets\n  3 fetches of cells, for all maps together\n"));
+  CHECK_THAT(
+      runLichen({"inspect", bundle}).output,
+      Catch::Contains(", 7 fetches per pixel and plane\n") &&
+          Catch::Contains("  tiles at 4 offsets\n  3 fetches of cells, for all maps together\n"));
 }
 
 TEST_CASE("inspect shows a grain, and that rotated tiles do not use it") {
@@ -152,6 +153,11 @@ TEST_CASE("inspect shows a grain, and that rotated tiles do not use it") {
   REQUIRE(writeBundle(bundle, file).ok());
   CHECK_THAT(runLichen({"inspect", bundle}).output,
              Catch::Contains("  grain along y, unused with tile rotation\n"));
+  file = example::smallestQuilting();
+  file.bundle.noises[0].as<QuiltingNoise>().grain = Grain::x;
+  REQUIRE(writeBundle(bundle, file).ok());
+  CHECK(inspected(bundle).at("noises")[0].at("grain") == "x");
+  CHECK_THAT(runLichen({"inspect", bundle}).output, Catch::Contains("  grain along x\n"));
 }
 
 TEST_CASE("inspect shows support, impacts, cost and exemplar size of textons") {

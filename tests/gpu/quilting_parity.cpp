@@ -20,8 +20,8 @@ namespace {
 constexpr const char* kPass = "quilting_evaluate.comp";
 constexpr float kCellsX = kWidth / 2, kCellsY = kHeight / 2; // texels of the image of cells
 
-/// With the offsets of a list or without, as the guide says. Of 16 bits, as rounding of images has
-/// a test of its own.
+/// With the offsets of a list and a grain or without both, as the guide says. Of 16 bits, as
+/// rounding of images has a test of its own.
 std::vector<std::byte> bakedGlb(std::size_t channels, double guide) {
   const MapExemplar map = ofChannels(channels);
   QuiltingOptions options;
@@ -29,6 +29,7 @@ std::vector<std::byte> bakedGlb(std::size_t channels, double guide) {
   options.guide = guide;
   Result<QuiltingBake> bake = bakeQuilting("noise", {&map, 1}, options);
   REQUIRE(bake);
+  bake.value().noise.as<QuiltingNoise>().grain = guide > 0.0 ? Grain::x : Grain::none;
   BundleFile file;
   file.bundle.tables = std::move(bake.value().tables);
   file.bundle.noises = {std::move(bake.value().noise)};

@@ -346,6 +346,12 @@ TEST_CASE("the switches leave out what no material needs") {
   LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
   REQUIRE(lichenGetNoiseProperties(grained.handle, 0, &noise) == LICHEN_SUCCESS);
   CHECK(noise.hasGrain == 1);
+  // Of quilting the shader always reads the lattice from the material.
+  BundleFile boards = example::smallestQuilting();
+  boards.bundle.noises[0].as<QuiltingNoise>().grain = Grain::x;
+  const OwnedBundle quilted(boards);
+  CHECK(switchesOf({plain, parametersOf(quilted.handle)}).find("-DLICHEN_GRAIN=0") !=
+        std::string::npos);
   REQUIRE(lichenGetNoiseProperties(tiling.handle, 0, &noise) == LICHEN_SUCCESS);
   CHECK(noise.hasGrain == 0);
   LichenMaterialParameters inPlanes = plain;

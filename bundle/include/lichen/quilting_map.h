@@ -21,7 +21,7 @@ inline constexpr double kMostCellReach = 0.5;
 
 /// What all maps of a quilting noise share.
 struct QuiltingNoise {
-  Grain grain = Grain::none;     ///< stretches the lattice
+  Grain grain = Grain::none;     ///< stretches the lattice, of all materials
   double reach = kMostCellReach; ///< (0, kMostCellReach], of the image of cells [tiles]
   /// [0, 1] How highly two tiles correlate on average where they overlap, close up.
   double correlation = 0.0;

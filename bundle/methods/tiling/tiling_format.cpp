@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The supported mappings of tiling, the size of its exemplars, and its members as JSON.
-#include "methods/grain_member.h"
 #include "tiling_format.h"
+
+#include "methods/grain_member.h"
 
 #include <algorithm>
 
