@@ -36,7 +36,7 @@ double missOf(const CellField& cells, const std::array<double, 2>& shift) {
 
 FittingShifts fittingShifts(const CellField& cells, std::span<const std::array<double, 2>> shifts) {
   constexpr std::size_t kFewest = 9;  // fewer would repeat visibly
-  constexpr double kAlike = 0.08;     // misses of shifts that all fit differ by up to about that
+  constexpr double kAlike = 0.08;     // shifts whose misses differ by less fit equally well
   std::vector<double> misses, sorted; // the latter without that of no shift
   for (const std::array<double, 2>& shift : shifts) {
     misses.push_back(missOf(cells, shift));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The member `grain` of a noise: `x`, `y` or absent.
+// Grain <-> the member `grain`: `x`, `y` or absent.
 #include "grain_member.h"
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The member `grain` of a noise whose lattice can be stretched.
+// Reads and writes the member `grain` of tiling and quilting noises.
 #pragma once
 
 #include "object_reader.h"

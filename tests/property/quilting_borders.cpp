@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Borders that quilting closes: those of bars and of squares.
+#include "plane_of.h"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -23,17 +25,7 @@ constexpr int kPitch = 40, kJoint = 4;    // of the bars, pixels
 constexpr double kBars = double(kWidth) / kPitch;
 constexpr float kDark = 0.05f; // in joints
 
-MapExemplar planeOf(auto valueAt) {
-  MapExemplar map;
-  map.channels = {MapChannel::red};
-  map.encoding = ValueEncoding::linear;
-  map.width = kWidth;
-  map.height = kHeight;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
-      map.values.push_back(valueAt(x, y));
-  return map;
-}
+MapExemplar planeOf(const auto& valueAt) { return test::planeOf(kWidth, kHeight, valueAt); }
 
 /// Upright bars of different greys, the first and the last of which the borders cut: 256 pixels
 /// are 6.4 of them.

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Shifts that bring edges onto edges: those of sheet metal with grooves and rivets.
+#include "plane_of.h"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -31,15 +33,9 @@ constexpr double kCount = double(kWidth / kGroove) * (kHeight / kRow);
 /// as many anywhere.
 MapExemplar metal(bool inRows) {
   constexpr double kRadius = 5.0;
-  MapExemplar map;
-  map.channels = {MapChannel::red};
-  map.encoding = ValueEncoding::linear;
-  map.width = kWidth;
-  map.height = kHeight;
-  for (int y = 0; y < kHeight; ++y)
-    for (int x = 0; x < kWidth; ++x)
-      map.values.push_back(
-          float(0.6 + 0.2 * std::cos(2.0 * std::numbers::pi * (x + 0.5) / kGroove)));
+  MapExemplar map = test::planeOf(kWidth, kHeight, [](int x, int) {
+    return 0.6 + 0.2 * std::cos(2.0 * std::numbers::pi * (x + 0.5) / kGroove);
+  });
   std::mt19937 bits(5u);
   const auto upTo = [&](int most) { return int(bits() % std::uint32_t(most)); };
   for (int row = 0; row < kHeight / kRow; ++row)
