@@ -2,7 +2,6 @@
 // Tiling and blending on the CPU: (tables, parameters, footprint) -> value. [HN18] Algorithm 1 with
 // the prefiltered table. Steps and names follow shaders_glsl/noise/tiling.glsl with a trilinear
 // sampler.
-#include "fewer_taps.h"
 #include "gaussianization/value_decoder.h"
 #include "sampling/footprint_level.h"
 #include "sampling/repeating_image.h"
@@ -14,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 
 namespace lichen {
@@ -46,21 +44,10 @@ void rotateSlopesBack(Value& value, const std::array<float, 2>& turn) {
   value[1] = y;
 }
 
-/// Describes what is wrong with a quality, if anything.
-std::optional<std::string> problemOf(const TilingQuality& quality) {
-  if (quality.taps != 2 && quality.taps != 3)
-    return "taps " + std::to_string(quality.taps) + "; expected 2 or 3";
-  if (!(quality.oneTapTiles >= kOneTapTilesRange.least &&
-        quality.oneTapTiles <= kOneTapTilesRange.most))
-    return "one tap from " + std::to_string(quality.oneTapTiles) +
-           " tiles per pixel; expected a number from 0 to 1000000";
-  return std::nullopt;
-}
-
 } // namespace
 
-/// The tiles at a point: where they are fetched, and what is fetched; 0 where a weight is. The
-/// fourth component is the share of the variance that fetches lose on average.
+/// The tiles at a point: where they are fetched, and what is fetched. The fourth component is the
+/// share of the variance that fetches lose on average.
 struct TilingEvaluator::Tiles {
   tiling::Taps taps;
   std::array<Value, 3> value{};
@@ -76,7 +63,7 @@ struct TilingEvaluator::Map {
 };
 
 Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_t noiseIndex,
-                                                const TilingQuality& quality) {
+                                                bool nearestTableLevel) {
   const auto exhausted = [&] {
     return "noise " + std::to_string(noiseIndex) + ": not enough memory for its tables";
   };
@@ -88,8 +75,6 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
     if (noise.method() != Method::tiling)
       return Error{ErrorKind::usage, "noise '" + noise.name + "' has the method " +
                                          std::string(nameOf(noise.method())) + ", not tiling"};
-    if (const std::optional<std::string> problem = problemOf(quality))
-      return Error{ErrorKind::usage, *problem};
     auto maps = std::make_shared<std::vector<Map>>();
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
       const auto& stored = noise.maps[m].as<TilingMap>();
@@ -98,7 +83,7 @@ Result<TilingEvaluator> TilingEvaluator::create(const Bundle& bundle, std::size_
            RepeatingImage(bundle.tables[stored.gaussian], Alpha::lastChannel),
            noise.maps[m].channels.size()});
     }
-    return TilingEvaluator(shaderNoise(bundle, noiseIndex), std::move(maps), quality);
+    return TilingEvaluator(shaderNoise(bundle, noiseIndex), std::move(maps), nearestTableLevel);
   });
 }
 
@@ -119,7 +104,7 @@ std::vector<float> TilingEvaluator::decodedTexels(std::size_t mapIndex) const {
 
 /// lichenDecode, of a Gaussian value with the share of the lost variance in the fourth component.
 Value TilingEvaluator::decode(const Map& map, const Value& gaussian, float contrast) const {
-  return map.decoder.decode(gaussian, contrast, quality_.nearestTableLevel);
+  return map.decoder.decode(gaussian, contrast, nearestTableLevel_);
 }
 
 /// lichenDecodeTile.
@@ -137,7 +122,6 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
   at.position[0] += material.offsetX;
   at.position[1] += material.offsetY;
   Tiles tiles{tiling::tapsAt(material, noise_, at.position)};
-  tiling::reduceTaps(tiles.taps, at, quality_);
   const float footprint = footprintLevel(at, noise_.tileTexelsX, noise_.tileTexelsY);
   const float level = sharpLevel(footprint + map.constants().levelOffset);
   const bool sharesTexels =
@@ -146,8 +130,6 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
   if (sharesTexels)
     tiles.lossShare = lossShare(noise_, at, footprint);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (tiles.taps.weight[k] == 0.0f)
-      continue;
     const auto [x, y] = tiles.taps.position[k];
     tiles.value[k] = map.image.at(x, y, level);
     for (std::size_t c = 0; c < 3; ++c)
@@ -184,8 +166,6 @@ Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
   Value result = middle;
   const float gain = material.contrast / (blend == BlendOperator::linear ? 1.0f : tiles.taps.norm);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (tiles.taps.weight[k] == 0.0f)
-      continue;
     Value value = decodeTile(map, tiles.value[k], tiles.lossShare, 1.0f);
     if (rotatesSlopes)
       rotateSlopesBack(value, tiles.taps.turn[k]);
@@ -201,8 +181,6 @@ Value TilingEvaluator::rotatedSlopes(const Map& map, const Tiles& tiles,
                                      const shader::LichenMaterial& material) const {
   Value sum{0.0f, 0.0f, 0.0f, 1.0f};
   for (std::size_t k = 0; k < 3; ++k) {
-    if (tiles.taps.weight[k] == 0.0f)
-      continue;
     Value tile = tiles.value[k];
     for (std::size_t c = 0; c < 3; ++c)
       tile[c] = 0.5f + material.contrast * (tile[c] - 0.5f);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Tiling with everything that a material or a host may ask of it, in place of tiling.glsl's point
-// and value: blend sharpness, fewer taps, lattices that are periodic or stretched along a grain,
-// rotated tiles, anisotropic samplers.
+// and value: blend sharpness, lattices that are periodic or stretched along a grain, rotated tiles,
+// anisotropic samplers.
 // Each costs nothing where its switch leaves it out. The CPU twin is analysis/tiling/evaluate.
 #ifndef LICHEN_TILING_OPTIONS_GLSL
 #define LICHEN_TILING_OPTIONS_GLSL
 
-#include "fewer_taps.glsl"
 #include "periodic_lattice.glsl"
 #include "tile_rotation.glsl"
 #include "tiling.glsl"
@@ -79,17 +78,12 @@ void lichenSetPoint(out LichenTilingTaps taps, vec2 position, vec2 gradientX, ve
     triangle.weights = pow(triangle.weights, vec3(sharpness));
     triangle.weights /= triangle.weights.x + triangle.weights.y + triangle.weights.z;
   }
-  if (lichenHasFewerTaps())
-    lichenReduceTaps(triangle, gradientX, gradientY);
   taps.point.uv0 = lichenTilingTap(triangle.vertex0, position, skewed, material, noise,
                                    taps.rotation0);
   taps.point.uv1 = lichenTilingTap(triangle.vertex1, position, skewed, material, noise,
                                    taps.rotation1);
-  taps.point.uv2 = taps.point.uv1; // of no weight with two taps
-  taps.rotation2 = taps.rotation1;
-  if (LICHEN_TILING_TAPS > 2)
-    taps.point.uv2 =
-        lichenTilingTap(triangle.vertex2, position, skewed, material, noise, taps.rotation2);
+  taps.point.uv2 = lichenTilingTap(triangle.vertex2, position, skewed, material, noise,
+                                   taps.rotation2);
   taps.point.weights = triangle.weights;
   taps.point.contrast = material.contrast;
   lichenSetTilingFootprint(taps.point, position, gradientX, gradientY, noise);
@@ -121,11 +115,8 @@ float lichenAnisotropicTilingLevel(LichenTilingTaps taps, LichenMap map) {
 }
 #endif
 
-/// One tile; any value where it is not taken.
-vec4 lichenTilingFetch(LICHEN_IMAGE_2D gaussian, vec2 tap, vec2 rotation, float weight,
-                       LichenTilingTaps taps, float level) {
-  if (!lichenIsFetched(weight))
-    return vec4(0.5);
+vec4 lichenTilingFetch(LICHEN_IMAGE_2D gaussian, vec2 tap, vec2 rotation, LichenTilingTaps taps,
+                       float level) {
 #if LICHEN_ANISOTROPIC
   vec2 gradientX = taps.gradientX;
   vec2 gradientY = taps.gradientY;
@@ -152,16 +143,10 @@ LichenTiles lichenTilingTiles(LICHEN_IMAGE_2D gaussian, LichenTilingTaps taps, L
 #else
   float level = lichenTilingLevel(taps.point, map);
 #endif
-  vec3 weights = taps.point.weights;
   LichenTiles tiles;
-  tiles.tile0 = lichenTilingFetch(gaussian, taps.point.uv0, taps.rotation0, weights.x, taps,
-                                  level);
-  tiles.tile1 = lichenTilingFetch(gaussian, taps.point.uv1, taps.rotation1, weights.y, taps,
-                                  level);
-  tiles.tile2 = vec4(0.5);
-  if (LICHEN_TILING_TAPS > 2)
-    tiles.tile2 = lichenTilingFetch(gaussian, taps.point.uv2, taps.rotation2, weights.z, taps,
-                                  level);
+  tiles.tile0 = lichenTilingFetch(gaussian, taps.point.uv0, taps.rotation0, taps, level);
+  tiles.tile1 = lichenTilingFetch(gaussian, taps.point.uv1, taps.rotation1, taps, level);
+  tiles.tile2 = lichenTilingFetch(gaussian, taps.point.uv2, taps.rotation2, taps, level);
 #if LICHEN_ANISOTROPIC
   // Alpha does not tell what an anisotropic sampler's probes lose together.
   tiles.tile0.a = tiles.tile1.a = tiles.tile2.a =
@@ -194,7 +179,7 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
   // branch leave a loop when no pixel has more.
   bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isRotated;
   vec3 shares = weights * inversesqrt(dot(weights, weights));
-  int count = isEach ? (LICHEN_TILING_TAPS > 2 ? 3 : 2) : 1;
+  int count = isEach ? 3 : 1;
   vec4 sum = vec4(0.0, 0.0, 0.0, 1.0);
   int tile = 0;
   while (tile < count) {

@@ -22,7 +22,6 @@
 #include <texton.frag.mixed.h>
 #include <tiling.frag.gaussian.h>
 #include <tiling.frag.joint.h>
-#include <tiling.frag.two_taps.h>
 #include <triplanar.frag.h>
 #include <unity.frag.h>
 #include <vector>
@@ -227,7 +226,6 @@ std::vector<Row> measure() {
       {"Unity's stochastic texturing", unity_frag, peer},
       {"[HN18] without prefilter", hn18_frag, peer},
       {"tiling, joint table", tiling_frag_joint, noise},
-      {"tiling, joint table, two taps", tiling_frag_two_taps, noise},
       {"tiling, Gaussian only", tiling_frag_gaussian, noise},
       {"triplanar tiling", triplanar_frag, noise},
       {"texton", texton_frag, noise},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ratios of a shader with an option to one without it: surfaces, solids and triplanar tiling to
-// those on texture coordinates, layers to one tiling, tiling's quality levels to the highest,
-// rotated tiles to unrotated ones.
+// those on texture coordinates, layers to one tiling, a sharper blend to the default, rotated tiles
+// to unrotated ones.
 #include "benchmark_noises.h"
 #include "rows.h"
 #include "shader_frames.h"
@@ -20,12 +20,10 @@
 #include <surface.frag.textons.h>
 #include <texton.frag.h>
 #include <tiling.frag.joint.h>
-#include <tiling.frag.one_tap.h>
 #include <tiling.frag.sharp.h>
 #include <tiling.frag.slopes.h>
 #include <tiling.frag.turned.h>
 #include <tiling.frag.turned_slopes.h>
-#include <tiling.frag.two_taps.h>
 #include <triplanar.frag.h>
 #include <view.vert.h>
 
@@ -35,8 +33,6 @@ namespace {
 /// Slightly less than one texel per pixel: surface coordinates are rounded, and a pixel larger than
 /// a texel reads two mips.
 constexpr ScreenView kSurfaceFlat{0.999f * kFlat.uvPerScreenX, 0.999f * kFlat.uvPerScreenY, 1.0f};
-/// A quarter of a tile per pixel. From this size on, the lowest tiling level uses one tap.
-constexpr ScreenView kFar{0.25f * float(kScreenWidth), 0.25f * float(kScreenHeight), 1.0f};
 
 /// A shader and the noise that it draws.
 struct Shader {
@@ -110,22 +106,13 @@ void appendLayerRows(std::vector<Row>& rows, const Glb& colors, const Screen& sc
   rows.push_back(ratioRow(what + "perspective", kNoTarget, option, unit, screen, kFloor));
 }
 
-/// The quality levels of tiling, and a sharper blend at the highest level.
-void appendLevelRows(std::vector<Row>& rows, const Glb& colors, const Screen& screen) {
-  constexpr double kTarget = 1.0; // a level must be cheaper
-  constexpr double kSharpTarget = 1.25, kSharpness = 4.0;
+void appendSharpnessRow(std::vector<Row>& rows, const Glb& colors, const Screen& screen) {
+  constexpr double kTarget = 1.25, kSharpness = 4.0;
   const ReadyNoise plain(screen.gpu(), colors);
   const ReadyNoise sharp(screen.gpu(), colors, {.blendSharpness = kSharpness});
-  const auto row = [&](const char* what, double target, std::span<const std::uint32_t> fragment,
-                       const ReadyNoise& noise, const ScreenView& view) {
-    rows.push_back(ratioRow(what, target, {what, fragment, noise},
-                            {"three taps", tiling_frag_joint, plain}, screen, view));
-  };
-  row("tiling with two taps over three, flat", kTarget, tiling_frag_two_taps, plain, kFlat);
-  row("tiling with two taps over three, perspective", kTarget, tiling_frag_two_taps, plain, kFloor);
-  row("tiling with one tap from 1/4 tile a pixel on over three, from there", kTarget,
-      tiling_frag_one_tap, plain, kFar);
-  row("tiling with blend sharpness 4 over 1, flat", kSharpTarget, tiling_frag_sharp, sharp, kFlat);
+  rows.push_back(ratioRow("tiling with blend sharpness 4 over 1, flat", kTarget,
+                          {"sharpness 4", tiling_frag_sharp, sharp},
+                          {"sharpness 1", tiling_frag_joint, plain}, screen, kFlat));
 }
 
 /// Rotated tiles relative to unrotated ones, for colours and for slopes, which are decoded tile by
@@ -161,7 +148,7 @@ std::vector<Row> measureOptions() {
   appendMappings(rows, screen);
   appendLayerRows(rows, colors, screen);
   appendTriplanarRow(rows, colors, screen);
-  appendLevelRows(rows, colors, screen);
+  appendSharpnessRow(rows, colors, screen);
   appendRotationRows(rows, colors, screen);
   return rows;
 }

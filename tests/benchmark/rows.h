@@ -68,7 +68,7 @@ std::vector<Row> multipleKernelsRows();  ///< likewise of multiple-kernels noise
 std::vector<Row> methodRows();           ///< whether --method auto finds the nearest look
 std::vector<Row> loadRows();             ///< time in which the plugin reads a bundle
 std::vector<Row> shaderRows();           ///< ratios to plain and bare fetches
-std::vector<Row> optionRows();           ///< mappings, layers, quality levels, tile rotation
+std::vector<Row> optionRows();           ///< mappings, layers, blend sharpness, tile rotation
 std::vector<Row> codeRows();             ///< sizes of the shaders' machine code
 
 /// Bakes a generated exemplar of this side and returns the seconds it took. Serves `lichen-bench

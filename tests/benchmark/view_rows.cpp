@@ -27,11 +27,11 @@ struct Kind {
   const char* name;
   Method method;
   Mapping mapping;
-  TilingQuality quality;
+  bool nearestTableLevel = false;
 };
 constexpr std::array<Kind, 5> kKinds{
     {{"tiling", Method::tiling, Mapping::uv, {}},
-     {"tiling, nearest table level", Method::tiling, Mapping::uv, {3, 0.0, true}},
+     {"tiling, nearest table level", Method::tiling, Mapping::uv, true},
      {"tiling in three planes", Method::tiling, Mapping::triplanar, {}},
      {"textons", Method::texton, Mapping::uv, {}},
      {"textons in three planes", Method::texton, Mapping::triplanar, {}}}};
@@ -182,7 +182,7 @@ std::vector<Row> viewRows() {
     for (std::size_t k = 0; k < kKinds.size(); ++k) {
       const Kind& kind = kKinds[k];
       const Bundle& bundle = kind.method == Method::tiling ? tiling : texton;
-      const test::Plane plane = test::noisePlane(bundle, kind.mapping, {}, kind.quality);
+      const test::Plane plane = test::noisePlane(bundle, kind.mapping, {}, kind.nearestTableLevel);
       measure(plane, all[k]);
       if (kind.method == Method::tiling && kind.mapping == Mapping::uv)
         measureAligned(plane, exemplar.image, all[k]);

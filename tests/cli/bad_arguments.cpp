@@ -166,11 +166,6 @@ TEST_CASE("the error for an unknown option value of synth lists the valid ones")
   for (const std::string sharpness : {"0", "17", "nan"})
     checkSynthRefuses({"--sharpness", sharpness}, kUsage,
                       {"--sharpness " + sharpness + ": expected a number from 0.25 to 16"});
-  for (const std::string taps : {"1", "4", "two"})
-    checkSynthRefuses({"--taps", taps}, kUsage, {"--taps " + taps + ": expected 3 or 2"});
-  for (const std::string tiles : {"-1", "1e7", "nan"})
-    checkSynthRefuses({"--one-tap", tiles}, kUsage,
-                      {"--one-tap " + tiles + ": expected a number from 0 to 1000000"});
   for (const std::string steps : {"1", "65537", "quarter"})
     checkSynthRefuses({"--tile-rotation", steps}, kUsage,
                       {"--tile-rotation " + steps +

@@ -173,20 +173,15 @@ TEST_CASE("the pattern does not repeat from one exemplar to the next") {
     CHECK(shareOfDifferent(window(image, 0, 32), window(image, shift, 32)) > 0.9);
 }
 
-TEST_CASE("--taps changes the pattern between lattice vertices, and --one-tap applies from its "
-          "limit on") {
-  const SrgbImage three = made({"--size", "64x64"});
-  CHECK((made({"--size", "64x64", "--taps", "3", "--one-tap", "0"}).values == three.values));
-  const SrgbImage two = made({"--size", "64x64", "--taps", "2"});
-  CHECK(shareOfDifferent(two, three) > 0.5);
-  // A pixel is 1/32 of a tile: first half the limit, which changes nothing, then the limit.
-  const std::string side = std::to_string(1.0 / kExemplarSide);
-  const std::string twice = std::to_string(2.0 / kExemplarSide);
-  CHECK(shareOfDifferent(made({"--size", "64x64", "--one-tap", twice}), three) == 0.0);
-  const SrgbImage one = made({"--size", "64x64", "--one-tap", side});
-  CHECK(shareOfDifferent(one, three) > 0.5);
-  // One tap gives the same result, whatever --taps says.
-  CHECK((made({"--size", "64x64", "--one-tap", side, "--taps", "2"}).values == one.values));
+TEST_CASE("--table-levels nearest changes a minified view, and blended is the default") {
+  const Arguments far{"--size", "64x64", "--texels-per-tile", "12"};
+  const auto withLevels = [&](const std::string& levels) {
+    Arguments more = far;
+    more.insert(more.end(), {"--table-levels", levels});
+    return made(more);
+  };
+  CHECK((withLevels("blended").values == made(far).values));
+  CHECK(shareOfDifferent(withLevels("nearest"), made(far)) > 0.3);
 }
 
 TEST_CASE("each number of --tile-rotation gives another pattern, and none is the default") {

@@ -148,8 +148,7 @@ TEST_CASE("the error for an option of another method names that method") {
   refuse(tiling, "--impacts", "20", {"--impacts", "texton", "'moss'", "tiling"});
   refuse(tiling, "--points", "poisson", {"--points", "texton", "'moss'", "tiling"});
   refuse(texton, "--sharpness", "2", {"--sharpness", "tiling", "'grain'", "texton"});
-  refuse(texton, "--taps", "2", {"--taps", "tiling", "'grain'", "texton"});
-  refuse(texton, "--one-tap", "0.25", {"--one-tap", "tiling", "'grain'", "texton"});
+  refuse(texton, "--table-levels", "nearest", {"--table-levels", "tiling", "'grain'", "texton"});
   refuse(texton, "--tile-rotation", "4", {"--tile-rotation", "tiling", "'grain'", "texton"});
   refuse(texton, "--impacts", "0.5", {"--impacts 0.5: expected a number from 1 to 1000"});
   refuse(texton, "--points", "blue", {"--points blue: expected stratified or poisson"});

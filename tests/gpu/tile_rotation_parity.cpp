@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Rotated tiles in the shader combined with other options: fewer taps, triplanar mapping, and hosts
-// that compile rotation out. tiling_parity.cpp compares them with the oracle.
+// Shaders of hosts that compile the rotation of tiles out, on texture coordinates and triplanar.
+// tiling_parity.cpp compares rotated tiles with the oracle.
 #include "plugin_host.h"
 #include "shared_device.h"
 #include "synthetic_noise.h"
 
-#include <lichen/tiling_evaluate.h>
-
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
-#include <tiling_evaluate.comp.fewest_taps.h>
 #include <tiling_evaluate.comp.no_rotation.h>
-#include <triplanar_evaluate.comp.fewest_taps.h>
 #include <triplanar_evaluate.comp.no_rotation.h>
 
 using namespace lichen;
@@ -24,7 +19,6 @@ using namespace lichen::test;
 namespace {
 
 constexpr float kTexels = 64.0f;
-constexpr TilingQuality kFewest{2, 1.0 / 128.0}; // the shaders are compiled with these values
 
 /// The input layout of triplanar_evaluate.comp.
 struct SpacePoint {
@@ -58,16 +52,6 @@ std::vector<Point> flattened(const std::vector<SpacePoint>& points) {
   return flat;
 }
 
-TileFootprint footprintOf(const Point& point) {
-  return {point.uv, point.gradientX, point.gradientY};
-}
-
-TriplanarFootprint footprintOf(const SpacePoint& point) {
-  const auto three = [](const std::array<float, 4>& v) { return std::array{v[0], v[1], v[2]}; };
-  return {three(point.position), three(point.gradientX), three(point.gradientY),
-          three(point.normal)};
-}
-
 MaterialUse turned(MaterialUse use, std::uint32_t steps,
                    LichenMapping mapping = LICHEN_MAPPING_UV) {
   use.parameters.tileRotation = steps;
@@ -75,57 +59,11 @@ MaterialUse turned(MaterialUse use, std::uint32_t steps,
   return use;
 }
 
-/// The fraction of values that differ by more than 1/1024, and the greatest difference.
-struct Difference {
-  void note(const std::array<float, 4>& found, const std::array<float, 4>& expected) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double error = std::abs(double(found[c]) - double(expected[c]));
-      largest = std::max(largest, error);
-      beyond += error > 1.0 / 1024.0 ? 1 : 0;
-      ++count;
-    }
-  }
-  double largest = 0.0;
-  int beyond = 0, count = 0;
-};
-
 /// Colours, and slopes of an exemplar that is not square.
 constexpr std::array kMaps{SyntheticMap{3, 64, 64}, SyntheticMap{2, 64, 32, false, 3},
                            SyntheticMap{2, 64, 64, false, 3}};
 
 } // namespace
-
-TEST_CASE("rotated tiles with fewer taps match the CPU twin, with uv and with triplanar mapping") {
-  VulkanDevice* const device = sharedDevice();
-  for (const SyntheticMap& map : kMaps) {
-    const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
-    const Bundle bundle = parseBundle(glb, "synthetic").value();
-    const TilingEvaluator twin = TilingEvaluator::create(bundle, 0, kFewest).value();
-    PluginHost host(sharedContext(), glb);
-    const MaterialUse own = host.use();
-    const std::vector<SpacePoint> points = samplePoints(1000);
-    const std::vector<Point> flat = flattened(points);
-    for (const std::uint32_t steps : {2u, 4u, 5u, 65536u}) {
-      const auto inPlane =
-          host.evaluate(tiling_evaluate_comp_fewest_taps, 0, turned(own, steps), flat);
-      const shader::LichenMaterial plane = host.material();
-      const auto inThree = host.evaluate(triplanar_evaluate_comp_fewest_taps, 0,
-                                         turned(own, steps, LICHEN_MAPPING_TRIPLANAR), points);
-      const shader::LichenTriplanarMaterial three = host.planes();
-      Difference difference, differenceInThree;
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        difference.note(inPlane[k], twin.evaluate(0, plane, footprintOf(flat[k])));
-        differenceInThree.note(inThree[k], twin.evaluate(0, three, footprintOf(points[k])));
-      }
-      INFO("D = " << map.dimensions << ", " << map.height << " rows, steps " << steps);
-      for (const Difference& one : {difference, differenceInThree}) {
-        CHECK(one.largest <= 1.0 / 255.0);
-        CHECK(one.beyond <= 0.001 * one.count);
-      }
-    }
-  }
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
 
 TEST_CASE("a shader without the code of tile rotation does not rotate tiles, and one with it "
           "does") {

@@ -17,6 +17,7 @@
 #include <random>
 #include <tiling_evaluate.comp.anisotropic.h>
 #include <tiling_evaluate.comp.joint_table.h>
+#include <tiling_evaluate.comp.nearest_level.h>
 #include <tiling_evaluate.comp.no_table.h>
 #include <tiling_lean.comp.h>
 
@@ -25,7 +26,8 @@ using namespace lichen::test;
 
 namespace {
 
-enum Operator { kHistogram, kLinear, kVariance, kGaussian };
+/// The numbering of tiling_evaluate.comp.
+enum Quantity { kValue, kGaussian = 3 };
 
 /// Points some tiles around the origin. Footprints range from a hundredth of a texel to a whole
 /// tile, round and stretched; every tenth point is at a texel centre with one pixel per texel.
@@ -74,7 +76,7 @@ struct Parity {
 Parity compare(PluginHost& host, const TilingReference& reference,
                std::span<const std::uint32_t> spirv, const MaterialUse& use,
                const std::vector<Point>& points, std::size_t components) {
-  const auto values = host.evaluate(spirv, kHistogram, use, points);
+  const auto values = host.evaluate(spirv, kValue, use, points);
   const auto gaussians = host.evaluate(spirv, kGaussian, use, points);
   Parity parity;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -269,7 +271,7 @@ FilterErrors filterErrors(OnDevice& noise, const MaterialUse& use, double tableL
   const TilingReference reference(noise.bundle, 0, FetchedBy::level, tableLevelError);
   const std::vector<Point> points = samplePoints(float(map.width), 2000);
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
-  const auto values = host.evaluate(committed, kHistogram, use, points);
+  const auto values = host.evaluate(committed, kValue, use, points);
   const auto gaussians = host.evaluate(committed, kGaussian, use, points);
   const auto contrast = use.parameters.contrast;
   const std::size_t channels = map.dimensions == 1 ? 1 : 3;
@@ -334,83 +336,66 @@ TEST_CASE("a table level that is wrong by 0.1 differs by more than 8-bit filteri
   }
 }
 
-TEST_CASE("the shader matches its CPU twin in every operator") {
-  const std::pair<Operator, BlendOperator> operators[] = {
-      {kHistogram, BlendOperator::histogramPreserving},
-      {kLinear, BlendOperator::linear},
-      {kVariance, BlendOperator::variancePreserving}};
-  VulkanDevice* const device = sharedDevice();
-  const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
-  for (const SyntheticMap& map : kSixteenBits) {
-    const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
-    const Bundle bundle = parseBundle(glb, "synthetic").value();
-    const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
-    PluginHost host(sharedContext(), glb);
-    const std::vector<Point> points = samplePoints(float(map.width), 1000);
-    std::vector<MaterialUse> uses = manyUses(host.use());
-    if (map.table != joint) // same lattice and taps: one table kind is enough, plus contrast
-      uses = {uses[1], uses[5], uses[6], uses[7], uses[11]};
-    for (const MaterialUse& use : uses)
-      for (const auto& [constant, blend] : operators) {
-        const auto values = host.evaluate(committed, constant, use, points);
-        const shader::LichenMaterial& m = host.material();
-        const auto toTile = [&](const std::array<float, 2>& v) {
-          return std::array{m.uvToTileXX * v[0] + m.uvToTileXY * v[1],
-                            m.uvToTileYX * v[0] + m.uvToTileYY * v[1]};
-        };
-        Difference difference;
-        for (std::size_t k = 0; k < points.size(); ++k) {
-          TileFootprint at{toTile(points[k].uv), toTile(points[k].gradientX),
-                           toTile(points[k].gradientY)};
-          const TilingEvaluator::Value expected = twin.evaluate(0, m, at, blend);
-          for (std::size_t c = 0; c < 3; ++c)
-            note(difference, std::abs(double(values[k][c]) - double(expected[c])),
-                 1.0 / double(3 * points.size()));
-        }
-        INFO("D = " << map.dimensions << ", table " << int(map.table) << ", operator " << constant);
-        CHECK(difference.largest <= 1.0 / 255.0);
-        CHECK(difference.fractionBeyond <= 0.001);
-      }
-  }
-  CHECK(device->messages().texts() == std::vector<std::string>{});
+namespace {
+
+/// What the CPU twin says of points on a device.
+std::vector<TilingEvaluator::Value> twinValues(OnDevice& noise, bool nearestTableLevel,
+                                               const std::vector<Point>& points) {
+  const TilingEvaluator twin = TilingEvaluator::create(noise.bundle, 0, nearestTableLevel).value();
+  const shader::LichenMaterial& m = noise.host.material();
+  const auto toTile = [&](const std::array<float, 2>& v) {
+    return std::array{m.uvToTileXX * v[0] + m.uvToTileXY * v[1],
+                      m.uvToTileYX * v[0] + m.uvToTileYY * v[1]};
+  };
+  std::vector<TilingEvaluator::Value> values;
+  for (const Point& point : points)
+    values.push_back(twin.evaluate(
+        0, m, {toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)}));
+  return values;
 }
 
-TEST_CASE("the comparison operators blend the decoded tiles linearly, and about the mean") {
-  VulkanDevice* const device = sharedDevice();
-  const SyntheticMap map{3, 64, 64};
-  const std::vector<std::byte> glb = syntheticGlb(std::span(&map, 1));
-  PluginHost host(sharedContext(), glb);
+Difference differenceOf(const std::vector<std::array<float, 4>>& values,
+                        const std::vector<TilingEvaluator::Value>& expected) {
+  Difference difference;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      note(difference, std::abs(double(values[k][c]) - double(expected[k][c])),
+           1.0 / double(3 * values.size()));
+  return difference;
+}
+
+} // namespace
+
+TEST_CASE("the shader matches its CPU twin") {
   const std::vector<std::uint32_t> committed = committedShader("tiling_evaluate.comp");
-  std::vector<Point> points = samplePoints(64.0f, 4000);
-  // One pixel per texel: mip level 0. Between texels, interpolation loses as much in all operators.
-  for (Point& point : points) {
-    point.gradientX = {1.0f / 64.0f, 0.0f};
-    point.gradientY = {0.0f, 1.0f / 64.0f};
-  }
-  const MaterialUse use = host.use();
-  const auto linear = host.evaluate(committed, kLinear, use, points);
-  const auto variance = host.evaluate(committed, kVariance, use, points);
-  const auto full = host.evaluate(committed, kHistogram, use, points);
-  const double mean = double(host.map().mean.x);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const double stretch = (double(variance[k][0]) - mean) / (double(linear[k][0]) - mean);
-    // 1 / W is between 1 (at a vertex) and sqrt(3) (at the centre of a triangle).
-    REQUIRE(stretch >= 0.999);
-    REQUIRE(stretch <= 1.7321 + 0.001);
-  }
-  const auto spread = [&](const std::vector<std::array<float, 4>>& values) {
-    double sum = 0.0, squares = 0.0;
-    for (const auto& value : values) {
-      sum += double(value[0]);
-      squares += double(value[0]) * double(value[0]);
+  for (const SyntheticMap& map : kSixteenBits) {
+    OnDevice noise(map);
+    const std::vector<Point> points = samplePoints(float(map.width), 1000);
+    std::vector<MaterialUse> uses = manyUses(noise.host.use());
+    if (map.table != joint) // same lattice and taps: one table kind is enough, plus contrast
+      uses = {uses[1], uses[5], uses[6], uses[7], uses[11]};
+    for (const MaterialUse& use : uses) {
+      const auto values = noise.host.evaluate(committed, kValue, use, points);
+      const Difference difference = differenceOf(values, twinValues(noise, false, points));
+      INFO("D = " << map.dimensions << ", table " << int(map.table));
+      CHECK(difference.largest <= 1.0 / 255.0);
+      CHECK(difference.fractionBeyond <= 0.001);
     }
-    const double count = double(values.size());
-    return squares / count - (sum / count) * (sum / count);
-  };
-  // The mean of sum w^2 over a triangle is 1/2. For 4000 values, the standard error of a variance
-  // is 2.2 %, and that of the ratio 3.2 %.
-  CHECK(spread(linear) / spread(full) == Approx(0.5).margin(0.06));
-  CHECK(device->messages().texts() == std::vector<std::string>{});
+  }
+}
+
+TEST_CASE("with the nearest table level the shader matches its CPU twin, and differs from blended "
+          "levels") {
+  OnDevice noise({3, 64, 64});
+  const std::vector<Point> points = samplePoints(64.0f, 2000);
+  const MaterialUse own = noise.host.use();
+  for (const MaterialUse& use : {own, moved(own)}) {
+    const auto values = noise.host.evaluate(tiling_evaluate_comp_nearest_level, kValue, use, points);
+    const Difference difference = differenceOf(values, twinValues(noise, true, points));
+    CHECK(difference.largest <= 1.0 / 255.0);
+    CHECK(difference.fractionBeyond <= 0.001);
+    CHECK(differenceOf(values, twinValues(noise, false, points)).fractionBeyond > 0.1);
+  }
 }
 
 TEST_CASE("gradients passed to the sampler change only the driver's level of detail") {

@@ -100,7 +100,7 @@ double FilteredView::meanTolerance(double difference, int pixels) const {
 }
 
 Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placement,
-                 const TilingQuality& quality, double contrast) {
+                 bool nearestTableLevel, double contrast) {
   MaterialNoise material;
   material.contrast = contrast;
   material.mapping = mapping;
@@ -138,7 +138,7 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
         [twin = QuiltingEvaluator::create(bundle, 0).value()](const auto& use, const auto& at) {
           return twin.evaluate(0, use, at);
         });
-  return withEvaluator([twin = TilingEvaluator::create(bundle, 0, quality).value()](
+  return withEvaluator([twin = TilingEvaluator::create(bundle, 0, nearestTableLevel).value()](
                            const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
 }
 

@@ -7,7 +7,6 @@
 #include <lichen/bundle.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/tile_footprint.h>
-#include <lichen/tiling_quality.h>
 
 #include <array>
 #include <functional>
@@ -21,9 +20,9 @@ using Light = std::array<double, 3>;
 using Plane = std::function<Light(const TileFootprint&)>;
 
 /// The first map of a bundle's first noise, on texture coordinates or, with Mapping::triplanar, on
-/// a plane that is oblique to all three axes. `quality` applies to tiling.
+/// a plane that is oblique to all three axes. `nearestTableLevel` applies to tiling.
 [[nodiscard]] Plane noisePlane(const Bundle& bundle, Mapping mapping,
-                               const Placement& placement = {}, const TilingQuality& quality = {},
+                               const Placement& placement = {}, bool nearestTableLevel = false,
                                double contrast = 1.0);
 
 /// Compares filtered pixels with averages of point samples in them. The variances, their covariance

@@ -86,12 +86,12 @@ class Use final : public UseOptions {
 public:
   std::optional<double> sharpness;
   std::optional<std::uint32_t> tileRotation;
-  TilingQuality quality;
+  bool nearestTableLevel = false;
 
   void replace(MaterialNoise& material, EvaluationOptions& chosen) const override {
     material.blendSharpness = sharpness.value_or(material.blendSharpness);
     material.tileRotation = tileRotation.value_or(material.tileRotation);
-    chosen.tiling = quality;
+    chosen.nearestTableLevel = nearestTableLevel;
   }
 
   [[nodiscard]] std::vector<std::string> notes() const override {
@@ -149,13 +149,7 @@ std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb,
 
 std::unique_ptr<const UseOptions> TilingCommand::addSynthOptions(CLI::App& verb) const {
   std::unique_ptr<Use> options = addUseOptions(verb);
-  addValue(verb, "--taps", options->quality.taps, oneOf(Choices<int>{{"3", 3}, {"2", 2}}), "3",
-           "Tiles fetched per point")
-      .group(kHeading);
-  addValue(verb, "--one-tap", options->quality.oneTapTiles, number(kOneTapTilesRange), "0",
-           "Fetch one tile where a pixel covers at least N tiles per side; 0: never")
-      .group(kHeading);
-  addValue(verb, "--table-levels", options->quality.nearestTableLevel,
+  addValue(verb, "--table-levels", options->nearestTableLevel,
            oneOf(Choices<bool>{{"blended", false}, {"nearest", true}}), "blended",
            "Mip levels of the inverse table: blend two, or fetch the nearest")
       .group(kHeading);

@@ -9,7 +9,6 @@
 #include <lichen/solid_footprint.h>
 #include <lichen/surface_footprint.h>
 #include <lichen/tile_footprint.h>
-#include <lichen/tiling_quality.h>
 #include <lichen/triplanar_footprint.h>
 
 #include <array>
@@ -26,9 +25,11 @@ struct UvFootprint {
   std::array<float, 2> dy{}; ///< the same along y; dx = dy = 0 is a point
 };
 
-/// Choices that the bundle leaves to the host, by method.
+/// Choices that the bundle leaves to the host.
 struct EvaluationOptions {
-  TilingQuality tiling;
+  /// Tiling: fetch the nearest mip level of an inverse table instead of blending two. In shaders it
+  /// is LICHEN_NEAREST_TABLE_LEVEL (shaders_glsl/noise/decode.glsl).
+  bool nearestTableLevel = false;
 };
 
 /// A noise as one material uses it. Immutable: several threads may evaluate it at once.

@@ -7,7 +7,6 @@
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/tile_footprint.h>
-#include <lichen/tiling_quality.h>
 #include <lichen/triplanar_footprint.h>
 
 #include <array>
@@ -17,6 +16,13 @@
 
 namespace lichen {
 
+/// How the three taps are blended. The first is the method; the others are for comparison.
+enum class BlendOperator {
+  histogramPreserving, ///< [HN18] eq. 18
+  variancePreserving,  ///< eq. 8 on the decoded values: no inverse table after the blend
+  linear,              ///< eq. 3 on the decoded values
+};
+
 /// The decoded tables of one noise. Immutable: several threads may evaluate it at once.
 class TilingEvaluator {
 public:
@@ -24,10 +30,11 @@ public:
 
   /// Decodes the tables of noise `noise`. The bundle must have been parsed or baked without error:
   /// indices and table sizes are not checked again. The evaluator does not refer to the bundle
-  /// afterwards. Errors: usage for an index out of range, another method or a quality out of range;
-  /// resources if memory runs out. Time and memory: 16 bytes per texel of its tables.
+  /// afterwards. `nearestTableLevel`: as in EvaluationOptions. Errors: usage for an index out of
+  /// range or another method; resources if memory runs out. Time and memory: 16 bytes per texel of
+  /// its tables.
   [[nodiscard]] static Result<TilingEvaluator> create(const Bundle& bundle, std::size_t noise,
-                                                      const TilingQuality& quality = {});
+                                                      bool nearestTableLevel = false);
 
   [[nodiscard]] std::size_t mapCount() const;
 
@@ -74,12 +81,12 @@ private:
   [[nodiscard]] Value decode(const Map& map, const Value& gaussian, float contrast) const;
 
   TilingEvaluator(const shader::LichenNoise& noise, std::shared_ptr<const std::vector<Map>> maps,
-                  const TilingQuality& quality)
-      : noise_(noise), maps_(std::move(maps)), quality_(quality) {}
+                  bool nearestTableLevel)
+      : noise_(noise), maps_(std::move(maps)), nearestTableLevel_(nearestTableLevel) {}
 
   shader::LichenNoise noise_;
   std::shared_ptr<const std::vector<Map>> maps_;
-  TilingQuality quality_;
+  bool nearestTableLevel_;
 };
 
 } // namespace lichen
