@@ -155,26 +155,6 @@ Value TilingEvaluator::blended(const Tiles& tiles, const shader::LichenMaterial&
   return blend;
 }
 
-/// The tiles decoded one by one and blended about the mean; comparison operators.
-Value TilingEvaluator::blendedDecoded(const Map& map, const Tiles& tiles,
-                                      const shader::LichenMaterial& material,
-                                      BlendOperator blend) const {
-  const bool rotatesSlopes = tiling::rotatesTiles(material) && isSlope(map.constants());
-  const shader::vec4& mean = map.constants().mean;
-  const Value middle =
-      rotatesSlopes ? Value{0.0f, 0.0f, mean.z, 1.0f} : Value{mean.x, mean.y, mean.z, 1.0f};
-  Value result = middle;
-  const float gain = material.contrast / (blend == BlendOperator::linear ? 1.0f : tiles.taps.norm);
-  for (std::size_t k = 0; k < 3; ++k) {
-    Value value = decodeTile(map, tiles.value[k], tiles.lossShare, 1.0f);
-    if (rotatesSlopes)
-      rotateSlopesBack(value, tiles.taps.turn[k]);
-    for (std::size_t c = 0; c < 3; ++c)
-      result[c] += gain * tiles.taps.weight[k] * (value[c] - middle[c]);
-  }
-  return result;
-}
-
 /// The slopes of rotated tiles, decoded one by one, turned back and blended about 0: a joint table
 /// knows slopes as they lie in the exemplar.
 Value TilingEvaluator::rotatedSlopes(const Map& map, const Tiles& tiles,
@@ -203,11 +183,9 @@ Value TilingEvaluator::gaussian(std::size_t mapIndex, const shader::LichenMateri
 }
 
 Value TilingEvaluator::evaluate(std::size_t mapIndex, const shader::LichenMaterial& material,
-                                const TileFootprint& at, BlendOperator blend) const {
+                                const TileFootprint& at) const {
   const Map& map = (*maps_)[mapIndex];
   const Tiles tiles = tilesAt(map, material, at);
-  if (blend != BlendOperator::histogramPreserving)
-    return blendedDecoded(map, tiles, material, blend);
   if (tiling::rotatesTiles(material) && isSlope(map.constants()))
     return rotatedSlopes(map, tiles, material);
   return decodeTile(map, blended(tiles, material), tiles.lossShare, material.contrast);

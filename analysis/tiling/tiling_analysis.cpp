@@ -11,9 +11,8 @@ namespace lichen {
 Result<std::unique_ptr<const NoiseEvaluator>>
 TilingAnalysis::evaluator(const Bundle& bundle, const MaterialNoise& material,
                           const Placement& placement, const EvaluationOptions& options) const {
-  return planeEvaluator(
-      TilingEvaluator::create(bundle, material.noise, options.nearestTableLevel), bundle, material,
-      placement);
+  return planeEvaluator(TilingEvaluator::create(bundle, material.noise, options.nearestTableLevel),
+                        bundle, material, placement);
 }
 
 } // namespace lichen

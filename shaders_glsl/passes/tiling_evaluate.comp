@@ -9,14 +9,11 @@
 #define LICHEN_OMIT_TRIPLANAR
 #define LICHEN_SET 0
 #include "../lichen.glsl"
-#include "../noise/tiling_comparison.glsl"
 #include "one_role.glsl"
 
-const int kOperatorHistogram = 0;
-const int kOperatorLinear = 1;
-const int kOperatorVariance = 2;
-const int kOperatorGaussian = 3; // the blended Gaussian value, lost variance in alpha
-layout(constant_id = 0) const int kOperator = kOperatorHistogram;
+const int kValue = 0;
+const int kGaussian = 1; // the blended Gaussian value, lost variance in alpha
+layout(constant_id = 0) const int kQuantity = kValue;
 
 struct Point {
   vec4 uvAndGradientX;
@@ -31,15 +28,10 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
   LichenMap map = lichenMaps[kRole];
   LichenShadingPoint shading =
       LICHEN_POINT(point.uvAndGradientX.xy, point.uvAndGradientX.zw, point.gradientY.xy);
-  LichenTilingTaps taps = shading.point.tiling;
-  if (kOperator == kOperatorLinear)
-    return lichenTilingLinear(image, table, taps, map);
-  if (kOperator == kOperatorVariance)
-    return lichenTilingVariance(image, table, taps, map);
-  if (kOperator == kOperatorGaussian) {
+  if (kQuantity == kGaussian) {
     vec3 lost;
-    vec3 gaussian =
-        lichenGaussianAt(image, table, taps, lichenMaterial, lichenNoise, map, lost);
+    vec3 gaussian = lichenGaussianAt(image, table, shading.point.tiling, lichenMaterial,
+                                     lichenNoise, map, lost);
     return vec4(gaussian, lost.x);
   }
   return lichenValue(image, table, shading, map);

@@ -27,7 +27,7 @@ using namespace lichen::test;
 namespace {
 
 /// The numbering of tiling_evaluate.comp.
-enum Quantity { kValue, kGaussian = 3 };
+enum Quantity { kValue, kGaussian };
 
 /// Points some tiles around the origin. Footprints range from a hundredth of a texel to a whole
 /// tile, round and stretched; every tenth point is at a texel centre with one pixel per texel.
@@ -349,8 +349,8 @@ std::vector<TilingEvaluator::Value> twinValues(OnDevice& noise, bool nearestTabl
   };
   std::vector<TilingEvaluator::Value> values;
   for (const Point& point : points)
-    values.push_back(twin.evaluate(
-        0, m, {toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)}));
+    values.push_back(
+        twin.evaluate(0, m, {toTile(point.uv), toTile(point.gradientX), toTile(point.gradientY)}));
   return values;
 }
 
@@ -390,7 +390,8 @@ TEST_CASE("with the nearest table level the shader matches its CPU twin, and dif
   const std::vector<Point> points = samplePoints(64.0f, 2000);
   const MaterialUse own = noise.host.use();
   for (const MaterialUse& use : {own, moved(own)}) {
-    const auto values = noise.host.evaluate(tiling_evaluate_comp_nearest_level, kValue, use, points);
+    const auto values =
+        noise.host.evaluate(tiling_evaluate_comp_nearest_level, kValue, use, points);
     const Difference difference = differenceOf(values, twinValues(noise, true, points));
     CHECK(difference.largest <= 1.0 / 255.0);
     CHECK(difference.fractionBeyond <= 0.001);

@@ -155,13 +155,12 @@ TEST_CASE("a synthesized image has the exemplar's mean and covariance", "[large]
 }
 
 TEST_CASE("variance does not depend on where in a triangle a point lies", "[large]") {
-  // At vertices one tap has all the weight; at centres three share it. There linear blending keeps
-  // a third of the variance, and the method all of it.
+  // At vertices one tap has all the weight; at centres three share it.
   const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
   REQUIRE(evaluator);
   const shader::LichenMaterial material =
       shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
-  const auto varianceAt = [&](double f, double g, BlendOperator blend) {
+  const auto varianceAt = [&](double f, double g) {
     double sum = 0.0;
     double squares = 0.0;
     constexpr int kSide = 90;
@@ -173,20 +172,18 @@ TEST_CASE("variance does not depend on where in a triangle a point lies", "[larg
         // Texel centres, where a fetch loses nothing.
         for (float& coordinate : at.position)
           coordinate = (std::floor(coordinate * 128.0f) + 0.5f) / 128.0f;
-        const double value = double(evaluator.value().evaluate(0, material, at, blend)[0]);
+        const double value = double(evaluator.value().evaluate(0, material, at)[0]);
         sum += value;
         squares += value * value;
       }
     constexpr double kCount = double(kSide) * kSide;
     return squares / kCount - sum / kCount * (sum / kCount);
   };
-  using enum BlendOperator;
-  const double vertex = varianceAt(0.001, 0.001, histogramPreserving);
+  const double vertex = varianceAt(0.001, 0.001);
   // 8100 cells, independent given the exemplar. The standard error of a variance is at most sqrt(2
   // / 8100), and that of the difference of two 2.2 %. The limit is 3.6 of these, alpha 3e-4 each.
-  CHECK(varianceAt(1.0 / 3.0, 1.0 / 3.0, histogramPreserving) == Approx(vertex).epsilon(0.08));
-  CHECK(varianceAt(0.5, 0.25, histogramPreserving) == Approx(vertex).epsilon(0.08));
-  CHECK(varianceAt(1.0 / 3.0, 1.0 / 3.0, linear) < 0.5 * vertex);
+  CHECK(varianceAt(1.0 / 3.0, 1.0 / 3.0) == Approx(vertex).epsilon(0.08));
+  CHECK(varianceAt(0.5, 0.25) == Approx(vertex).epsilon(0.08));
 }
 
 TEST_CASE("minified views keep the mean colour of a supersampled reference", "[large]") {

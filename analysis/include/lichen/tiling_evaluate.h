@@ -16,13 +16,6 @@
 
 namespace lichen {
 
-/// How the three taps are blended. The first is the method; the others are for comparison.
-enum class BlendOperator {
-  histogramPreserving, ///< [HN18] eq. 18
-  variancePreserving,  ///< eq. 8 on the decoded values: no inverse table after the blend
-  linear,              ///< eq. 3 on the decoded values
-};
-
 /// The decoded tables of one noise. Immutable: several threads may evaluate it at once.
 class TilingEvaluator {
 public:
@@ -43,8 +36,7 @@ public:
   /// undone; channels that the map does not have are 0, the fourth is 1. For slopes the third is
   /// the variance of a slope lost to filtering. Constant time, no allocation.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
-                               const TileFootprint& at,
-                               BlendOperator blend = BlendOperator::histogramPreserving) const;
+                               const TileFootprint& at) const;
 
   /// The same in three planes, with the parameters of a material with the mapping triplanar. For
   /// slopes the value is their gradient in space, and the fourth is the lost variance.
@@ -70,9 +62,6 @@ private:
   [[nodiscard]] Tiles tilesAt(const Map& map, const shader::LichenMaterial& material,
                               TileFootprint at) const;
   [[nodiscard]] static Value blended(const Tiles& tiles, const shader::LichenMaterial& material);
-  [[nodiscard]] Value blendedDecoded(const Map& map, const Tiles& tiles,
-                                     const shader::LichenMaterial& material,
-                                     BlendOperator blend) const;
   [[nodiscard]] Value rotatedSlopes(const Map& map, const Tiles& tiles,
                                     const shader::LichenMaterial& material) const;
   [[nodiscard]] static float footprintShare(const Map& map, float loss);

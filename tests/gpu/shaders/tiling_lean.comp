@@ -37,7 +37,7 @@ layout(set = 0, binding = LICHEN_BINDING_TABLE(LICHEN_OCCLUSION_ROUGHNESS_METALL
     texture3D ormTable;
 
 const int kDecoded = 0;
-const int kGaussian = 3; // as in tiling_evaluate.comp
+const int kGaussian = 1; // as in tiling_evaluate.comp
 layout(constant_id = 0) const int kQuantity = kDecoded;
 layout(constant_id = 1) const int kRole = LICHEN_BASE_COLOR;
 
