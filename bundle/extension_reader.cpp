@@ -199,6 +199,23 @@ NoiseSpace readSpace(ObjectReader& reader, Mapping mapping) {
   return space.value_or(NoiseSpace::world);
 }
 
+/// Reads how tiles are rotated. The noise is known if `findings` has no error.
+std::uint32_t readTileRotation(ObjectReader& reader, const Bundle& bundle, std::size_t noise,
+                               const FindingList& findings) {
+  const json* member = reader.optional("tileRotation");
+  if (member == nullptr)
+    return 0;
+  constexpr std::uint64_t kNone = 3; // no value that tiles take
+  const std::uint64_t value = member->is_number_unsigned() ? member->get<std::uint64_t>() : kNone;
+  if ((value <= 2 || value == 4) &&
+      (findings.errorCount() > 0 || takesTileRotation(bundle, noise, std::uint32_t(value))))
+    return std::uint32_t(value);
+  reader.error("material-tile-rotation", "tileRotation",
+               (member->is_number() ? member->dump() : std::string(member->type_name())) +
+                   "; expected " + std::string(kTileRotations));
+  return 0;
+}
+
 MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const Bundle& bundle,
                            std::size_t textures, FindingList& findings) {
   MaterialNoise use;
@@ -219,7 +236,7 @@ MaterialNoise readMaterial(ObjectReader reader, const NoisePlaces& places, const
   use.blendSharpness = reader.numberOr("blendSharpness", kBlendSharpnessRange, use.blendSharpness);
   use.planeSharpness = reader.numberOr("planeSharpness", kPlaneSharpnessRange, use.planeSharpness);
   use.contrast = reader.numberOr("contrast", kContrastRange, use.contrast);
-  use.tileRotation = reader.integerOr("tileRotation", kMostTileRotation, use.tileRotation);
+  use.tileRotation = readTileRotation(reader, bundle, use.noise, findings);
   use.impacts = reader.numberOr("impacts", kImpactsRange, use.impacts);
   if (reader.has("pointProcess")) {
     const std::string name = reader.text("pointProcess").value_or("stratified");

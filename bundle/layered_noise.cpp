@@ -171,6 +171,12 @@ std::string mappingObstacle(const Bundle& bundle, std::size_t noise, Mapping map
   return {};
 }
 
+bool takesTileRotation(const Bundle& bundle, std::size_t noise, std::uint32_t tileRotation) {
+  return std::ranges::all_of(layersOf(bundle, noise), [&](std::size_t layer) {
+    return takesTileRotation(shaderNoise(bundle, layer), tileRotation);
+  });
+}
+
 Noise asIndex(Noise noise) {
   noise.maps.resize(1);
   noise.maps[0].encoding = ValueEncoding::index;

@@ -92,6 +92,19 @@ LichenResult readMapping(LichenMapping value, const NoiseSummary& summary, Mappi
   return LICHEN_ERROR_USAGE;
 }
 
+LichenResult readTileRotation(std::uint32_t value, const NoiseSummary& summary,
+                              MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
+  parameters.tileRotation = value;
+  const auto others = std::span(summary.layers).first(summary.layerCount - 1);
+  if (takesTileRotation(summary.constants, value) &&
+      std::ranges::all_of(others,
+                          [&](const auto& other) { return takesTileRotation(other, value); }))
+    return LICHEN_SUCCESS;
+  writeDiagnostic(diagnostic, "tileRotation %u is invalid; expected %s", unsigned(value),
+                  kTileRotations.data());
+  return LICHEN_ERROR_USAGE;
+}
+
 LichenResult readMixSource(LichenMixSource value, MixSource& source, LichenDiagnostic* diagnostic) {
   for (const auto& [code, candidate] : {std::pair{LICHEN_MIX_CONSTANT, MixSource::constant},
                                         {LICHEN_MIX_DIRECTION, MixSource::direction},
@@ -109,7 +122,6 @@ LichenResult readParameters(const LichenMaterialParameters& source, const NoiseS
                             MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
   parameters.noise = source.noise;
   parameters.seed = source.seed;
-  parameters.tileRotation = source.tileRotation;
   parameters.scale = source.scale;
   parameters.offset = {source.offset[0], source.offset[1]};
   parameters.rotation = source.rotation;
@@ -123,6 +135,8 @@ LichenResult readParameters(const LichenMaterialParameters& source, const NoiseS
   LichenResult result = readPointProcess(source.pointProcess, parameters.pointProcess, diagnostic);
   if (result == LICHEN_SUCCESS)
     result = readMapping(source.mapping, summary, parameters.mapping, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = readTileRotation(source.tileRotation, summary, parameters, diagnostic);
   if (result == LICHEN_SUCCESS)
     result = readMixSource(source.mixSource, parameters.mix.source, diagnostic);
   return result;
@@ -182,7 +196,6 @@ LichenResult checkParameters(const MaterialNoise& parameters, const LichenPlacem
       {"mixStart[1]", parameters.mix.start[1], kMixPlaceRange},
       {"mixEnd[0]", parameters.mix.end[0], kMixPlaceRange},
       {"mixEnd[1]", parameters.mix.end[1], kMixPlaceRange},
-      {"tileRotation", double(parameters.tileRotation), {0.0, double(kMostTileRotation)}},
       {"tileOrigin[0]", double(info.tileOrigin[0]), {-kFarthest, kFarthest}},
       {"tileOrigin[1]", double(info.tileOrigin[1]), {-kFarthest, kFarthest}},
       {"tileOrigin[2]", double(info.tileOrigin[2]), {-kFarthest, kFarthest}},

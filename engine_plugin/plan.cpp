@@ -294,6 +294,7 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.textonOrder = shape != nullptr ? std::uint32_t(shape->order) : 0;
   const auto* tiling = std::get_if<TilingNoise>(&source.data);
   values.hasGrain = tiling != nullptr && tiling->grain != Grain::none ? 1 : 0;
+  values.takesQuarterTurns = takesTileRotation(bundle->bundle, noise, 4) ? 1 : 0;
   const auto* cosines = std::get_if<LocalRandomPhaseNoise>(&source.data);
   values.hasStructure = cosines != nullptr && cosines->structure.columns > 0 ? 1 : 0;
   if (const auto* kernels = std::get_if<MultipleKernelsNoise>(&source.data))

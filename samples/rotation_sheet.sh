@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Makes a contact sheet of tile rotation; columns: none, 2 steps, 4 steps, free. Upper row: the
+# Makes a contact sheet of tile rotation; columns: none, half turns, quarter turns. Upper row: the
 # exemplar's colours, two tiles wide. Lower row: generated bumps lit from the upper left; they must
 # look lit from there in every tile.
 #   samples/rotation_sheet.sh OUTPUT.jpg EXEMPLAR.png
@@ -49,20 +49,20 @@ convert "$work/bumps.ppm" "$work/bumps/bumps_normal_gl.png"
 "$bin/lichen" bake "$2" -o "$work/colours.glb" --name colours --preview none --quiet
 "$bin/lichen" bake "$work/bumps" -o "$work/bumps.glb" --name bumps --preview none --quiet
 panels=()
-for steps in none 2 4 free; do
-  "$bin/lichen" synth "$work/colours.glb" -o "$work/colours-$steps.png" --size "$panel" \
-    --texels-per-tile $((panel / 2)) --tile-rotation "$steps" --quiet
-  panels+=("$work/colours-$steps.png")
+for angles in none 2 4; do
+  "$bin/lichen" synth "$work/colours.glb" -o "$work/colours-$angles.png" --size "$panel" \
+    --texels-per-tile $((panel / 2)) --tile-rotation "$angles" --quiet
+  panels+=("$work/colours-$angles.png")
 done
-for steps in none 2 4 free; do
-  "$bin/lichen" synth "$work/bumps.glb" --map normal -o "$work/normal-$steps.png" --size "$panel" \
-    --texels-per-tile $((panel / 2)) --tile-rotation "$steps" --quiet
+for angles in none 2 4; do
+  "$bin/lichen" synth "$work/bumps.glb" --map normal -o "$work/normal-$angles.png" --size "$panel" \
+    --texels-per-tile $((panel / 2)) --tile-rotation "$angles" --quiet
   # Lambert's law, light from the upper left: (-1, 1, 1) in tangent space. The matrix scales by 0.6
   # so that nothing clips.
-  convert "$work/normal-$steps.png" \
+  convert "$work/normal-$angles.png" \
     -color-matrix '-0.693 0.693 0.693  -0.693 0.693 0.693  -0.693 0.693 0.693' \
-    -evaluate subtract 34.6% -evaluate multiply 1.4 "$work/lit-$steps.png"
-  panels+=("$work/lit-$steps.png")
+    -evaluate subtract 34.6% -evaluate multiply 1.4 "$work/lit-$angles.png"
+  panels+=("$work/lit-$angles.png")
 done
-montage "${panels[@]}" -tile 4x -geometry +3+3 -background white -quality 85 "$output"
+montage "${panels[@]}" -tile 3x -geometry +3+3 -background white -quality 85 "$output"
 echo "$output"

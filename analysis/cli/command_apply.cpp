@@ -225,8 +225,6 @@ std::vector<std::string> notesOnLook(const Arguments& arguments, const GltfScene
   std::vector<std::string> notes = notesOnFactors(scene, materials, noise, arguments.setsFactors);
   for (std::string& text : notesOnTextures(scene, materials, noise))
     notes.push_back(std::move(text));
-  for (std::string& text : arguments.methods[std::size_t(noise.method())]->notes())
-    notes.push_back(std::move(text));
   return notes;
 }
 
@@ -245,6 +243,11 @@ Result<Outcome> apply(const Arguments& arguments) {
   if (!chosen)
     return chosen.error();
   MaterialNoise use = parametersOf(bundle, index, arguments);
+  if (!takesTileRotation(bundle, index, use.tileRotation))
+    return Error{ErrorKind::usage,
+                 fmt::format("--tile-rotation {}: the tiles of the noise '{}' are not square; "
+                             "expected none or 2",
+                             use.tileRotation, noise.name)};
   Result<std::vector<std::size_t>> suitable =
       suitableMaterials(scene, chosen.value(), noise, use, outcome.notes);
   if (!suitable)

@@ -245,9 +245,7 @@ std::string parametersOf(const MaterialNoise& use) {
       fmt::format("plane sharpness {:g}", use.planeSharpness));
   add(use.contrast == defaults.contrast, fmt::format("contrast {:g}", use.contrast));
   add(use.tileRotation == defaults.tileRotation,
-      use.tileRotation == kMostTileRotation
-          ? std::string("tile rotation free")
-          : fmt::format("tile rotation in {} directions", use.tileRotation));
+      fmt::format("tile rotation in {} directions", use.tileRotation));
   add(use.impacts == defaults.impacts, fmt::format("{:g} impacts", use.impacts));
   add(use.pointProcess == defaults.pointProcess, std::string(nameOf(use.pointProcess)));
   add(use.mix == defaults.mix, mixOf(use.mix));

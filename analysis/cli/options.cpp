@@ -113,17 +113,6 @@ Accepted<std::uint32_t> seedNumber() {
                        std::numeric_limits<std::uint32_t>::max());
 }
 
-Accepted<std::uint32_t> tileRotation() {
-  return {"none|N|free", "none, free or a number of directions from 2 to 65536",
-          [](const std::string& text) -> std::optional<std::uint32_t> {
-            if (text == "none")
-              return std::uint32_t(0);
-            if (text == "free")
-              return kMostTileRotation;
-            return parseNumber(text, std::uint32_t(2), kMostTileRotation);
-          }};
-}
-
 Accepted<std::array<int, 2>> imageSize(int largest) {
   return {"WxH|N", fmt::format("a size from 1x1 to {0}x{0}, or one number for a square", largest),
           [=](const std::string& text) -> std::optional<std::array<int, 2>> {

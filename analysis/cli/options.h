@@ -41,9 +41,6 @@ struct Accepted {
 [[nodiscard]] Accepted<double> number(NumberRange range, const std::string& unit = {});
 /// Any unsigned 32-bit number.
 [[nodiscard]] Accepted<std::uint32_t> seedNumber();
-/// "none" -> 0 (no rotation), "4" -> 4 angles per full rotation, "free" -> the maximum number of
-/// angles.
-[[nodiscard]] Accepted<std::uint32_t> tileRotation();
 /// "1024x768" -> {1024, 768}; "512" -> {512, 512}. Both sides in [1, largest].
 [[nodiscard]] Accepted<std::array<int, 2>> imageSize(int largest);
 /// "10,-2.5" -> {10.0, -2.5}. Both numbers in `range`.

@@ -20,6 +20,10 @@ NoiseEvaluator::create(const Bundle& bundle, const MaterialNoise& material,
   if (const std::string obstacle = mappingObstacle(bundle, material.noise, material.mapping);
       !obstacle.empty())
     return Error{ErrorKind::usage, obstacle};
+  if (!takesTileRotation(bundle, material.noise, material.tileRotation))
+    return Error{ErrorKind::usage, "noise '" + noise.name + "': tile rotation " +
+                                       std::to_string(material.tileRotation) + "; expected " +
+                                       std::string(kTileRotations)};
   return withinMemory(
       [&] { return "noise '" + noise.name + "': not enough memory for its tables"; },
       [&] {

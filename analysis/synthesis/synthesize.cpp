@@ -63,10 +63,6 @@ Result<void> check(const Bundle& bundle, const SynthesisOptions& options) {
   if (Result<void> checked = checkRange("contrast", options.material.contrast, kContrastRange);
       !checked)
     return checked;
-  if (Result<void> checked = checkRange("tile rotation", double(options.material.tileRotation),
-                                        {0.0, double(kMostTileRotation)});
-      !checked)
-    return checked;
   if (Result<void> checked = checkRange("impacts", options.material.impacts, kImpactsRange);
       !checked)
     return checked;

@@ -39,7 +39,7 @@ float lossShare(const shader::LichenNoise& noise, const TileFootprint& at, float
 }
 
 void rotateSlopesBack(Value& value, const std::array<float, 2>& turn) {
-  const auto [x, y] = tiling::slopesRotatedBack(value[0], value[1], turn);
+  const auto [x, y] = tiling::turned({value[0], value[1]}, turn);
   value[0] = x;
   value[1] = y;
 }
@@ -124,10 +124,7 @@ TilingEvaluator::Tiles TilingEvaluator::tilesAt(const Map& map,
   Tiles tiles{tiling::tapsAt(material, noise_, at.position)};
   const float footprint = footprintLevel(at, noise_.tileTexelsX, noise_.tileTexelsY);
   const float level = sharpLevel(footprint + map.constants().levelOffset);
-  const bool sharesTexels =
-      map.constants().levelOffset == 0.0f &&
-      tiling::rotationsKeepTexels(tilingPart(material).tileRotation, noise_.tileAspect);
-  if (sharesTexels)
+  if (map.constants().levelOffset == 0.0f)
     tiles.lossShare = lossShare(noise_, at, footprint);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [x, y] = tiles.taps.position[k];

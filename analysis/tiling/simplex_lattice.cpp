@@ -23,14 +23,12 @@ void setTap(Taps& taps, std::size_t k, const shader::LichenMaterial& material,
   tap = {position[0] - vertex.period[0], position[1] - vertex.period[1]};
   taps.weight[k] = vertex.weight;
   taps.turn[k] = {1.0f, 0.0f};
-  if (const std::uint32_t rotation = tilingPart(material).tileRotation; rotation > 1) {
-    taps.turn[k] =
-        tileRotationAt(tileRotationStep(vertex.i, vertex.j, material.seedWord, rotation), rotation);
-    const std::array<float, 2> way{(vertex.cells[0] + 0.5f * vertex.cells[1]) /
-                                       material.columnsPerTile,
-                                   vertex.cells[1] / material.rowsPerTile};
-    tap = turned(rotationsKeepTexels(rotation, noise.tileAspect) ? tap : way, taps.turn[k],
-                 noise.tileAspect);
+  if (rotatesTiles(material)) {
+    constexpr std::array<std::array<float, 2>, 4> kTurns{
+        {{1.0f, 0.0f}, {0.0f, 1.0f}, {-1.0f, 0.0f}, {0.0f, -1.0f}}};
+    taps.turn[k] = kTurns[tileQuarterTurns(vertex.i, vertex.j, material.seedWord,
+                                           tilingPart(material).tileRotation)];
+    tap = turned(tap, taps.turn[k]);
   }
   const auto steps = tileOffsetSteps(vertex.i, vertex.j, material.seedWord);
   tap[0] += float(steps[0]) * noise.offsetStepX;

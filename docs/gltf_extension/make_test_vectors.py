@@ -53,8 +53,9 @@ def tile_offset(i, j, seed_word, width, height):
     return [offset(h % 2048, width), offset(h // 2**21, height)]
 
 
-def tile_rotation(i, j, seed_word, steps):
-    return (pcg(vertex_hash(i, j, seed_word)) // 65536) * steps // 65536
+def quarter_turns(i, j, seed_word, tile_rotation):
+    share = pcg(vertex_hash(i, j, seed_word)) / WORD
+    return int(share * tile_rotation) * 4 // tile_rotation
 
 
 def signed(word):
@@ -346,9 +347,9 @@ print(json.dumps({
     "tileOffset": [{"vertex": list(v), "seed": s, "plane": p, "size": list(size),
                     "texels": tile_offset(*v, lattice_seed(s, p), *size)}
                    for v in VERTICES for s, p in SEEDS[1:3] for size in SIZES],
-    "tileRotation": [{"vertex": list(v), "seed": s, "plane": p, "steps": steps,
-                      "step": tile_rotation(*v, lattice_seed(s, p), steps)}
-                     for v in VERTICES for s, p in SEEDS[1:3] for steps in (2, 4, 7, 65536)],
+    "tileRotation": [{"vertex": list(v), "seed": s, "plane": p, "tileRotation": n,
+                      "quarterTurns": quarter_turns(*v, lattice_seed(s, p), n)}
+                     for v in VERTICES for s, p in SEEDS[1:3] for n in (2, 4)],
     "latticeCell": [lattice_cell(*tile) for tile in TILES] +
                    [lattice_cell(*tile, grain) for grain in "xy" for tile in GRAIN_TILES],
     "periodicLattice": [periodic_lattice(*period) for period in PERIODS] +

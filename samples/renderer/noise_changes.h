@@ -9,9 +9,6 @@ namespace lichen::renderer {
 
 enum class NoiseMapping { uv, triplanar, surface, solid };
 
-/// NoiseChanges::tileRotation for any angle; the format's largest number of steps per full turn.
-inline constexpr std::uint32_t kFreeTileRotation = 65536;
-
 /// Relative to each material's own values, and clamped to the ranges of the plugin. The default
 /// changes nothing.
 struct NoiseChanges {
@@ -26,7 +23,8 @@ struct NoiseChanges {
   double blendSharpnessFactor = 1.0;
   double planeSharpnessFactor = 1.0;
   double contrastFactor = 1.0;
-  std::optional<std::uint32_t> tileRotation; ///< replaces each material's own
+  /// Replaces each material's own; half turns where the noise does not take quarter turns.
+  std::optional<std::uint32_t> tileRotation;
   [[nodiscard]] bool operator==(const NoiseChanges&) const = default;
 };
 

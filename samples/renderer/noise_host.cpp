@@ -164,6 +164,8 @@ LichenMaterialParameters NoiseHost::changed(const LichenMaterialParameters& own)
       clampTo(kPlaneSharpnessRange, own.planeSharpness * changes.planeSharpnessFactor);
   parameters.contrast = clampTo(kContrastRange, own.contrast * changes.contrastFactor);
   parameters.tileRotation = changes.tileRotation.value_or(own.tileRotation);
+  if (parameters.tileRotation == 4 && noises_[parameters.noise].takesQuarterTurns == 0)
+    parameters.tileRotation = 2;
   if (changes.mapping)
     parameters.mapping = codeOf(*changes.mapping);
   if (!supports(noises_[parameters.noise], parameters.mapping))

@@ -127,7 +127,7 @@ void Controls::nextSpace(int step) {
 }
 
 void Controls::nextTileRotation(int step) {
-  constexpr std::array<std::uint32_t, 4> kSteps{0, 2, 4, kFreeTileRotation};
+  constexpr std::array<std::uint32_t, 3> kSteps{0, 2, 4};
   std::optional<std::size_t> current;
   if (look_.noise.tileRotation)
     current = std::size_t(std::find(kSteps.begin(), kSteps.end(), *look_.noise.tileRotation) -
@@ -170,9 +170,10 @@ std::string Controls::summary() const {
   addFactor("plane sharpness", noise.planeSharpnessFactor);
   addFactor("contrast", noise.contrastFactor);
   if (noise.tileRotation)
-    add(*noise.tileRotation == kFreeTileRotation ? "tile rotation free"
-        : *noise.tileRotation == 0               ? "tile rotation none"
-                                   : fmt::format("tile rotation {}", *noise.tileRotation));
+    add(*noise.tileRotation == 0 ? "tile rotation none"
+        : *noise.tileRotation == 2
+            ? "tile rotation half turns"
+            : "tile rotation quarter turns (half where tiles are not square)");
   if (look_.exposureEv != 0.0f)
     add(fmt::format("exposure {:+g}", look_.exposureEv));
   if (!look_.debugView.empty())
@@ -187,7 +188,7 @@ std::string_view Controls::help() {
          "  B  sharper blending between tiles\n"
          "  P  sharper blending between the planes of triplanar mapping\n"
          "  C  more contrast\n"
-         "  A  tile rotation: from the file, none, half turns, quarter turns, any angle\n"
+         "  A  tile rotation: from the file, none, half turns, quarter turns\n"
          "  M  mapping: from the file, uv, triplanar, solid\n"
          "  O  space of all mappings but uv: from the file, world, object\n"
          "  T  noise: from the file, then each noise of the bundle\n"

@@ -140,7 +140,7 @@ struct LichenTriplanarMaterial {
 /// What only tiling has of a material: own0 to own2.
 struct LichenTilingMaterial {
   float blendSharpness; // [0.25, 16] exponent of the blend weights
-  uint tileRotation;    // [0, 65536] steps of a turn that tiles lie in; 0 and 1: none
+  uint tileRotation;    // angles that tiles take: 2 or, of square tiles, 4; 0 and 1: none
 };
 
 /// What only textons have of a material: own0 to own2.

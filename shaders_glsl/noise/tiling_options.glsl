@@ -37,33 +37,19 @@ struct LichenTilingTaps {
 #if LICHEN_ANISOTROPIC
   vec2 gradientX, gradientY; // of the position [tiles / pixel]
   vec2 tileTexels;           // size of the widest map
-  float tileAspect;          // width over height of a tile in space
   float maxAnisotropy;       // of the images' sampler
 #endif
 };
 
-/// The offset from a vertex to a point [tiles]. The vertex is not reduced to a period.
-vec2 lichenOffsetFromVertex(uvec2 vertex, vec2 skewed, LichenMaterial material) {
-  // The offset within the cell, plus whole cells from the vertex to the cell's corner: as exact far
-  // from the origin as near it.
-  vec2 cell = floor(skewed);
-  uvec2 corner = uvec2(ivec2(cell)) + uvec2(ivec2(material.cellI, material.cellJ));
-  vec2 cells = skewed - cell - vec2(ivec2(vertex - corner));
-  return vec2((cells.x + 0.5 * cells.y) / material.columnsPerTile, cells.y / material.rowsPerTile);
-}
-
 /// Where the tile of a vertex is fetched [tiles]; its rotation.
-vec2 lichenTilingTap(uvec2 vertex, vec2 position, vec2 skewed, LichenMaterial material,
-                     LichenNoise noise, out vec2 rotation) {
-  uint steps = lichenTileRotation(material);
-  vec2 offset = lichenOffsetFromVertex(vertex, skewed, material);
+vec2 lichenTilingTap(uvec2 vertex, vec2 position, LichenMaterial material, LichenNoise noise,
+                     out vec2 rotation) {
+  uint tileRotation = lichenTileRotation(material);
   vec2 tap = position - lichenReduceToPeriod(vertex, material);
   rotation = vec2(1.0, 0.0);
-  if (steps > 1u) {
-    rotation = lichenTileRotationAt(vertex, steps, material.seedWord);
-    if (!lichenRotationsKeepTexels(steps, noise.tileAspect))
-      tap = offset;
-    tap = lichenRotated(tap, rotation, noise.tileAspect);
+  if (tileRotation > 1u) {
+    rotation = lichenTileRotationAt(vertex, tileRotation, material.seedWord);
+    tap = lichenRotated(tap, rotation);
   }
   return tap + lichenTileOffset(vertex, material, noise);
 }
@@ -71,31 +57,23 @@ vec2 lichenTilingTap(uvec2 vertex, vec2 position, vec2 skewed, LichenMaterial ma
 /// As lichenTilingPoint.
 void lichenSetPoint(out LichenTilingTaps taps, vec2 position, vec2 gradientX, vec2 gradientY,
                     LichenMaterial material, LichenNoise noise) {
-  vec2 skewed = lichenSkewedFor(position, material);
-  LichenTriangle triangle = lichenTriangle(skewed, material);
+  LichenTriangle triangle = lichenTriangle(lichenSkewedFor(position, material), material);
   float sharpness = lichenTilingMaterial(material).blendSharpness;
   if (bool(LICHEN_BLEND_SHARPNESS) && sharpness != 1.0) {
     triangle.weights = pow(triangle.weights, vec3(sharpness));
     triangle.weights /= triangle.weights.x + triangle.weights.y + triangle.weights.z;
   }
-  taps.point.uv0 = lichenTilingTap(triangle.vertex0, position, skewed, material, noise,
-                                   taps.rotation0);
-  taps.point.uv1 = lichenTilingTap(triangle.vertex1, position, skewed, material, noise,
-                                   taps.rotation1);
-  taps.point.uv2 = lichenTilingTap(triangle.vertex2, position, skewed, material, noise,
-                                   taps.rotation2);
+  taps.point.uv0 = lichenTilingTap(triangle.vertex0, position, material, noise, taps.rotation0);
+  taps.point.uv1 = lichenTilingTap(triangle.vertex1, position, material, noise, taps.rotation1);
+  taps.point.uv2 = lichenTilingTap(triangle.vertex2, position, material, noise, taps.rotation2);
   taps.point.weights = triangle.weights;
   taps.point.contrast = material.contrast;
   lichenSetTilingFootprint(taps.point, position, gradientX, gradientY, noise);
-  uint steps = lichenTileRotation(material);
-  taps.isRotated = steps > 1u;
-  if (taps.isRotated && !lichenRotationsKeepTexels(steps, noise.tileAspect))
-    taps.point.lossShare = 1.0;
+  taps.isRotated = lichenTileRotation(material) > 1u;
 #if LICHEN_ANISOTROPIC
   taps.gradientX = gradientX;
   taps.gradientY = gradientY;
   taps.tileTexels = vec2(noise.tileTexelsX, noise.tileTexelsY);
-  taps.tileAspect = noise.tileAspect;
   taps.maxAnisotropy = material.maxAnisotropy;
 #endif
 }
@@ -121,8 +99,8 @@ vec4 lichenTilingFetch(LICHEN_IMAGE_2D gaussian, vec2 tap, vec2 rotation, Lichen
   vec2 gradientX = taps.gradientX;
   vec2 gradientY = taps.gradientY;
   if (bool(LICHEN_TILE_ROTATION)) {
-    gradientX = lichenRotated(gradientX, rotation, taps.tileAspect);
-    gradientY = lichenRotated(gradientY, rotation, taps.tileAspect);
+    gradientX = lichenRotated(gradientX, rotation);
+    gradientY = lichenRotated(gradientY, rotation);
   }
   return LICHEN_SAMPLE_2D_GRAD(gaussian, tap, gradientX, gradientY);
 #else
@@ -192,8 +170,7 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
     vec2 rotation = tile == 0 ? taps.rotation0 : (tile == 1 ? taps.rotation1 : taps.rotation2);
     float share = tile == 0 ? shares.x : (tile == 1 ? shares.y : shares.z);
     if (isEach)
-      sum += vec4(share * lichenSlopesRotatedBack(value.xy, rotation), share * share * value.z,
-                  0.0);
+      sum += vec4(share * lichenRotated(value.xy, rotation), share * share * value.z, 0.0);
     else
       sum = value;
     ++tile;

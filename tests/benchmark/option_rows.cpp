@@ -134,11 +134,9 @@ void appendRotationRows(std::vector<Row>& rows, const Glb& colorGlb, const Scree
   row("colours, code of tile rotation that is not used, over none", kUnusedTarget, colors, 0);
   row("colours, tiles rotated by 2 angles over not rotated", kColorTarget, colors, 2);
   row("colours, tiles rotated by 4 angles", kColorTarget, colors, 4);
-  row("colours, tiles rotated freely", kColorTarget, colors, kMostTileRotation);
   row("slopes, code of tile rotation that is not used, over none", kUnusedTarget, slopes, 0);
   row("slopes, tiles rotated by 2 angles over not rotated", kSlopeTarget, slopes, 2);
   row("slopes, tiles rotated by 4 angles", kSlopeTarget, slopes, 4);
-  row("slopes, tiles rotated freely", kSlopeTarget, slopes, kMostTileRotation);
 }
 
 std::vector<Row> measureOptions() {

@@ -355,16 +355,29 @@ TEST_CASE("a note names the textures for which the noise has no map") {
   CHECK_THAT(ended.errors, !Catch::Contains("baseColorTexture"));
 }
 
-TEST_CASE("a tile rotation that looks like an angle gives a note") {
+TEST_CASE("quarter turns of tiles that are not square are an error, and half turns are not") {
   const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
+  const std::string plank =
+      bake(workplace, workplace.write("plank.png", speckled(16, 8, 3)), "plank.glb");
   const std::string scene = writeScene(workplace, example::tableScene());
-  const auto errorsOf = [&](const char* steps) {
-    return apply(workplace, scene, moss, "wood", {"--tile-rotation", steps}).errors;
+  const auto applyTurned = [&](const std::string& angles) {
+    return Arguments{"apply",
+                     scene,
+                     "--noise",
+                     plank,
+                     "--material",
+                     "wood",
+                     "--tile-rotation",
+                     angles,
+                     "-o",
+                     workplace.path("out.glb")};
   };
-  CHECK_THAT(errorsOf("90"), Catch::Contains("--tile-rotation 90: the number of directions"));
-  for (const char* meant : {"4", "free", "none"})
-    CHECK_THAT(errorsOf(meant), !Catch::Contains("--tile-rotation"));
+  checkRefusal(applyTurned("4"), int(ErrorKind::usage),
+               {"--tile-rotation 4", "'plank'", "not square", "none or 2"});
+  checkRefusal({"synth", plank, "-o", workplace.path("new.png"), "--tile-rotation", "4"},
+               int(ErrorKind::usage),
+               {"tile rotation 4", "'plank'", "0, 1, 2, or 4 if tiles are square"});
+  CHECK(runLichen(applyTurned("2")).code == 0);
 }
 
 TEST_CASE("a noise applied twice is stored once, under its name") {
@@ -389,14 +402,14 @@ TEST_CASE("the options set every parameter that needs no new bake") {
   const std::string scene = writeScene(workplace, example::tableScene());
   static_cast<void>(applied(workplace, scene, moss, "0",
                             {"--scale", "2", "--rotation", "90", "--seed", "7", "--contrast", "0.5",
-                             "--sharpness", "4", "--tile-rotation", "free"}));
+                             "--sharpness", "4", "--tile-rotation", "4"}));
   const MaterialNoise use = *readBundle(workplace.path("out.glb")).value().materials[0];
   CHECK(use.scale == 2.0);
   CHECK(use.rotation == Approx(1.5707963267948966).epsilon(1e-12)); // 90 degrees, in radians
   CHECK(use.seed == 7);
   CHECK(use.contrast == 0.5);
   CHECK(use.blendSharpness == 4.0);
-  CHECK(use.tileRotation == kMostTileRotation);
+  CHECK(use.tileRotation == 4);
 }
 
 TEST_CASE("an option that the noise's method or the mapping does not have is an error") {

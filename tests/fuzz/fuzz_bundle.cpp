@@ -268,6 +268,8 @@ void checkContract(const Bundle& bundle) {
     require(!use || use->noise < bundle.noises.size(), "index of a material's noise");
     require(!use || mappingObstacle(bundle, use->noise, use->mapping).empty(),
             "a mapping that the noise does not support");
+    require(!use || takesTileRotation(bundle, use->noise, use->tileRotation),
+            "a tile rotation that the noise does not take");
     require(!use || (use->impacts >= kImpactsRange.least && use->impacts <= kImpactsRange.most),
             "number of impacts");
     require(!use || use->mix.source != MixSource::direction ||

@@ -20,8 +20,9 @@ constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
 json& useOf(GltfScene& scene) { return scene.json["materials"][0]["extensions"][kExtension]; }
 
 /// A ball with the first of two noises, one with normals and one without.
-GltfScene twoNoises(float distance = 4.0f) {
-  const std::array maps{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
+GltfScene twoNoises(float distance = 4.0f, std::uint32_t height = 64) {
+  const std::array maps{SyntheticMap{3, 64, height, true, 4},
+                        SyntheticMap{2, 64, height, false, 4}};
   GltfScene scene(syntheticGlb(maps));
   json& noises = scene.json["extensions"][kExtension]["noises"];
   json second = noises[0];
@@ -101,6 +102,16 @@ TEST_CASE("changed noises look as in a file with the same values, and can be cha
   checkAsFile(changes, {{"noise", 1}});
   session.renderer().setNoise({});
   CHECK(session.picture() == first);
+}
+
+TEST_CASE("a change to quarter turns is one to half turns where tiles are not square") {
+  GltfScene scene = twoNoises(4.0f, 32);
+  Session session(scene);
+  renderer::NoiseChanges changes;
+  changes.tileRotation = 4;
+  session.renderer().setNoise(changes);
+  useOf(scene)["tileRotation"] = 2;
+  CHECK(session.picture() == render(scene.glb(), settingsOf(kSide, kSide, 1)).values);
 }
 
 TEST_CASE("changing to a noise whose texture coordinates a mesh lacks adds a note") {

@@ -496,9 +496,9 @@ TEST_CASE("rotating a noise or its tiles leaves the variance of slopes that a pi
   const double unrotated = seen(bumpy, 0.0, 0);
   constexpr double kTolerance = 0.01;
   CHECK(seen(flat, 0.0, 0) > 1.5 * unrotated); // what is compared comes of the variance
-  for (const auto& [rotation, tileRotation] : std::vector<std::pair<double, std::uint32_t>>{
-           {kTurn, 0}, {0.0, 4}, {0.0, kMostTileRotation}, {kTurn, kMostTileRotation}}) {
-    INFO("rotation " << rotation << ", tiles by " << tileRotation << " steps");
+  for (const auto& [rotation, tileRotation] :
+       std::vector<std::pair<double, std::uint32_t>>{{kTurn, 0}, {0.0, 2}, {0.0, 4}, {kTurn, 4}}) {
+    INFO("rotation " << rotation << ", tiles by " << tileRotation << " angles");
     CHECK(seen(bumpy, rotation, tileRotation) == Approx(unrotated).epsilon(kTolerance));
   }
 }

@@ -73,7 +73,6 @@ struct Parameters {
 struct Vertex {
   int i = 0, j = 0;
   double weight = 0.0;
-  Vec2 place{}; // its position, in tiles from the tile origin
 };
 
 /// Steps 1 and 2.
@@ -90,12 +89,6 @@ std::array<Vertex, 3> triangleAt(Vec2 p, const Parameters& u) {
     vertices = {{{i, j, 1.0 - f - g}, {next(i), j, f}, {i, next(j), g}}};
   else
     vertices = {{{next(i), next(j), f + g - 1.0}, {next(i), j, 1.0 - g}, {i, next(j), 1.0 - f}}};
-  for (Vertex& v : vertices) {
-    const double column = std::floor(a) + double(v.i != i);
-    const double row = std::floor(b) + double(v.j != j);
-    v.place = {(column + 0.5 * row) / double(u.material.columnsPerTile),
-               row / double(u.material.rowsPerTile)};
-  }
   double sum = 0.0;
   for (Vertex& v : vertices)
     sum += v.weight = std::pow(v.weight, double(u.tiling.blendSharpness));
@@ -110,14 +103,9 @@ struct Tap {
 };
 
 bool rotatesTiles(const Parameters& u) { return u.tiling.tileRotation > 1; }
-bool rotatesAboutVertices(const Parameters& u) {
-  return rotatesTiles(u) && u.tiling.tileRotation != 2 &&
-         !(u.tiling.tileRotation == 4 && u.noise.tileAspect == 1.0f);
-}
 
 /// Step 3.
 Tap tapOf(Vec2 p, Vertex v, const Parameters& u) {
-  const Vec2 fromVertex{p[0] - v.place[0], p[1] - v.place[1]};
   if (u.material.periodRows > 0) {
     const auto floorDivide = [](std::int64_t value, std::int64_t by) {
       return value >= 0 ? value / by : -((-value + by - 1) / by);
@@ -133,14 +121,11 @@ Tap tapOf(Vec2 p, Vertex v, const Parameters& u) {
   const auto steps = tileOffsetSteps(std::uint32_t(v.i), std::uint32_t(v.j), u.material.seedWord);
   Tap tap{p, 1.0};
   if (rotatesTiles(u)) {
-    const std::uint32_t step = tileRotationStep(std::uint32_t(v.i), std::uint32_t(v.j),
-                                                u.material.seedWord, u.tiling.tileRotation);
-    tap.turn =
-        std::polar(1.0, 2.0 * std::numbers::pi * double(step) / double(u.tiling.tileRotation));
-    const Vec2 way = rotatesAboutVertices(u) ? fromVertex : p;
-    const auto aspect = double(u.noise.tileAspect);
-    const std::complex<double> there = tap.turn * std::complex<double>(way[0] * aspect, way[1]);
-    tap.place = {there.real() / aspect, there.imag()};
+    const std::uint32_t quarters = tileQuarterTurns(std::uint32_t(v.i), std::uint32_t(v.j),
+                                                    u.material.seedWord, u.tiling.tileRotation);
+    tap.turn = std::polar(1.0, 0.5 * std::numbers::pi * double(quarters));
+    const std::complex<double> there = tap.turn * std::complex<double>(p[0], p[1]);
+    tap.place = {there.real(), there.imag()};
   }
   tap.place[0] += double(steps[0]) * double(u.noise.offsetStepX);
   tap.place[1] += double(steps[1]) * double(u.noise.offsetStepY);
@@ -327,9 +312,9 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
   const double side = widest + double(shaderMap_.levelOffset);
   const double lambda =
       fetchedBy_ == FetchedBy::gradients ? side : (side < 1.0 ? side / 2.0 : side - 0.5);
-  const bool sharesTexels = shaderMap_.levelOffset == 0.0f && !rotatesAboutVertices(u);
-  const double here =
-      sharesTexels ? lossShareOf(texels(p), texelsX, texelsY, sideOf(texelsX, texelsY)) : 1.0;
+  const double here = shaderMap_.levelOffset == 0.0f
+                          ? lossShareOf(texels(p), texelsX, texelsY, sideOf(texelsX, texelsY))
+                          : 1.0;
 
   // Steps 4 and 5.
   const double lod = std::clamp(lambda, 0.0, double(levels_.size() - 1));

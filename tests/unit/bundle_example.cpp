@@ -511,7 +511,7 @@ BundleFile everyMap() {
   use.blendSharpness = 2.0;
   use.planeSharpness = 4.0;
   use.contrast = 0.9;
-  use.tileRotation = kMostTileRotation;
+  use.tileRotation = 4;
   bundle.materials.push_back(use);
   bundle.materialNames = {"", "wet moss"};
   PreviewImages preview;

@@ -98,9 +98,9 @@ TEST_CASE("tile rotations are those of the published test vectors") {
   CHECK(vectors()["tileRotation"].size() > 20);
   for (const nlohmann::json& v : vectors()["tileRotation"]) {
     const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();
-    CHECK(tileRotationStep(std::uint32_t(vertex[0]), std::uint32_t(vertex[1]),
+    CHECK(tileQuarterTurns(std::uint32_t(vertex[0]), std::uint32_t(vertex[1]),
                            latticeSeed(v["seed"], v["plane"]),
-                           v["steps"]) == v["step"].get<std::uint32_t>());
+                           v["tileRotation"]) == v["quarterTurns"].get<std::uint32_t>());
   }
 }
 

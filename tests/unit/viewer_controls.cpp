@@ -204,9 +204,9 @@ TEST_CASE("choices cycle: the file's own, then each, then the file's own") {
   CHECK(lookAfter(controls, "O").noise.inObjectSpace == true);
   CHECK(controls.summary() == "object space");
   CHECK_FALSE(lookAfter(controls, "O").noise.inObjectSpace.has_value());
-  for (const std::uint32_t steps : {0u, 2u, 4u, kFreeTileRotation})
+  for (const std::uint32_t steps : {0u, 2u, 4u})
     CHECK(lookAfter(controls, "A").noise.tileRotation == steps);
-  CHECK(controls.summary() == "tile rotation free");
+  CHECK(controls.summary() == "tile rotation quarter turns (half where tiles are not square)");
   CHECK_FALSE(lookAfter(controls, "A").noise.tileRotation.has_value());
   for (const std::string_view name : debugViewNames())
     CHECK(lookAfter(controls, "D").debugView == name);

@@ -74,8 +74,6 @@ class UseOptions {
 public:
   virtual ~UseOptions() = default;
   virtual void replace(MaterialNoise& material, EvaluationOptions& evaluation) const = 0;
-  /// Notes on values that the user may not have intended.
-  [[nodiscard]] virtual std::vector<std::string> notes() const { return {}; }
 };
 
 class MethodCommand {

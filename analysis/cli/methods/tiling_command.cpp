@@ -93,17 +93,6 @@ public:
     material.tileRotation = tileRotation.value_or(material.tileRotation);
     chosen.nearestTableLevel = nearestTableLevel;
   }
-
-  [[nodiscard]] std::vector<std::string> notes() const override {
-    constexpr std::uint32_t kManySteps = 16; // angles per full rotation; rarely intended
-    const std::uint32_t steps = tileRotation.value_or(0);
-    if (steps <= kManySteps || steps >= kMostTileRotation)
-      return {};
-    return {
-        fmt::format("--tile-rotation {}: the number of directions, not an angle; 2 or 4 preserve "
-                    "the finest detail, free is any angle",
-                    steps)};
-  }
 };
 
 std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
@@ -111,10 +100,10 @@ std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
   addValue(verb, "--sharpness", options->sharpness, optional(number(kBlendSharpnessRange)), "",
            "Exponent of the blend weights [default: the bundle's]")
       .group(kHeading);
-  addValue(
-      verb, "--tile-rotation", options->tileRotation, optional(cli::tileRotation()), "",
-      "Random rotation of each tile by a multiple of a turn / N, N from 2 to 65536; none; or free "
-      "for any angle [default: the bundle's]")
+  const Choices<std::uint32_t> rotations{{"none", 0}, {"2", 2}, {"4", 4}};
+  addValue(verb, "--tile-rotation", options->tileRotation, optional(oneOf(rotations)), "",
+           "Random rotation of each tile: by half turns (2); of square tiles by quarter turns (4) "
+           "[default: the bundle's]")
       .group(kHeading);
   return options;
 }

@@ -42,8 +42,8 @@ public:
   /// Decodes the tables of the noise of `material`. The bundle must have been parsed or baked
   /// without error: indices and table sizes are not checked again. The evaluator does not refer to
   /// the bundle afterwards.
-  /// Errors: usage for a noise out of range, a mapping that the method does not support, or an
-  /// option out of range; resources if memory runs out. Time and memory: 16 bytes per texel.
+  /// Errors: usage for a noise out of range, or a mapping or tile rotation that it does not take;
+  /// resources if memory runs out. Time and memory: 16 bytes per texel.
   [[nodiscard]] static Result<std::unique_ptr<const NoiseEvaluator>>
   create(const Bundle& bundle, const MaterialNoise& material, const Placement& placement = {},
          const EvaluationOptions& options = {});

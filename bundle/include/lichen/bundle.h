@@ -276,9 +276,8 @@ inline constexpr NumberRange kPlaneSharpnessRange{1.0, 64.0};
 inline constexpr NumberRange kContrastRange{0.0, 4.0};
 inline constexpr NumberRange kImpactsRange{1.0, 1000.0};
 inline constexpr NumberRange kMixWeightRange{0.0, 1.0};
-/// Maximum of MaterialNoise::tileRotation. The hash distinguishes this many angles, so tiles can
-/// take practically any angle.
-inline constexpr std::uint32_t kMostTileRotation = 65536;
+/// The values of MaterialNoise::tileRotation, for messages; takesTileRotation() checks one.
+inline constexpr std::string_view kTileRotations = "0, 1, 2, or 4 if tiles are square";
 inline constexpr NumberRange kMixPlaceRange{-1e6, 1e6};
 /// Minimum distance between MixWeight::start and end, in texture coordinates: a sixtieth of a texel
 /// of the widest exemplar. The weight is divided by the squared distance, which underflows to 0 for
@@ -318,8 +317,8 @@ struct MaterialNoise {
   double blendSharpness = 1.0; ///< exponent of the blend weights, [0.25, 16]
   double planeSharpness = 8.0; ///< triplanar only: exponent of the plane weights, [1, 64]
   double contrast = 1.0;       ///< factor on the Gaussian value about its mean, [0, 4]
-  /// Tiling only: the number of evenly spaced angles that tiles take, at most kMostTileRotation. 0
-  /// and 1 leave tiles unrotated.
+  /// Tiling only: the number of angles that tiles take: 2 (half turns) or, of square tiles, 4
+  /// (quarter turns). 0 and 1 leave tiles unrotated.
   std::uint32_t tileRotation = 0;
   /// Texton only: the mean number of impacts that cover a point, in kImpactsRange.
   double impacts = 30.0;

@@ -84,11 +84,12 @@ tileOffsetSteps(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord) {
   return {h & 0x7FFu, h >> 21u};
 }
 
-/// The rotation of a vertex's tile: a number of steps, in [0, steps), of 2 pi / steps each; `steps`
-/// <= 2^16. Hashes again what gives the offset.
-[[nodiscard]] constexpr std::uint32_t
-tileRotationStep(std::uint32_t i, std::uint32_t j, std::uint32_t seedWord, std::uint32_t steps) {
-  return ((pcg(vertexHash(i, j, seedWord)) >> 16u) * steps) >> 16u;
+/// The quarter turns, [0, 3], by which a vertex's tile is rotated. `tileRotation` is 4, or 2 for
+/// half turns alone. Hashes again what gives the offset.
+[[nodiscard]] constexpr std::uint32_t tileQuarterTurns(std::uint32_t i, std::uint32_t j,
+                                                       std::uint32_t seedWord,
+                                                       std::uint32_t tileRotation) {
+  return (pcg(vertexHash(i, j, seedWord)) >> 30u) & (tileRotation == 2u ? 2u : 3u);
 }
 
 /// The tile offset of a vertex in whole texels, components in [0, width) x [0, height).

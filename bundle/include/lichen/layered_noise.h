@@ -38,6 +38,10 @@ namespace lichen {
 /// names it, or empty.
 [[nodiscard]] std::string mappingObstacle(const Bundle& bundle, std::size_t noise, Mapping mapping);
 
+/// Whether a noise and all its layers take a MaterialNoise::tileRotation.
+[[nodiscard]] bool takesTileRotation(const Bundle& bundle, std::size_t noise,
+                                     std::uint32_t tileRotation);
+
 /// A noise as an index map: with its first map alone, whose values are the Gaussian ones.
 [[nodiscard]] Noise asIndex(Noise noise);
 

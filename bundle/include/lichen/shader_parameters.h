@@ -45,6 +45,10 @@ namespace lichen {
 [[nodiscard]] std::string_view mappingObstacle(const shader::LichenNoise& noise, Mapping mapping);
 [[nodiscard]] std::string_view mappingObstacle(const Noise& noise, Mapping mapping);
 
+/// Whether a noise takes a MaterialNoise::tileRotation. Methods other than tiling ignore it, and so
+/// take 4 of any tiles.
+[[nodiscard]] bool takesTileRotation(const shader::LichenNoise& noise, std::uint32_t tileRotation);
+
 /// Settings that place a material's noise on a surface.
 struct Placement {
   /// Whole tiles added to every coordinate, |.| up to 2^40. If an origin is not 0 and the placement

@@ -62,6 +62,12 @@ void TilingFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise& 
           shader::LichenTilingMaterial{float(material.blendSharpness), material.tileRotation});
 }
 
+bool takesTileRotation(const shader::LichenNoise& noise, std::uint32_t tileRotation) {
+  // Only these map texels onto texels.
+  return tileRotation <= 2 || (tileRotation == 4 && (Method(noise.method) != Method::tiling ||
+                                                     noise.tileAspect == 1.0f));
+}
+
 shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material) {
   return partOf<shader::LichenTilingMaterial>(material);
 }

@@ -185,6 +185,10 @@ typedef struct LichenNoiseProperties {
   /* 1 if a tiling noise has a grain, 0 of other noises. LICHEN_GRAIN of the shader library may be 0
    * where no noise and no layer has one. It saves time only if LICHEN_PERIODIC_LATTICE is 0 too. */
   uint32_t hasGrain;
+  /* 1 if LichenMaterialParameters::tileRotation may be 4: tiles of tiling, in all layers, are
+   * square. */
+  uint32_t takesQuarterTurns;
+  uint32_t reserved; /* 0 */
 } LichenNoiseProperties;
 
 /* Bits of LichenNoiseProperties::kernelKinds. The switch of the shader library that each names may
@@ -441,8 +445,9 @@ typedef struct LichenMaterialParameters {
    * LICHEN_MAPPING_SOLID; LichenNoiseProperties::mappings says who has it. */
   LichenMapping mapping;
   uint32_t seed; /* any; another seed is another noise of the same look */
-  /* [0, 65536] of tiling: the number of evenly spaced angles by which tiles are rotated. 0 and 1:
-   * no rotation; 65536: any angle. Above 1 it needs shaders with LICHEN_TILE_ROTATION 1. */
+  /* Of tiling: the number of angles by which tiles are rotated: 2 (half turns) or, where
+   * LichenNoiseProperties::takesQuarterTurns, 4. 0 and 1: no rotation. Above 1 it needs shaders
+   * with LICHEN_TILE_ROTATION 1. */
   uint32_t tileRotation;
   double scale;          /* [1e-6, 1e6] texture-coordinate units that one exemplar spans */
   double offset[2];      /* [-1e9, 1e9] tiles, in float precision; for large ones, use tileOrigin */

@@ -31,7 +31,8 @@ void main() {
     uvec2 vertex = question.xy;
     second.xy = uvec2(ivec2(lichenTileOffset(vertex, material, noise)));
     second.z = lichenVertexHash(vertex.x, vertex.y, question.z);
-    third.zw = floatBitsToUint(lichenTileRotationAt(vertex, 7u, question.z));
+    first.w = floatBitsToUint(lichenTileRotationAt(vertex, 2u, question.z).x);
+    third.zw = floatBitsToUint(lichenTileRotationAt(vertex, 4u, question.z));
     third.xy = uvec2(lichenLatticeSeed(question.w, question.z & 3u), lichenPcg(question.x));
   } else if (kFunction == kTriangle) {
     LichenMaterial material;
