@@ -39,6 +39,11 @@ NoiseEvaluator::NoiseEvaluator(const Noise& noise, const shader::LichenTriplanar
     holdsSlopes_.push_back(map.encoding == ValueEncoding::slope);
 }
 
+std::array<float, 3> NoiseEvaluator::evaluateGradient(std::size_t map, const TileFootprint& at,
+                                                      const MixPlace& mix) const {
+  return {evaluate(map, at, mix)[0], 0.0f, 0.0f};
+}
+
 NoiseEvaluator::Value NoiseEvaluator::evaluateUv(std::size_t map, const UvFootprint& at) const {
   const auto toTile = [this](const std::array<float, 2>& uv) {
     return std::array{constants().uvToTileXX * uv[0] + constants().uvToTileXY * uv[1],

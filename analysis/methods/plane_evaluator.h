@@ -12,7 +12,7 @@
 namespace lichen {
 
 /// `Twin` has the two functions evaluate(map, material, footprint) of TilingEvaluator, and those of
-/// MultipleKernelsEvaluator for surfaces and solids if it has these.
+/// MultipleKernelsEvaluator for surfaces, solids and gradients if it has these.
 template <class Twin>
 class PlaneEvaluator final : public NoiseEvaluator {
 public:
@@ -39,6 +39,12 @@ public:
       return twin_.evaluate(map, constants(), at);
     assert(!"the method does not fit the mapping solid, and create() refuses it");
     return {};
+  }
+  [[nodiscard]] std::array<float, 3> evaluateGradient(std::size_t map, const TileFootprint& at,
+                                                      const MixPlace& mix) const override {
+    if constexpr (requires { twin_.gradient(map, constants(), at); })
+      return twin_.gradient(map, constants(), at);
+    return NoiseEvaluator::evaluateGradient(map, at, mix);
   }
 
 private:

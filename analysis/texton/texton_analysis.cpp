@@ -32,6 +32,10 @@ public:
     assert(!"textons do not fit the mapping solid, and create() refuses it");
     return {};
   }
+  [[nodiscard]] std::array<float, 3> evaluateGradient(std::size_t map, const TileFootprint& at,
+                                                      const MixPlace& mix) const override {
+    return evaluator_.gradient(map, constants(), at, mix);
+  }
 
 private:
   /// The CPU twin of lichenMixByUv (shaders_glsl/mapping/uv.glsl).

@@ -437,54 +437,6 @@ TEST_CASE("local random-phase noise has hardly more strokes than random phases m
   CHECK(excess.value - 3.0 * excess.standardError < 0.1);
 }
 
-TEST_CASE("the gradient of a height is that of its values") {
-  MapExemplar height = test::threeMaterials(kTexels, kTexels, 3);
-  for (std::size_t i = 0; i < height.values.size() / 3; ++i)
-    height.values[i] = height.values[3 * i];
-  height.values.resize(height.values.size() / 3);
-  height.target = MapTarget::height;
-  height.channels = {MapChannel::height};
-  height.encoding = ValueEncoding::linear;
-  for (const double structure : {0.0, 0.6})
-    for (const GaussianOnly gaussian : {GaussianOnly::yes, GaussianOnly::no}) {
-      LocalRandomPhaseOptions options;
-      options.structure = structure;
-      options.gaussian = gaussian;
-      options.bits = 16;
-      const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("height", {&height, 1}, options));
-      const LocalRandomPhaseEvaluator evaluator =
-          LocalRandomPhaseEvaluator::create(bundle, 0).value();
-      MaterialNoise use;
-      use.rotation = 0.5; // the gradient is along the exemplar's axes
-      const shader::LichenMaterial material = shaderMaterial(bundle, use, {}).material;
-      std::mt19937 generator(8u);
-      std::uniform_real_distribution<float> place(-3.0f, 3.0f);
-      double errors = 0.0, squares = 0.0;
-      for (int sample = 0; sample < 2000; ++sample) {
-        // A footprint of two texels, at which values do not end at 0 or 1.
-        const TileFootprint at{{place(generator), place(generator)},
-                               {2.0f / float(kTexels), 0.0f},
-                               {0.0f, 2.0f / float(kTexels)}};
-        const auto gradient = evaluator.gradient(0, material, at);
-        CHECK(gradient[0] == evaluator.evaluate(0, material, at)[0]);
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-          constexpr float kStep = 1.0f / 4096.0f;
-          TileFootprint before = at, after = at;
-          before.position[axis] -= kStep;
-          after.position[axis] += kStep;
-          const double difference = double(evaluator.evaluate(0, material, after)[0] -
-                                           evaluator.evaluate(0, material, before)[0]) /
-                                    (2.0 * double(kStep));
-          errors += std::pow(double(gradient[axis + 1]) - difference, 2.0);
-          squares += difference * difference;
-        }
-      }
-      INFO("structure " << structure << ", table " << (gaussian == GaussianOnly::no));
-      // Tables are straight between their cells, where differences see another slope.
-      CHECK(std::sqrt(errors / squares) < (gaussian == GaussianOnly::no ? 0.15 : 0.02));
-    }
-}
-
 TEST_CASE("a bake of local random-phase noise is the same on one thread and on many") {
   const MapExemplar map = test::threeMaterials(48, 40, 9);
   const auto baked = [&] {

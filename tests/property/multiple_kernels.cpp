@@ -445,59 +445,6 @@ TEST_CASE("kernels have the covariance of what their spectra lack") {
   CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.005);
 }
 
-TEST_CASE("the derivatives of kernels are those of their values") {
-  for (const KernelWindow window :
-       {KernelWindow::gabor, KernelWindow::sinc, KernelWindow::gaussianSinc}) {
-    const MapExemplar color = test::threeMaterials(96, 64, 3);
-    MapExemplar height = color;
-    height.target = MapTarget::height;
-    height.channels = {MapChannel::height};
-    height.encoding = ValueEncoding::linear;
-    height.values.clear();
-    for (std::size_t i = 0; i < color.values.size() / 3; ++i)
-      height.values.push_back(0.4f + 0.2f * color.values[3 * i]); // far from 0 and 1, which clamp
-    MultipleKernelsOptions options;
-    options.window = window;
-    options.gaussian = GaussianOnly::yes; // tables have differences only
-    options.perturbation.emplace();
-    options.perturbation->cosines = 5;
-    Bundle bundle = test::bundleOf(bakeMultipleKernels("height", {&height, 1}, options));
-    bundle.noises[0].as<MultipleKernelsNoise>().rings = 1; // the last kernel, of any frequency
-    const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(bundle, 0).value();
-    Placement placement;
-    placement.periodic = window == KernelWindow::sinc;
-    placement.periodTilesX = 2.5;
-    placement.periodTilesY = 1.25;
-    const shader::LichenMaterial material =
-        shaderMaterial(bundle, MaterialNoise(), placement).material;
-    std::mt19937 generator(4u);
-    std::uniform_real_distribution<float> tiles(-3.0f, 3.0f), texels(0.0f, 4.0f);
-    double squares = 0.0, differences = 0.0;
-    for (int sample = 0; sample < 500; ++sample) {
-      const float side = texels(generator) / 96.0f;
-      const TileFootprint at{{tiles(generator), tiles(generator)}, {side, 0.0f}, {0.0f, side}};
-      const auto gradient = evaluator.gradient(0, material, at);
-      CHECK(gradient[0] == evaluator.evaluate(0, material, at)[0]);
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        constexpr float kStep = 2e-4f; // tiles
-        TileFootprint before = at, after = at;
-        before.position[axis] -= kStep;
-        after.position[axis] += kStep;
-        const double slope = (double(evaluator.evaluate(0, material, after)[0]) -
-                              double(evaluator.evaluate(0, material, before)[0])) /
-                             (2.0 * double(kStep));
-        squares += slope * slope;
-        differences += std::pow(slope - double(gradient[1 + axis]), 2.0);
-      }
-    }
-    INFO(nameOf(window));
-    // The polynomial of the cosine deviates by 1e-4, with derivatives that deviate by 0.4 %; waves
-    // and windows of a texel bend over the step of a fiftieth of that by 0.1 %, and floats round.
-    // A sinc is a quotient of that polynomial, whose slope deviates ten times as much.
-    CHECK(std::sqrt(differences / squares) < (window == KernelWindow::gabor ? 0.02 : 0.05));
-  }
-}
-
 TEST_CASE("at most 80 cells are visited for the default of 30 impacts") {
   const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(example(), 0).value();
   const shader::LichenMaterial material = shaderMaterial(example(), MaterialNoise(), {}).material;
