@@ -172,7 +172,7 @@ struct OrderedLayers {
 };
 
 /// Adds a node and those below it, and returns its new number: nodes come before those below them,
-/// and the side below before that above; layers but the first likewise.
+/// and the side below before the side above; layers but the first in the same order.
 std::size_t orderNode(const std::vector<LayerNode>& nodes, std::size_t node,
                       OrderedLayers& ordered) {
   const std::size_t place = ordered.nodes.size();

@@ -39,7 +39,8 @@ public:
     const std::optional<TexelFormat> format = texelFormatFrom(std::uint32_t(number.value_or(0)));
     if (number && !format)
       reader.error("table-cooked", "vkFormat",
-                   std::to_string(*number) + "; expected that of a format of the extension");
+                   std::to_string(*number) +
+                       "; expected the vkFormat of a format of the extension");
     table.width = side("width", 1);
     table.height = side("height", 1);
     table.depth = side("depth", 0);

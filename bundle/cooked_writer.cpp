@@ -25,7 +25,7 @@ Json describeMaterial(const Bundle& bundle, std::size_t material) {
   return json;
 }
 
-/// Textures are not cooked; masks refer to those of the glTF file by index, below this count.
+/// Textures are not cooked; masks refer to textures of the glTF file by index, below this count.
 std::size_t textureCount(const Bundle& bundle) {
   std::size_t count = 0;
   for (const auto& use : bundle.materials)

@@ -15,7 +15,7 @@ enum class ViewTarget { none = 0, vertices = 34962, indices = 34963 };
 
 struct GltfBuilder {
   std::size_t firstView = 0;     ///< number of views that the document has without these
-  std::size_t firstAccessor = 0; ///< likewise
+  std::size_t firstAccessor = 0; ///< number of accessors that it has without these
   nlohmann::ordered_json bufferViews = nlohmann::ordered_json::array();
   nlohmann::ordered_json accessors = nlohmann::ordered_json::array();
   std::vector<std::byte> binary;

@@ -14,8 +14,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMaxBuffers = 4096;
-/// Maximum total size of buffers from files and data URIs, equal to that of a GLB chunk. Without
-/// it, a small .gltf could name one big file in every buffer.
+/// Maximum total size of buffers from files and data URIs, equal to the maximum of a GLB chunk.
+/// Without it, a small .gltf could name one big file in every buffer.
 constexpr std::size_t kMaxStoredBytes = std::size_t(4) << 30;
 
 /// [glTF 2.0, section 5.11.4]

@@ -10,7 +10,7 @@
 
 namespace lichen {
 
-/// Whether a path is that of a .glb, and not of a .gltf. Errors: usage for another extension.
+/// Whether a path names a .glb, and not a .gltf. Errors: usage for another extension.
 [[nodiscard]] Result<bool> isGlbPath(const std::filesystem::path& path);
 
 /// The relative URI of the binary of `path`: STEM.HASH.bin, where HASH depends on the content. An
@@ -20,7 +20,7 @@ namespace lichen {
 
 /// Writes `binary`, unless it is empty, to the file of binaryUri(), then `text` to `path`. Then
 /// removes binaries with such names to which the previous .gltf referred and `text` does not.
-/// Errors: those of replaceFile(), which leave the old files intact and no new ones. Throws
+/// Errors: as of replaceFile(), which leave the old files intact and no new ones. Throws
 /// std::bad_alloc.
 [[nodiscard]] Result<void> writeGltfPair(const std::filesystem::path& path, const std::string& text,
                                          std::span<const std::byte> binary);

@@ -27,8 +27,8 @@ struct GltfScene::State {
   std::vector<std::byte> bytes; ///< the file's content, borrowed by `file`
   std::optional<GltfFile> file;
   Bundle bundle;                    ///< noises and tables, including added ones
-  std::size_t ignoredTables = 0;    ///< tables before those of `bundle`; see readNoises()
-  std::size_t ignoredNoises = 0;    ///< likewise
+  std::size_t ignoredTables = 0;    ///< tables before the bundle's; see readNoises()
+  std::size_t ignoredNoises = 0;    ///< noises before the bundle's
   std::set<std::string> noiseNames; ///< names of all noises of the file
 
   SoundAccessors soundAccessors; ///< accessors without errors, as checkVertices() found

@@ -179,8 +179,8 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
   return table;
 }
 
-/// Whether a descriptor equals that of the format, except for primaries, flags and version. The
-/// transfer function and the samples must match, because they define what the texels mean.
+/// Whether a descriptor equals the format's, except for primaries, flags and version. The transfer
+/// function and the samples must match, because they define what the texels mean.
 bool descriptorMatches(std::span<const std::byte> descriptor, TexelFormat format) {
   const std::vector<std::uint32_t> expected = describeFormat(format);
   const auto expectedBytes = std::as_bytes(std::span(expected));

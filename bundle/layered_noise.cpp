@@ -24,7 +24,7 @@ double gaussianQuantile(double share) {
   return 0.5 * (low + high);
 }
 
-/// Sets the side of a node on which each layer below it lies, and those of its own nodes.
+/// Sets the side of a node on which each layer below it lies, and the sides of its own nodes.
 void setSides(const NoiseLayers& layers, std::size_t node, std::uint32_t path,
               std::array<std::uint32_t, LICHEN_MAX_LAYERS>& sides) {
   const auto follow = [&](const LayerSide& side, std::uint32_t bits) {
@@ -76,7 +76,7 @@ std::string faultOf(const Bundle& firstBundle, const Noise& first, const Bundle&
            ", which layers do not take; expected " + layerableMethods();
   if (!areAlike(noise.tileSizeMetres, first.tileSizeMetres))
     return name + " has tiles of " + std::to_string(noise.tileSizeMetres) + " m; expected " +
-           std::to_string(first.tileSizeMetres) + " m, as those of " + quoted(first.name);
+           std::to_string(first.tileSizeMetres) + " m, as " + quoted(first.name) + " has";
   if (!areAlike(aspectOf(bundle, noise), aspectOf(firstBundle, first)))
     return name + " has tiles of another shape than " + quoted(first.name) +
            "; expected the same width over height";

@@ -74,7 +74,7 @@ void readChannels(ObjectReader& reader, NoiseMap& map, bool targetKnown) {
     expected += (expected.empty() ? "" : ", ") + std::string(nameOf(channel));
   reader.error(
       "map-channels", "channels",
-      "not those of " + std::string(nameOf(map.target)) + "; expected " + expected +
+      "not the channels of " + std::string(nameOf(map.target)) + "; expected " + expected +
           (map.target == MapTarget::occlusionRoughnessMetallic ? " or some, in order" : ""));
 }
 

@@ -105,8 +105,8 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
   return result;
 }
 
-/// Plans what a noise shows of others: places the images of its other layers in its slots, and
-/// those of its index maps.
+/// Plans what a noise shows of others: places the images of its other layers in its slots, and the
+/// images of its index maps.
 void planLayers(LichenBundle_T& plan, std::size_t index) {
   const Noise& noise = plan.bundle.noises[index];
   LichenBundle_T::NoisePlan& result = plan.noises[index];

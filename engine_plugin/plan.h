@@ -24,8 +24,8 @@ struct LichenBundle_T {
   /// Per table: whether the shader fetches single texels of it only.
   std::vector<bool> fetchedOnly;
   /// Per noise: its block, and the index of the image and the table of each role, or slot of a
-  /// layered noise, and of the image of each index map, of quilting first that of its cells: of
-  /// placeholders where the noise lacks them.
+  /// layered noise, and of the image of each index map, for quilting first the image of its cells:
+  /// of placeholders where the noise lacks them.
   struct NoisePlan {
     lichen::shader::LichenNoiseConstants constants{};
     std::array<std::uint32_t, LICHEN_MAX_MAPS> images{}, tables{};

@@ -80,7 +80,7 @@ echo "left out of asan-ubsan, and run in release: $large cases tagged [large] (t
 if [[ $full -eq 0 ]]; then
   count_tests() { ctest --preset asan-ubsan --show-only "$@" | sed -n 's/^Total Tests: //p'; }
   echo "left out of asan-ubsan, and run in release: $(count_tests --label-exclude sanitized) of" \
-    "$(count_tests) tests (docs/decisions/020); tests/run.sh --full runs them"
+    "$(count_tests) tests (docs/decisions/015); tests/run.sh --full runs them"
 fi
 for test in "${skipped[@]}"; do
   if [[ ${LICHEN_ALLOW_SKIPPED:-} == 1 ]]; then

@@ -20,9 +20,9 @@ inline constexpr const char* kSpecularGlossiness = "KHR_materials_pbrSpecularGlo
 [[nodiscard]] bool isSpecularGlossy(const nlohmann::json& material);
 
 /// Removes the extensions that replace the shading by core textures, and so by noise, each with one
-/// note: KHR_materials_unlit and KHR_materials_pbrSpecularGlossiness. Of the latter, what the noise
-/// does not bring is kept in the core material if that has no pbrMetallicRoughness: the diffuse
-/// colour, the glossiness factor as roughness, and no metal. All other extensions stay.
+/// note: KHR_materials_unlit and KHR_materials_pbrSpecularGlossiness. A specular-glossy material
+/// without pbrMetallicRoughness gets in its core material what the noise does not bring: the
+/// diffuse colour, the glossiness factor as roughness, and no metal. All other extensions stay.
 void removeCompetingExtensions(GltfScene& scene, std::span<const std::size_t> materials,
                                const Noise& noise, std::vector<std::string>& notes);
 

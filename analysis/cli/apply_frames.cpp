@@ -77,8 +77,8 @@ bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
   return scene.attribute(place, "TANGENT") && scene.attribute(place, "NORMAL");
 }
 
-/// Notes the materials whose normal texture will use the noise's tangents instead of those of its
-/// texture coordinates.
+/// Notes the materials whose normal texture will use the noise's tangents instead of tangents from
+/// its texture coordinates.
 std::vector<std::string> notesOnNormals(const GltfScene& scene,
                                         std::span<const std::size_t> materials) {
   std::vector<std::string> turned;

@@ -199,7 +199,8 @@ Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materi
 Result<void> noteDirectionRange(GltfScene& scene, std::span<const std::size_t> materials,
                                 const MaterialNoise& use, const MixWeight& mix, const char* whose,
                                 std::vector<std::string>& notes) {
-  // Of the range of texture coordinates: a shorter change looks like a border (judged by eye).
+  // A share of the range of texture coordinates: a shorter change looks like a border (judged by
+  // eye).
   constexpr double kLeastShare = 0.1;
   const std::string attribute = fmt::format("TEXCOORD_{}", use.texCoord);
   const auto describe = [&](const GltfScene::Range2& range) -> std::string {

@@ -58,7 +58,7 @@ struct MapRisk {
 [[nodiscard]] std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalMaps,
                                                  SettingWords words = optionOf);
 
-/// All risks of a bake, including those of level none.
+/// All risks of a bake, including risks of level none.
 [[nodiscard]] nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks);
 
 } // namespace lichen::cli

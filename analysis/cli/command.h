@@ -18,7 +18,7 @@ class App;
 
 namespace lichen::cli {
 
-/// Exit codes in addition to those of ErrorKind.
+/// Exit codes in addition to ErrorKind's.
 inline constexpr int kDone = 0;
 inline constexpr int kFound = 1; ///< check or compare reports a problem
 

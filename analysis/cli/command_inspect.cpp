@@ -44,7 +44,7 @@ int bitsOf(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   return formatName(commandOf(bundle.noises[noise]).imageOf(bundle, map).format).bits;
 }
 
-/// Of all maps and layers, and of the index maps.
+/// The sum over all maps and layers, and the index maps.
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
   int sum = 0;
   for (const std::size_t layer : layersOf(bundle, noise)) {

@@ -212,13 +212,12 @@ Runner addLayer(CLI::App& verb, const SharedOptions& shared) {
       .required();
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
   addValue(verb, "--name", arguments->name, nameText(), "",
-           "Name of the noise and its material [default: those of the layers]");
+           "Name of the noise and its material [default: the layers' names]");
   addValue(verb, "--shares", arguments->shares, numbers(kShareRange, LICHEN_MAX_LAYERS), "",
            "Areas of the layers, relative to each other [default: all the same]");
-  addText(
-      verb, "--index", arguments->index, "SPECTRUM|BUNDLE",
-      "Where the layers lie: a spectrum, as 'lichen bake' takes, whose frequencies are those of "
-      "the patches, or a noise [default: lobe:0:0:3]");
+  addText(verb, "--index", arguments->index, "SPECTRUM|BUNDLE",
+          "Where the layers lie: a spectrum, as 'lichen bake' takes, with the frequencies of the "
+          "patches, or a noise [default: lobe:0:0:3]");
   addValue(verb, "--softness", arguments->softness, number(kSoftnessRange), "0.1",
            "Width of the transitions, in deviations of the index map");
   addPreviewShape(verb, arguments->preview);

@@ -41,7 +41,7 @@ struct Arguments {
   std::vector<std::unique_ptr<const UseOptions>> methods; ///< in the order of Method
   SynthesisOptions synthesis;
   bool allMaps = false;
-  // Of all maps; absent where not given.
+  // For --all-maps; absent where not given.
   std::optional<Importer> importer;
   std::optional<GreenAxis> green;
   std::optional<TextureFormat> format;

@@ -177,9 +177,10 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse us
           "colour, if the noise would show it");
   if (use == ExemplarUse::comparison)
     flatten.shownDefault("as the bundle says; none for an image, auto with --methods");
-  addFlag(verb, "--keep-outliers", options.outliers.keeps,
-          "Keep what occurs once, such as a leaf, a fold or a stain, instead of filling its place "
-          "from the rest");
+  addFlag(
+      verb, "--keep-outliers", options.outliers.keeps,
+      "Leave what occurs once, such as a leaf, a fold or a stain, instead of filling it from the "
+      "rest");
   const bool findsPeriods = use == ExemplarUse::bake;
   add("--rectify", options.rectification, rectification(findsPeriods),
       findsPeriods ? "auto" : "off",

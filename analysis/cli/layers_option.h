@@ -31,7 +31,7 @@ struct LayeredBake {
 };
 
 /// Bakes each label's material with `bake`, and the index maps. Errors: usage for maps that layers
-/// cannot have; those of the labels and the bakes.
+/// cannot have; errors of the labels and the bakes.
 [[nodiscard]] Result<LayeredBake>
 bakeLayers(const LayersOption& option, const std::string& name, std::span<const MapExemplar> maps,
            const std::function<Result<MethodBake>(std::span<const MapExemplar> maps)>& bake);

@@ -24,8 +24,8 @@ struct OutlierUse {
 using PhotographPart = std::array<double, 4>;
 
 /// Fills outliers of the maps, if the first is a base colour and none is opacity, whose shape is
-/// the material; adds to `notes` where they were. `borders` are those of the set. Without a `part`,
-/// places are those in the first map. Returns what was filled.
+/// the material; adds to `notes` where they were. `borders` belong to the set. Without a `part`,
+/// places are in pixels of the first map. Returns what was filled.
 [[nodiscard]] Result<std::vector<FilledPlace>>
 applyOutliers(std::vector<MapExemplar>& maps, const OutlierUse& use, Periodic borders,
               const std::optional<PhotographPart>& part, const SharedOptions& options,

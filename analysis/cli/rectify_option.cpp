@@ -57,7 +57,7 @@ Distortion distortionOf(const TileCorners& corners) {
           std::max(std::abs(upper - lower), std::abs(left - right))};
 }
 
-/// ", turned by 3.1 degrees, sheared by 0.5 degrees", as far as that is to be seen.
+/// ", turned by 3.1 degrees, sheared by 0.5 degrees", as far as that is visible.
 std::string wordsFor(const Distortion& distortion) {
   constexpr double kVisible = 0.25; // degrees
   std::vector<std::string> words;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Blender's add-on Node Wrangler finds its slots by the words of a name. Unreal and Godot pack
-// occlusion, roughness and metallic as glTF does; Unity's mask map is that of its HDRP.
+// occlusion, roughness and metallic as glTF does; Unity's mask map follows its HDRP.
 #include "texture_files.h"
 
 #include <lichen/core_texture.h>

@@ -42,7 +42,7 @@ struct TextureFile {
 };
 
 /// The files of one map. `material` begins their names; characters that file systems or importers
-/// may not take are replaced. `values` are those of synthesize(), of colours also withAlpha().
+/// may not take are replaced. `values` come from synthesize(), colours also from withAlpha().
 /// Errors: as encodePng().
 [[nodiscard]] Result<std::vector<TextureFile>> texturesOf(const std::string& material,
                                                           const NoiseMap& map, LinearImage values,

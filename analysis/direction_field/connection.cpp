@@ -64,8 +64,8 @@ void layOut(const Surface& surface, const std::vector<std::uint32_t>& first,
   }
 }
 
-/// Normals are area-weighted over the fan's faces, or those of its largest face if that sum
-/// vanishes.
+/// Normals are area-weighted sums over the fan's faces, or the normal of its largest face if the
+/// sum vanishes.
 void setNormals(const Surface& surface, Connection& connection) {
   const std::size_t count = surface.vertexCount();
   std::vector<Eigen::Vector3d> sum(count, Eigen::Vector3d::Zero());

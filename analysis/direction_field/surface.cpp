@@ -38,7 +38,8 @@ void weld(std::span<const Vector3> positions, Surface& surface) {
     point = (point - centre) / (halfExtent > 0.0 ? halfExtent : 1.0);
 }
 
-/// Faces with three different points. Of faces with the same three points, only the first stays.
+/// Faces with three different points. Only the first of several faces with the same three points
+/// stays.
 void keepFaces(std::span<const std::uint32_t> triangles, Surface& surface) {
   struct Candidate {
     std::array<std::uint32_t, 3> points;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kFewestForDetection = 8;
 
-// Measured on exemplars that tile, lit exemplars and crops: docs/decisions/006-seam-detection.md.
+// Measured on exemplars that tile, lit exemplars and crops: docs/decisions/005-exemplar.md.
 constexpr double kStandoutLimit = 1.75;
 constexpr double kHighest = 0.98;
 constexpr double kRatioLimit = 1.22;

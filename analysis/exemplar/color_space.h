@@ -25,10 +25,10 @@ using Moments = transport::Moments<ChannelMatrix>;
 [[nodiscard]] Moments momentsOf(std::span<const float> values, int channels);
 
 /// Coordinates of the exemplar's values in `dimensions` (0 to channels) orthonormal directions, the
-/// rows of `basis`. These are the directions whose variance is more than twice that of rounding the
-/// stored values (quantum^2 / 12). A grey photograph stored as RGB has 1, a constant image 0. If
-/// all channels vary, the basis is the identity, so that each Gaussian channel belongs to one
-/// colour.
+/// rows of `basis`. These are the directions whose variance is more than twice the variance of
+/// rounding the stored values (quantum^2 / 12). A grey photograph stored as RGB has 1, a constant
+/// image 0. If all channels vary, the basis is the identity, so that each Gaussian channel belongs
+/// to one colour.
 struct ColorSpace {
   Moments moments;
   ChannelMatrix basis;
@@ -40,14 +40,14 @@ struct ColorSpace {
 };
 [[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
 
-/// The middle of the best values for photographs: docs/decisions/009-surroundings.md.
+/// The middle of the best values for photographs: docs/decisions/004-transport.md.
 inline constexpr float kUsualShare = 0.1f;
 
 /// Projects (value - mean) on the basis, as points for the transport. Ties are broken: the average
 /// of their surroundings, at most half a quantum, orders pixels of equal value, so that flat
 /// regions stay smooth after Gaussianization. In two and three dimensions each point includes
 /// `share` of its surroundings: a positive share makes G smoother, a negative one rougher
-/// (docs/decisions/009-surroundings.md). The image wraps at its borders.
+/// (docs/decisions/004-transport.md). The image wraps at its borders.
 [[nodiscard]] std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space,
                                                  float share = kUsualShare);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// File name -> words -> role. The words are those of Poly Haven, ambientCG, FreePBR, 3dtextures.me,
+// File name -> words -> role. The words come from Poly Haven, ambientCG, FreePBR, 3dtextures.me,
 // textures.com and glTF exporters, and plain ones.
 #include "file_roles.h"
 

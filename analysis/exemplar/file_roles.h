@@ -30,8 +30,8 @@ enum class FileRole {
 /// no role, because the role must come last.
 [[nodiscard]] std::optional<FileRole> fileRole(std::string_view stem);
 
-/// Returns the words before those of the role, joined, in lower case: "rock" for "Rock_2K_Albedo",
-/// nothing for "normal". Words for resolution and format are skipped. `stem` must have a role.
+/// Returns the words before the role's, joined, in lower case: "rock" for "Rock_2K_Albedo", nothing
+/// for "normal". Words for resolution and format are skipped. `stem` must have a role.
 [[nodiscard]] std::string wordsBeforeRole(std::string_view stem);
 
 } // namespace lichen::exemplar

@@ -10,7 +10,7 @@
 namespace lichen::exemplar {
 namespace {
 
-// docs/decisions/038-frames.md says what these find.
+// docs/decisions/005-exemplar.md says what these find.
 constexpr int kFewestLines = 16;
 constexpr double kLargestShare = 0.25; // of the side, for the frame at one border
 constexpr double kContrast = 0.25;     // of the median of all lines
@@ -82,7 +82,7 @@ double brightness(const MapExemplar& map, int x, int y) {
   return sum / double(channels);
 }
 
-/// Adds a line of `count` pixels; brightnessAt(k) is that of its k-th.
+/// Adds a line of `count` pixels; brightnessAt(k) is the brightness of its k-th.
 template <typename BrightnessAt>
 void addLine(LineStatistics& lines, int count, const BrightnessAt& brightnessAt) {
   double sum = 0.0, squares = 0.0;

@@ -12,8 +12,8 @@ namespace lichen::exemplar {
 /// The part of a picture inside its frame; nothing if it has none. A frame is at most a quarter of
 /// the side wide, at one or more borders. Each of its lines has at most a quarter of the contrast
 /// of the lines inside, and a mean far from theirs. Two more pixels are left out, where edges are
-/// smoothed. Lines like those of the frame inside the picture, such as grout, mean that there is no
-/// frame; so do fewer than 16 lines. Throws std::bad_alloc.
+/// smoothed. There is no frame if the picture has fewer than 16 lines, or lines like the frame's
+/// inside, such as grout. Throws std::bad_alloc.
 [[nodiscard]] std::optional<PixelRectangle> insideOfFrame(const MapExemplar& map);
 
 } // namespace lichen::exemplar

@@ -13,7 +13,7 @@
 namespace lichen::exemplar {
 namespace {
 
-// docs/decisions/036-grain.md says what these find.
+// docs/decisions/006-light-and-grain.md says what these find.
 constexpr int kSmallestSide = 64;         // pixels
 constexpr int kMeasuredSide = 256;        // pixels, about: finer detail hides the direction
 constexpr double kLeastAnisotropy = 0.5;  // three times the energy across the streaks

@@ -144,7 +144,7 @@ void preferOwnFiles(SetFiles& set) {
   std::erase_if(set.files, [](const SetFile& file) { return slotsOf(file).empty(); });
 }
 
-/// Adds a note if the names of two files begin like those of two different materials.
+/// Adds a note if the names of two files begin like the names of two different materials.
 void noteOtherMaterials(SetFiles& set) {
   const SetFile* first = nullptr;
   std::string words;
@@ -226,7 +226,8 @@ bool hasMap(const std::vector<fs::path>& images) {
   });
 }
 
-/// Returns the images of a folder. If none is a map, returns those of its only subfolder with maps.
+/// Returns the images of a folder. If none is a map, returns the images of its only subfolder with
+/// maps.
 Result<std::vector<fs::path>> materialIn(const fs::path& folder, std::vector<std::string>& notes) {
   Result<std::vector<fs::path>> images = imagesIn(folder);
   if (!images || hasMap(images.value()))

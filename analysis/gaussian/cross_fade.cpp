@@ -12,11 +12,11 @@ namespace lichen::gaussian {
 namespace {
 
 /// Width of the cross-faded band on each side of a border, as a share of the side. The total is an
-/// eighth; docs/decisions/036-grain.md chose a half for streaks.
+/// eighth; docs/decisions/006-light-and-grain.md chose a half for streaks.
 constexpr double kBandPerSide = 1.0 / 16.0;
 constexpr double kStreakBandPerSide = 1.0 / 4.0;
 /// Deviation of the average that leaves the streaks, as a share of the side along the grain:
-/// docs/decisions/036-grain.md.
+/// docs/decisions/006-light-and-grain.md.
 constexpr double kStreakAveragePerSide = 3.0 / 64.0;
 
 enum class Axis { x, y };

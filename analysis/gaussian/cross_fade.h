@@ -15,9 +15,9 @@ namespace lichen::gaussian {
 /// values: mean + (a (g - mean) + b (h - mean)) / sqrt(a^2 + b^2), [HN18] eq. 8.
 ///
 /// With a grain, the image's average along it, which holds the streaks, has a band of half the side
-/// at the borders that the streaks cross. Each streak then ends at a place of its own:
-/// docs/decisions/036-grain.md. The blend preserves the variance of streaks whose halves correlate
-/// as those of this image do.
+/// at the borders that the streaks cross. Each streak then ends at another point:
+/// docs/decisions/006-light-and-grain.md. The blend preserves the variance of streaks whose halves
+/// correlate as in this image.
 [[nodiscard]] std::vector<Point> crossFadeBorders(const std::vector<Point>& image, int width,
                                                   int height, Grain grain = Grain::none);
 

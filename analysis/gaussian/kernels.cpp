@@ -33,7 +33,7 @@ Spot emptyKernel(const GaussianModel& model, int width, int height) {
 }
 
 /// Returns the scale that makes the variance of a part's noise, averaged over all parts, equal to
-/// that of the whole.
+/// the variance of the whole.
 float partScale(const GaussianModel& model, int width, int height) {
   return std::sqrt(float(model.width()) / float(width) * float(model.height()) / float(height));
 }

@@ -22,7 +22,7 @@ namespace {
 
 /// Rounding to 8 bits moves a value by at most half a step. Data closer to a Gaussian than that is
 /// Gaussian in the file. Beyond a whole step a value has another code, which may be visible, so the
-/// exemplar's finite size does not excuse it (docs/decisions/011-gaussian-only.md).
+/// exemplar's finite size does not excuse it (docs/decisions/002-inverse-tables.md).
 constexpr double kInvisible = 0.5 / 255.0;
 constexpr double kTolerated = 1.0 / 255.0;
 /// Share of a surrogate's progress: a transform per channel against a histogram per direction.

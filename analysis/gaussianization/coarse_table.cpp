@@ -2,7 +2,8 @@
 // A table of N^D cells -> one of n^D. Lookups are linear in the cells and the Gaussian's axes are
 // independent, so the fit is a product of fits along the axes: n x N matrices (M + r I)^-1 (B + r
 // S) with M = E[w w^T], B = E[w v^T], w and v the interpolation weights of a coarse and a fine
-// lookup at the same Gaussian value, and S those of the fine lookup at the coarse cells' centres.
+// lookup at the same Gaussian value, and S the weights of the fine lookup at the coarse cells'
+// centres.
 #include "coarse_table.h"
 
 #include <Eigen/Dense>
@@ -16,7 +17,7 @@ namespace {
 constexpr int kQuantiles = 2048;
 
 /// Weight r of a cell's own centre, for cells that hardly any Gaussian value reaches: a thousandth
-/// of that of a cell in the middle of a table of uniform weights.
+/// of the weight of a cell in the middle of a table of uniform weights.
 constexpr double kCentreShare = 1e-3;
 
 /// The interpolation weights of a lookup: of the cell `first` and the one after it.

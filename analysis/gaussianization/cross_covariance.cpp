@@ -223,9 +223,9 @@ public:
     response_ = settled_.decoders() * meanProduct(count, gaussian, gaussian);
   }
 
-  /// P x D, in units of the maps' standard deviations: covariances of the values minus those of
-  /// blends. The linear part of the latter, B_m E[z_m z^T] B^T at every weight, is known exactly;
-  /// only the rest is estimated from random blends.
+  /// P x D, in units of the maps' standard deviations: covariances of the values minus covariances
+  /// of blends. The linear part of the latter, B_m E[z_m z^T] B^T at every weight, is known
+  /// exactly; only the rest is estimated from random blends.
   [[nodiscard]] MatrixXd missingIn(const Gaussianized& gaussian) const {
     const MatrixXf image = standardized(gaussian.image, gaussian.dimensions);
     const MatrixXd decoder =
@@ -271,7 +271,7 @@ public:
   }
 
 private:
-  /// Covariances of the decoded values of blends minus those of their linear parts.
+  /// Covariances of the decoded values of blends minus covariances of their linear parts.
   [[nodiscard]] MatrixXd nonlinearPart(const DecodedBlends& blends, const MatrixXd& decoder) const {
     const Index count = blends.values.cols();
     const auto decodedOthers = [&](Index begin, Index n) {

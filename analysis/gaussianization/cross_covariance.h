@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Gaussian images that reproduce the correlations between the maps of a set
-// (docs/decisions/014-correlations-between-maps.md).
+// (docs/decisions/004-transport.md).
 #pragma once
 
 #include "decoded_blends.h"

@@ -28,12 +28,13 @@ struct GaussianizedMap {
 
 using MapConsumer = std::function<void(GaussianizedMap)>;
 
-/// Whether a bake fades streaks over another band than the rest: docs/decisions/036-grain.md.
+/// Whether a bake fades streaks over another band than the rest:
+/// docs/decisions/006-light-and-grain.md.
 enum class UsesGrain { no, yes };
 
 /// Passes each map to `consume`, in the order given; maps of one set correlate. Returns how it
 /// treated the exemplar's borders. With UsesGrain::yes the streaks of all maps fade along the grain
-/// of the first. `name` is that of the noise, with which the tables' names begin. Errors and
+/// of the first. `name` is the noise's name, with which the tables' names begin. Errors and
 /// requirements: as bakeTiling(), but throws std::bad_alloc.
 [[nodiscard]] Result<gaussian::BorderTreatment>
 gaussianizeMaps(const std::string& name, std::span<const MapExemplar> maps,

@@ -89,7 +89,7 @@ std::vector<std::uint32_t> spatialOrder(const std::vector<Point>& gaussian, int 
 }
 
 /// The quantile function of the projected values, averaged exactly over each cell: D = 1. Many
-/// pixels share a Gaussian value of 8 bits; among them, the points have the order that it lacks.
+/// pixels share a Gaussian value of 8 bits; the points order them.
 InverseTable fitQuantiles(const Gaussianized& gaussian, std::span<const Point> points,
                           std::span<const float> decoded, int channels) {
   InverseTable table{1, kTableSide[0], channels, {}};
@@ -173,7 +173,7 @@ std::optional<InverseTable> fitMeans(const Gaussianized& gaussian, std::span<con
 }
 
 /// One pixel's value per cell, by a second transport. Averaging two pixels per cell brings the
-/// round trip 5 % closer but blurs the histogram by a third (docs/decisions/002-inverse-table.md).
+/// round trip 5 % closer but blurs the histogram by a third (docs/decisions/002-inverse-tables.md).
 InverseTable fitByTransport(const Gaussianized& gaussian, std::span<const Point> points,
                             std::span<const float> decoded, int channels,
                             const TransportOptions& options) {

@@ -34,7 +34,7 @@ struct InverseTable {
 /// Mean and covariance of a lookup at uniformly distributed U, in closed form.
 [[nodiscard]] exemplar::Moments interpolatedMoments(const InverseTable& table);
 
-/// The content of a cell in a table of two dimensions (docs/decisions/002-inverse-table.md).
+/// The content of a cell in a table of two dimensions (docs/decisions/002-inverse-tables.md).
 enum class CellValue {
   onePixel, ///< one pixel's value, which preserves the histogram
   mean,     ///< the mean of its pixels, about four per cell, which keeps neighbours similar

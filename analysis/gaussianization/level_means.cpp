@@ -72,9 +72,9 @@ FetchMoments momentsOfFetches(const InverseTable& table, const RepeatingImage& i
   return moments;
 }
 
-/// Of the variance that the last level's roots have at its own distance, the part that counts for
-/// their mean light: distant fetches lose more, until they all decode to one colour. The error of
-/// the mean is then half that variance at both ends.
+/// The part of the variance of the last level's roots, at its own distance, that counts for their
+/// mean light: distant fetches lose more, until they all decode to one colour. The error of the
+/// mean is then half that variance at both ends.
 constexpr double kShownOfLast = 0.5;
 
 /// What is added to values with this mean and variance so that they, or their squares, have the

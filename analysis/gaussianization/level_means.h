@@ -26,8 +26,8 @@ struct FetchMoments {
                                         const std::vector<float>& losses);
 
 /// Shifts each level but the first so that its lookups at blended fetches of the stored `gaussian`
-/// image, squared where `holdsRoots` is set, average to those of the first. Shifted values are
-/// clamped to the range of the first level, which limits the correction. The mip levels of an
+/// image, squared where `holdsRoots` is set, average to the lookups of the first. Shifted values
+/// are clamped to the range of the first level, which limits the correction. The mip levels of an
 /// exemplar with few large features are far from Gaussian, which shifts the mean of their decoded
 /// values by up to 0.004 of full light. Views more distant than the last level decode to one colour
 /// at its middle: of roots, its own mean is half their variance too bright, and those views half of

@@ -179,7 +179,7 @@ MapFit fitAlone(const MapExemplar& map, const exemplar::ColorSpace& space,
 FitWork fitWork(const MapExemplar& map, bool periodic, TransportEffort effort) {
   // Nearly the same for every exemplar; measured on 256 x 256.
   constexpr double kTable = 0.7 * 65536.0;
-  // From the rounds of kFastTransport and docs/decisions/008-multiscale-transport.md.
+  // From the rounds of kFastTransport and docs/decisions/004-transport.md.
   constexpr double kFast = 0.5;
   const bool isFast = effort == TransportEffort::fast;
   const double pixels = double(map.width) * double(map.height);

@@ -17,7 +17,7 @@ namespace lichen::gaussianization {
 /// At a larger share, points no longer consist mostly of the pixels' own values.
 inline constexpr float kLargestShare = 0.5f;
 /// The limit for maps of a set, because surroundings would blur their correlations
-/// (docs/decisions/009-surroundings.md).
+/// (docs/decisions/004-transport.md).
 inline constexpr float kLargestShareInSet = 0.05f;
 
 /// The extra work of correlating a map with earlier ones, relative to its default fit: 0.15 to 0.25
@@ -51,7 +51,7 @@ struct FitWork {
 
 /// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. An absent share is
 /// chosen so that the noise has as much detail as the exemplar
-/// (docs/decisions/009-surroundings.md), by at most three fits, on the middle of large maps. A fast
+/// (docs/decisions/004-transport.md), by at most three fits, on the middle of large maps. A fast
 /// fit uses the expected share, and maps too small for a spectrum use the usual one. Colours in one
 /// dimension have no share.
 [[nodiscard]] MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,

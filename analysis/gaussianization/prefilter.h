@@ -12,7 +12,7 @@
 namespace lichen::gaussianization {
 
 /// Mip levels of a table, and the amplitude that a Gaussian value keeps at one of them: 1, 0.8, ...
-/// 0.2 (docs/decisions/002-inverse-table.md).
+/// 0.2 (docs/decisions/002-inverse-tables.md).
 inline constexpr int kTableLevels = 5;
 [[nodiscard]] constexpr double retainedAmplitude(int level) {
   return 1.0 - double(level) / kTableLevels;

@@ -12,7 +12,7 @@ namespace lichen::gaussianization {
 /// Appends a channel to each level of a slope map's table: the variance of a slope, (Var sx + Var
 /// sy) / 2 of T^-1(g + e), with e ~ N(0, S / 36) as for the levels' means; 0 in level 0. `levels`
 /// are the prefiltered levels of `table` with restored means; `gaussian` is the stored image,
-/// `lost` and `losses` are those of its mip levels and of fetches. The true e is not quite
+/// `lost` and `losses` are the losses of its mip levels and of fetches. The true e is not quite
 /// Gaussian, so one number scales each level's channel: over blended fetches of the stored mip
 /// levels, its mean and the variance of the level's slopes then add up to the whole. Throws
 /// std::bad_alloc.

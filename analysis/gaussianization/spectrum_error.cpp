@@ -143,7 +143,7 @@ double spectrumErrorDb(const MapExemplar& map, const Gaussianized& gaussian,
   const Spectrum exemplar =
       powerOf(planesOf(map, map.values, map.width, map.height), map.width, map.height, window);
   const Spectrum noise = noisePower(map, gaussian, table, window);
-  // Power below that of rounding the stored values counts as none.
+  // Power below the power of rounding the stored values counts as none.
   const double roundingPower = map.quantum * map.quantum / 12.0;
   const auto decibels = [&](double power) {
     return 10.0 * std::log10(std::max(power, roundingPower));

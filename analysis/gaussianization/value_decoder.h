@@ -31,8 +31,8 @@ public:
 
   [[nodiscard]] const shader::LichenMap& constants() const { return constants_; }
 
-  /// lichenDecodedGradient: the first channel of a decoded value and its derivatives, for those of
-  /// the Gaussian value before the contrast.
+  /// lichenDecodedGradient: the first channel of a decoded value and its derivatives, from the
+  /// derivatives of the Gaussian value before the contrast.
   [[nodiscard]] std::array<float, 3> gradient(const Value& gaussian,
                                               const std::array<float, 3>& alongX,
                                               const std::array<float, 3>& alongY,

@@ -51,7 +51,7 @@ std::vector<Lab> smoothedColors(const MapExemplar& map) {
 
 /// Gives each pixel the label that most pixels around it have.
 void takeMajority(LabelImage& labels) {
-  // Twice that of the colours: specks are no regions.
+  // Twice the radius of the colours: specks are no regions.
   const int radius = 2 * smoothingRadius(labels.width, labels.height);
   std::vector<float> most(labels.labels.size(), 0.0f);
   std::vector<std::uint8_t> majority(labels.labels.size());

@@ -8,8 +8,9 @@
 
 namespace lichen::layers {
 
-/// The distance from the centre of each pixel of `label` to that of the nearest pixel of another
-/// label [pixels], and 0 for other labels. Infinite if there are none. Throws std::bad_alloc.
+/// The distance from the centre of each pixel of `label` to the centre of the nearest pixel of
+/// another label [pixels], and 0 for other labels. Infinite if there are none. Throws
+/// std::bad_alloc.
 [[nodiscard]] std::vector<float> distanceToOthers(const LabelImage& labels, int label);
 
 } // namespace lichen::layers

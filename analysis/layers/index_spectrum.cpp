@@ -91,7 +91,7 @@ std::vector<Lag> lagsOf(const IndexMap& map) {
   return lags;
 }
 
-/// The deviation of covariances by chance: that of far lags, where most fields do not correlate.
+/// The deviation of covariances by chance, taken from far lags, where most fields do not correlate.
 double chance(const std::vector<Lag>& lags) {
   constexpr double kFar = 0.75;
   double sum = 0.0, count = 0.0;

@@ -18,7 +18,7 @@ namespace {
 
 using namespace layers;
 
-/// Of a channel, over the label.
+/// The values of a channel over the label.
 struct ValueRange {
   float mean = 0.0f, least = 0.0f, most = 0.0f;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a Gaussian field exceeds a threshold: the covariance of the field and that of the
+// Where a Gaussian field exceeds a threshold: the covariance of the field and the covariance of the
 // indicator.
 #pragma once
 

@@ -28,7 +28,7 @@ float sharpened(float weight) {
 }
 
 /// The purity of a pixel that is copied. It falls towards the borders of the tile, where copies end
-/// along straight lines that would be seen.
+/// along straight lines that would show.
 float sourcePurity(const Purity& purity, int x, int y) {
   const int inside = 1 + std::min({x, y, purity.width - 1 - x, purity.height - 1 - y});
   constexpr float kFeather = 8.0f; // pixels

@@ -21,7 +21,7 @@ namespace {
 
 using namespace local_random_phase;
 
-/// Below this, what repeats is not seen to do so.
+/// Below this, repetition does not show.
 constexpr double kLeastStructure = 0.3;
 
 double structureOf(const placement::NearPeriods& periods) {

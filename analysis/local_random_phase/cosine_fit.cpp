@@ -3,7 +3,7 @@
 // spectrum and on the autocovariance.
 //
 // [LRP14] section 4.3. The energies are fitted to the spectra that the windows make of the boxes,
-// where the paper gives each stratum its own energy: docs/decisions/027-cosines.md.
+// where the paper gives each stratum its own energy: docs/decisions/009-local-random-phase.md.
 #include "cosine_fit.h"
 
 #include "window_spectrum.h"
@@ -23,17 +23,18 @@ namespace lichen::local_random_phase {
 namespace {
 
 /// Edges of a lattice in units of 1 / sqrt(area of a box): a window about as wide in frequency as
-/// the box. Longer ones show single waves: docs/decisions/027-cosines.md.
+/// the box. Longer ones show single waves: docs/decisions/009-local-random-phase.md.
 constexpr double kEdgesPerBox = 0.9;
 
 /// Boxes of frequencies at which the spectra are compared: small beside the widths of the windows.
 constexpr std::size_t kComparedBoxes = 3000;
 
-/// Of the spectrum's rows: weights p^-1.2 of the power p, between those of the absolute and of the
-/// relative error. Constants of the fit, on twelve exemplars: docs/decisions/027-cosines.md.
+/// Weights p^-1.2 of the spectrum's rows by their power p, between the weights of the absolute and
+/// of the relative error. Constants of the fit, on twelve exemplars:
+/// docs/decisions/009-local-random-phase.md.
 constexpr double kWeightExponent = 1.2;
 
-/// Of the lags' rows: their sum of squares over that of the spectrum's rows.
+/// The sum of squares of the lags' rows over the sum of the spectrum's rows.
 constexpr double kLagWeight = 5.0;
 
 /// Lags are compared as far as autocovarianceError() does [texels].
@@ -178,7 +179,7 @@ Rows spectrumRows(const PowerPlane& smooth, const std::vector<CosineSpectrum>& c
   return rows;
 }
 
-/// The autocovariance at the lags of a half plane. It is that of the exemplar: smoothing the
+/// The autocovariance at the lags of a half plane. It belongs to the exemplar itself: smoothing the
 /// spectrum would narrow it.
 Rows lagRows(const PowerPlane& power, const std::vector<CosineSpectrum>& cosines) {
   HalfSpectrum spectrum{2 * power.columns, power.rows + 1, {}};

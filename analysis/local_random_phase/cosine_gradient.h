@@ -17,7 +17,7 @@ struct CosineSlopes {
   std::array<float, 3> alongX{}, alongY{};
 };
 
-/// Of the cosines' sum in the cell; `octaves` has the number of cosines of each.
+/// Slopes of the cosines' sum in the cell; `octaves` has the number of cosines of each.
 [[nodiscard]] CosineSlopes
 cosineSlopesAt(std::span<const std::array<CosineTexel, kRowCosines>> texels,
                const std::vector<int>& octaves, std::uint32_t variants, const CosineCell& cell,

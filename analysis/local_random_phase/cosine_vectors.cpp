@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Cross-spectra, summed over the box of each cosine -> vectors.
 //
-// [LRP14] leaves colour to its supplement. Here one phase serves all channels, so that their
-// cross-spectra are kept: of the matrix of a box, with the eigenvectors e_k and eigenvalues l_k, a
+// [LRP14] leaves colour to its supplement. Here one phase serves all channels, which preserves
+// their cross-spectra. For the matrix of a box, with the eigenvectors e_k and eigenvalues l_k, a
 // vector is sum_k (+-1) sqrt(l_k) e_k, or of any unitary combination of these columns. The signs of
 // variant v are row v of a Hadamard matrix, so the mean of (vector vector^H) over the variants is
-// the matrix itself: docs/decisions/027-cosines.md.
+// the matrix itself: docs/decisions/009-local-random-phase.md.
 #include "cosine_vectors.h"
 
 #include "gaussian/gaussian_distribution.h"
@@ -60,7 +60,7 @@ MatrixXcd rootColumns(const MatrixXcd& hermitian) {
   return columns;
 }
 
-/// The columns turned among each other so that luminance follows the first one only; the product
+/// The columns rotated among each other so that luminance follows the first one only; the product
 /// with their adjoint is the same.
 MatrixXcd withLuminanceFirst(MatrixXcd columns, const VectorXd& luminance) {
   const VectorXcd along = columns.adjoint() * luminance.cast<Complex>();

@@ -23,9 +23,9 @@ struct CosineVectors {
   std::vector<Eigen::MatrixXd> phases;
 };
 
-/// The covariance of the noise is that of the channels, up to rounding. Of each cosine, all
-/// variants change the luminance equally much: otherwise a few of the cosines would dominate at
-/// each vertex, and strokes along their waves would show. Throws std::bad_alloc.
+/// The covariance of the noise equals the channels' covariance, up to rounding. All variants of a
+/// cosine change the luminance equally much: otherwise a few of the cosines would dominate at each
+/// vertex, and strokes along their waves would show. Throws std::bad_alloc.
 [[nodiscard]] CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
                                           const std::vector<Cosine>& cosines);
 

@@ -35,7 +35,7 @@ struct CosineVertex {
                                                      std::uint32_t stream,
                                                      const shader::LichenMaterial& material);
 
-/// The octaves from the lattice of the material's first to that of `octave`.
+/// The octaves from the lattice of the material's first to the lattice of `octave`.
 [[nodiscard]] int finerOctaves(int octave, const shader::LichenMaterial& material);
 
 /// The squared cycles that a footprint spans of the window of an octave, by its mean square

@@ -2,7 +2,7 @@
 // Spectrum -> the frequencies with fixed phases -> B-spline coefficients of their sum.
 //
 // [LRP14] section 4.2 and 5: "the structure". Its images are stored, where the paper reduces them
-// to blocks of cosines, which hold more numbers: docs/decisions/028-structure.md.
+// to blocks of cosines, which hold more numbers: docs/decisions/009-local-random-phase.md.
 #include "structure.h"
 
 #include "cosine.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The structure of a noise: the frequencies whose phases are those of the exemplar, as an image
-// with mip levels. [LRP14] section 4.2.
+// The structure of a noise: the frequencies with the exemplar's phases, as an image with mip
+// levels. [LRP14] section 4.2.
 #pragma once
 
 #include "cosine_vectors.h"
@@ -13,7 +13,7 @@
 
 namespace lichen::local_random_phase {
 
-/// Frequencies of a half plane, as those of PowerPlane.
+/// Frequencies of a half plane, as in PowerPlane.
 class FrequencySet {
 public:
   FrequencySet(int columns, int rows)

@@ -12,7 +12,7 @@
 
 namespace lichen::local_random_phase {
 
-/// The decoded structure of one map; that of a noise without structure adds nothing.
+/// The decoded structure of one map; adds nothing for a noise without structure.
 class StructureTiles {
 public:
   /// `image`: the floats of the map's image of cosines.

@@ -103,13 +103,13 @@ KernelRow gridOf(const Kernel& kernel, Window window, double impacts, double til
 std::vector<KernelRow> rowsOf(const std::vector<Kernel>& kernels, Window window, double impacts,
                               double tileAspect) {
   // What most lowers the kurtosis at the cost of one impact: impacts as the energy.
-  constexpr double kFewest = 0.3; // of a kernel, so that its impacts are not seen one by one
+  constexpr double kFewest = 0.3; // of a kernel, so that single impacts do not show
   double energy = 0.0;
   for (const Kernel& kernel : kernels)
     energy += kernel.energy;
   std::vector<KernelRow> rows;
   for (const Kernel& kernel : kernels) {
-    // A ring has waves in all directions. With few impacts, single directions are seen.
+    // A ring has waves in all directions. With few impacts, single directions show.
     const double own = (kernel.isRing ? 2.0 : 1.0) * impacts * kernel.energy / energy;
     KernelRow row = gridOf(kernel, window, std::max(kFewest, own), tileAspect);
     row.frequency = {float(kernel.frequency[0]), float(kernel.frequency[1])};

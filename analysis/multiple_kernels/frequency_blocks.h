@@ -13,7 +13,7 @@ namespace lichen::multiple_kernels {
 struct FrequencyBlock {
   double u = 0.0, v = 0.0;
   double width = 1.0, height = 1.0;
-  double count = 0.0; ///< those of column 0 count half
+  double count = 0.0; ///< frequencies of column 0 count half
   double power = 0.0; ///< mean
 };
 using FrequencyBlocks = std::vector<FrequencyBlock>;

@@ -20,7 +20,7 @@ struct Kernel {
   double energy = 0.0;               ///< the variance that it adds
   std::array<double, 2> frequency{}; ///< f [cycles / tile]; of a ring, (radius, 0)
   /// Q^-T = (stretch[0], shear; 0, stretch[1]) [tiles]; stretch > 0. Q^-1 takes the unit disk to
-  /// the support. Of a ring, and of windows on the square, shear is 0.
+  /// the support. Shear is 0 for a ring, and for windows on the square.
   std::array<double, 2> stretch{1.0, 1.0};
   double shear = 0.0;
   bool isRing = false;
@@ -33,7 +33,7 @@ struct Kernel {
   [[nodiscard]] double area(Window window) const;
 };
 
-/// The kernel of a row of a map's image. Its energy is that of the map's Gaussian values.
+/// The kernel of a row of a map's image. Its energy is the energy in the map's Gaussian values.
 [[nodiscard]] Kernel kernelOf(const KernelRow& row, bool isRing);
 
 /// w at (p, q).
@@ -43,7 +43,8 @@ struct Kernel {
 /// integral (dw/dp)^2 / (4 pi^2 integral w^2).
 [[nodiscard]] double windowSpread(Window window);
 
-/// The integral of the square of a kernel, on average over its signs [tiles^2]: that of its window.
+/// The integral of the square of a kernel, on average over its signs [tiles^2]: the integral of its
+/// window.
 [[nodiscard]] double squareIntegral(Window window, const Kernel& kernel);
 
 } // namespace lichen::multiple_kernels

@@ -2,7 +2,7 @@
 // Cross-spectra, each frequency shared among the kernels as their powers there are -> factors.
 //
 // [MKN12] gives each kernel a colour. Here a kernel has the covariance of its frequencies, and
-// signs of its own for each of that covariance's axes: docs/decisions/031-kernels.md.
+// signs of its own for each of that covariance's axes: docs/decisions/010-multiple-kernels.md.
 #include "kernel_colors.h"
 
 #include "gaussian/gaussian_distribution.h"

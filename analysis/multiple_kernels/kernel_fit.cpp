@@ -2,7 +2,7 @@
 // Power plane -> blocks of frequencies -> kernels, by the likelihood of the blocks' mean powers.
 //
 // Levenberg and Marquardt's method minimises the sum of their distances as a sum of squares:
-// docs/decisions/031-kernels.md.
+// docs/decisions/010-multiple-kernels.md.
 #include "kernel_fit.h"
 
 #include "frequency_blocks.h"
@@ -47,7 +47,7 @@ struct Target {
   }
 
   /// The stretches of a kernel at a frequency whose spectrum is about as wide and high as the block
-  /// there: the power of narrower ones could not be seen between the middles of blocks.
+  /// there: the power of narrower ones would hide between the middles of blocks.
   [[nodiscard]] std::array<double, 2> longestStretches(std::array<double, 2> frequency) const {
     constexpr double kDeviationOfSide = 0.5;
     static const double deviation = std::sqrt(windowSpread(Window::gabor));
@@ -135,8 +135,8 @@ double energyOf(const std::vector<Kernel>& kernels) {
   return energy;
 }
 
-/// The residuals of all blocks, and that of the sum of the energies, which has to be that of the
-/// powers: energy in the far tails of a spectrum would count for nothing, but be seen.
+/// The residuals of all blocks, and of the sum of the energies, which has to be the sum of the
+/// powers: energy in the far tails of a spectrum would count for nothing, but show.
 Residuals residualsOf(const Target& target, double least, const std::vector<Kernel>& kernels) {
   const auto blocks = Index(target.blocks.size());
   Residuals residuals{VectorXd(blocks + 1),
@@ -230,7 +230,8 @@ double distanceOf(const Target& target, const std::vector<Kernel>& kernels) {
 
 Target targetOf(const PowerPlane& power, const WindowSpectrum& spectrum) {
   Target target{blocksOf(power), texelsOf(power), spectrum, power, 0.0, 0.0};
-  // Of the weights of all blocks. With 0.05 and with 0.3 kernels were farther from 24 spectra.
+  // A share of the weights of all blocks. With 0.05 and with 0.3 kernels were farther from 24
+  // spectra.
   constexpr double kEnergyShare = 0.1;
   for (std::size_t b = 0; b < target.blocks.size(); ++b) {
     const FrequencyBlock& block = target.blocks[b];

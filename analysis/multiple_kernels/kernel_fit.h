@@ -16,8 +16,8 @@ struct KernelFit {
 };
 
 /// Fits kernels to a power plane whose values, each counted for its frequency and for the mirror,
-/// sum to the variance: at most as many as each of `counts` says, which grow. Of windows on the
-/// square, kernels have rectangles of the plane and the energy there. Gabors are fitted together in
+/// sum to the variance: at most as many as each of `counts` says, which grow. Kernels with windows
+/// on the square have rectangles of the plane and the energy there. Gabors are fitted together in
 /// all their parameters, from such rectangles and from the fewer kernels of the count before; rings
 /// take their place where few of them have the spectrum nearly as closely.
 /// Deterministic. Throws std::bad_alloc. Without kernels for a plane without power.

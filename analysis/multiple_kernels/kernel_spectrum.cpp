@@ -65,7 +65,7 @@ public:
   DensitySum(const WindowSpectrum& spectrum, const Kernel& kernel)
       : spectrum_(spectrum), kernel_(kernel) {}
 
-  /// Adds that of the wave (`side` 1) or of its mirror (-1), unless it is beyond `reach`.
+  /// Adds the power of the wave (`side` 1) or of its mirror (-1), unless it is beyond `reach`.
   void add(double u, double v, double side, double reach) {
     const double dv = v - side * kernel_.frequency[1], y = kernel_.stretch[1] * dv;
     const double du = u - side * kernel_.frequency[0];

@@ -82,8 +82,8 @@ using KernelSlopes = std::array<double, kKernelParameters>;
                                    double frequency);
 
 /// The power at a frequency of the plane where the noise is sampled once in each of `texels` x
-/// `texels` texels of a tile: with that of the frequencies that are then the same. `slopes`: not of
-/// rings.
+/// `texels` texels of a tile: with the power of the frequencies that are then the same. `slopes`:
+/// not of rings.
 [[nodiscard]] double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
                                       const std::array<double, 2>& texels, double u, double v,
                                       KernelSlopes* slopes = nullptr);

@@ -17,7 +17,7 @@ namespace lichen {
 std::vector<PatternWave> strongestWaves(std::span<const PatternWave> waves, int cosines) {
   std::map<std::pair<int, int>, std::complex<double>> sums;
   for (const PatternWave& wave : waves) {
-    // Of two mirrors, that with u above 0, or with v.
+    // The one of two mirrors with u above 0, or with v.
     const bool isMirror = wave.u < 0 || (wave.u == 0 && wave.v < 0);
     const double angle = (isMirror ? -2.0 : 2.0) * std::numbers::pi * wave.phase;
     sums[isMirror ? std::pair(-wave.u, -wave.v) : std::pair(wave.u, wave.v)] +=

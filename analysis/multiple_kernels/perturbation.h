@@ -24,8 +24,8 @@ struct TakenPattern {
   std::vector<PatternTerm> terms;
   /// The covariance of all channels of all maps, in squared deviations.
   Eigen::MatrixXd whole;
-  /// Of a given pattern: how all channels follow the luminance, the covariance with it where it has
-  /// the variance 1. Empty for the exemplar's own.
+  /// For a given pattern: how all channels follow the luminance, the covariance with it where it
+  /// has the variance 1. Empty for the exemplar's own.
   Eigen::VectorXd luminance;
 };
 
@@ -42,8 +42,8 @@ struct PerturbedScale {
 
 /// For each map, so that both together have the covariance of the whole. The exemplar's own pattern
 /// and the noise are scaled alike, after the noise was by the amount. A given one takes its share
-/// of the luminance, 1 / (1 + amount^2), and the noise has the rest of the covariance. `noise`:
-/// that of the noise, in squared deviations.
+/// of the luminance, 1 / (1 + amount^2), and the noise has the rest of the covariance. `noise`: the
+/// covariance of the noise, in squared deviations.
 [[nodiscard]] std::vector<PerturbedScale>
 perturbedScales(const TakenPattern& pattern, const Eigen::MatrixXd& noise,
                 const std::vector<Eigen::Index>& firstChannels, double amount);

@@ -143,7 +143,7 @@ Impact impactOf(const SolidKernel& kernel, std::uint32_t word, std::uint32_t rin
   const float value = left * left * left * kernel.retained(z);
   impact.waves = kernelWaves(value * cosineOfTurns(turns), word);
   const float ratio = std::sqrt((z * z + kernel.depthSpread) / (square + kernel.planarSpread));
-  const float x = planar[0] + 1e-6f; // that of a kernel without a wave lies along x
+  const float x = planar[0] + 1e-6f; // the slope of a kernel without a wave lies along x
   const float perSlope = (depth < 0.0f ? -ratio : ratio) / std::hypot(x, planar[1]);
   impact.slope = {perSlope * x, -perSlope * planar[1]};
   return impact;

@@ -53,7 +53,7 @@ double BorderMisfit::between(const std::array<double, 2>& from, const std::array
 }
 
 bool BorderMisfit::bordersLookAlike(std::size_t axis) const {
-  constexpr double kMostMisfit = 0.125; // docs/decisions/039-quilting.md
+  constexpr double kMostMisfit = 0.125; // docs/decisions/012-quilting.md
   const double width = image_.width, height = image_.height;
   const std::array<double, 2> from{0.0, 0.0};
   return (axis == 0 ? between(from, {0.0, height}, {width - 1.0, 0.0})

@@ -15,12 +15,12 @@ public:
   explicit BorderMisfit(const exemplar::ImageLevel& image);
   explicit BorderMisfit(exemplar::ImageLevel&&) = delete;
 
-  /// The mean squared difference of two lines, over that of unrelated pixels: about 0.1 where
-  /// joints meet joints, 0.14 to 1.4 where cells are cut, 0 in an image with hardly more variance
-  /// than 8-bit rounding. One line goes from `from` along `side`, the other is `apart` from it;
-  /// both are inside of the image, whose pixels have their corners at whole coordinates. Each pixel
-  /// is compared with the most similar of five across the other line, or those of them inside of
-  /// the image, since joints wind. O(N) in the pixels along the line.
+  /// The mean squared difference of two lines, over the difference of unrelated pixels: about 0.1
+  /// where joints meet joints, 0.14 to 1.4 where cells are cut, 0 in an image with hardly more
+  /// variance than 8-bit rounding. One line goes from `from` along `side`, the other is `apart`
+  /// from it; both are inside of the image, whose pixels have their corners at whole coordinates.
+  /// Each pixel is compared with the most similar of five across the other line, as far as they are
+  /// inside of the image, since joints wind. O(N) in the pixels along the line.
   [[nodiscard]] double between(const std::array<double, 2>& from, const std::array<double, 2>& side,
                                const std::array<double, 2>& apart) const;
   /// Whether opposite borders of the image look alike: the left and the right one for the axis 0,

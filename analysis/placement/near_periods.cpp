@@ -3,8 +3,8 @@
 // around all that are chosen is high.
 //
 // [LSD23] draws offsets by the autocovariance as a density. Here each also repeats those before it,
-// and a field without periods is recognized: docs/decisions/028-structure.md. The constants were
-// chosen on twelve exemplars, on which they were also judged.
+// and a field without periods is recognized. The constants were chosen on twelve exemplars, on
+// which they were also judged. Source: docs/decisions/009-local-random-phase.md.
 #include "near_periods.h"
 
 #include <lichen/fft.h>
@@ -224,7 +224,7 @@ double smoothStep(double low, double high, double value) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-/// Shifts of a reduced autocorrelation -> those of the whole one nearby that repeat the exemplar
+/// Shifts of a reduced autocorrelation -> shifts of the whole one nearby that repeat the exemplar
 /// best, together with all before them.
 std::vector<std::array<int, 2>> refined(const std::vector<std::array<int, 2>>& shifts,
                                         const Autocorrelation& reduced,
@@ -259,7 +259,7 @@ std::vector<std::array<int, 2>> refined(const std::vector<std::array<int, 2>>& s
 
 NearPeriods nearPeriods(std::span<const MapExemplar> maps, std::size_t most,
                         std::optional<double> guide) {
-  // Of twelve exemplars, bricks have an excess of 0.78, ripples 0.43, wood 0.21, moss and dirt less
+  // Twelve exemplars: bricks have an excess of 0.78, ripples 0.43, wood 0.21, moss and dirt less
   // than 0.04.
   constexpr double kRandom = 0.08, kRegular = 0.30, kLeastStrength = 0.05;
   HalfSpectrum whole = powerOf(maps);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Picture -> its correlation without a keystone of several strengths -> the best of them.
 //
-// docs/decisions/039-quilting.md says how the constants were chosen.
+// docs/decisions/012-quilting.md says how the constants were chosen.
 #include "perspective.h"
 
 #include <algorithm>

@@ -30,7 +30,7 @@ using CorrelationOf = std::function<double(const exemplar::ImageLevel&)>;
 /// The keystone, of up to 17 % along an axis, without which the picture correlates most highly;
 /// nothing unless it repeats weakly with it and clearly more highly without it. Calls
 /// `correlationOf` up to 21 times, for pictures of at most 256 pixels a side. Deterministic. Throws
-/// std::bad_alloc. Source: docs/decisions/039-quilting.md.
+/// std::bad_alloc. Source: docs/decisions/012-quilting.md.
 [[nodiscard]] std::optional<Keystone> keystoneOf(const exemplar::ImageLevel& image,
                                                  const CorrelationOf& correlationOf);
 

@@ -23,7 +23,7 @@ struct SelfCorrelation {
 };
 
 /// The products of all pairs of values, over the root of the energies of both parts that overlap; 0
-/// where hardly anything overlaps. Of several channels, the sum. O(N log N) in the pixels. Throws
+/// where hardly anything overlaps. For several channels, the sum. O(N log N) in the pixels. Throws
 /// std::bad_alloc.
 [[nodiscard]] SelfCorrelation selfCorrelation(const exemplar::ImageLevel& image);
 

@@ -19,7 +19,7 @@ namespace lichen {
 namespace {
 
 /// Whether the lattice is clearer than those that streaks have by chance. Source:
-/// docs/decisions/039-quilting.md.
+/// docs/decisions/012-quilting.md.
 bool isClear(const placement::WholePeriods& periods) {
   constexpr double kLeastCorrelation = 0.4, kLeastContrast = 0.15;
   return periods.areSure && periods.correlation >= kLeastCorrelation &&

@@ -3,7 +3,7 @@
 // vectors that repeat it -> the smallest upright cell of it -> as many cells as fit; of a picture
 // in perspective, of the picture without it.
 //
-// docs/decisions/039-quilting.md says how the constants were chosen.
+// docs/decisions/012-quilting.md says how the constants were chosen.
 #include "whole_periods.h"
 
 #include "border_misfit.h"
@@ -304,7 +304,7 @@ Lattice levelled(const Repetition& repetition, const Lattice& cell) {
     variance += weight * weight * repetition.variance(own, v);
   };
   eachOf(repetition, cell, kSteps, add);
-  // Of long sides too, which that leaves out.
+  // Adds long sides too, which eachOf() leaves out.
   const auto isLeftOut = [&](const Vector& side) {
     const double overlap = repetition.overlap(side);
     return overlap >= kLeastOfSide && overlap < kLeastOverlap;
@@ -323,8 +323,8 @@ struct FoundLattice {
   double contrast = 0.0;    ///< as in WholePeriods
 };
 
-/// The lattice that repeats the picture most highly, among those of two peaks which have a frame.
-/// Vectors in between that repeat it as well count in favour of the lattice that has them.
+/// The lattice that repeats the picture most highly, among the lattices of two peaks that have a
+/// frame. Vectors in between that repeat it as well count in favour of the lattice that has them.
 FoundLattice bestLattice(const Repetition& repetition) {
   constexpr int kLeastSide = 16;          // pixels
   constexpr double kShortest = 5.0;       // pixels
@@ -398,7 +398,7 @@ TileCorners placed(const Lattice& sides, const ImageLevel& image) {
                         combined(1.0, combined(1.0, corner, 1.0, right), 1.0, down),
                         combined(1.0, corner, 1.0, down)}};
   };
-  // Of the upper left corner.
+  // The range of the upper left corner.
   const Vector least{std::max(0.0, -down[0]), std::max(0.0, -right[1])};
   const Vector most{image.width - right[0] - std::max(0.0, down[0]),
                     image.height - down[1] - std::max(0.0, right[1])};

@@ -33,7 +33,7 @@ struct WholePeriods {
 /// `bordersFit` says that the picture's own borders seem to fit together; then there is no part
 /// unless they do not look alike and a side of the picture clearly is no whole number of periods.
 /// O(N log N) in the pixels. Deterministic. Throws std::bad_alloc. Source:
-/// docs/decisions/039-quilting.md.
+/// docs/decisions/012-quilting.md.
 [[nodiscard]] WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit = false);
 
 } // namespace lichen::placement

@@ -69,7 +69,7 @@ Result<std::vector<Measure>> measureResult(const SrgbImage& exemplar, const Srgb
               autocovarianceErrorOf(exemplar, result)),
         taken({kSeamVisibilityName,
                "",
-               "straight edges of the result over those of the exemplar",
+               "straight edges of the result over the exemplar's",
                {},
                kSeamVisibilityTarget,
                {}},

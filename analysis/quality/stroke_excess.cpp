@@ -31,7 +31,8 @@ using Bands = std::array<double, kWavelengths.size()>;
 /// Bands with less of the variance are left out: rounding and aliasing make them.
 constexpr double kLeastShare = 0.03;
 
-/// Of the mean energy, added to that of each pixel: where nothing varies, nothing is coherent.
+/// A share of the mean energy, added to the energy of each pixel: where nothing varies, nothing is
+/// coherent.
 constexpr double kLeastEnergy = 1e-3;
 
 /// The quantiles of a normal distribution at (k + 1/2) / count, by Newton's method from the one

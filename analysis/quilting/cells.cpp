@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Maps -> edges -> conductances -> coordinates spread within cells -> an image with mip levels.
 //
-// docs/decisions/039-quilting.md says how the constants were chosen.
+// docs/decisions/012-quilting.md says how the constants were chosen.
 #include "cells.h"
 
 #include "exemplar/area_average.h"

@@ -19,12 +19,12 @@ struct CellField {
   std::vector<float> edges;                   ///< magnitude of the gradient, smoothed
 };
 
-/// Spreads the coordinates of all points within what edges enclose, so that each cell gets those of
-/// its centre: solves g laplace(P) = lambda (P - p), with a conductance g that falls where the
-/// gradient of the maps is high. Where nothing is enclosed across an axis, the coordinate along it
-/// stays as it is. Edges themselves belong to the nearest cell. `count` is about the number of
-/// cells in a tile; much larger ones are divided. The maps must be periodic, and only the largest
-/// count. Throws std::bad_alloc.
+/// Spreads the coordinates of all points within what edges enclose, so that each cell gets the
+/// coordinates of its centre: solves g laplace(P) = lambda (P - p), with a conductance g that falls
+/// where the gradient of the maps is high. Where nothing is enclosed across an axis, the coordinate
+/// along it stays as it is. Edges themselves belong to the nearest cell. `count` is about the
+/// number of cells in a tile; much larger ones are divided. The maps must be periodic, and only the
+/// largest count. Throws std::bad_alloc.
 [[nodiscard]] CellField cellsOf(std::span<const MapExemplar> maps, double count);
 
 /// The image of cells that QuiltingMap describes, with 8 or 16 bits per channel, and its reach.

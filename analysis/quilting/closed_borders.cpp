@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps -> the same, with pixels along borders that do not fit taken from a shift further.
-// docs/decisions/039-quilting.md says how the constants were chosen.
+// docs/decisions/012-quilting.md says how the constants were chosen.
 #include "closed_borders.h"
 
 #include "placement/border_misfit.h"
@@ -38,7 +38,7 @@ float halfCell(const CellField& cells, std::size_t axis) {
   return std::clamp(*large, kLeast, kMost);
 }
 
-/// Of the shifts that repeat the exemplar the one nearest to half a tile along the axis. If none is
+/// The shift that repeats the exemplar and is nearest to half a tile along the axis. If none is
 /// near, half a tile if edges fit loosely, otherwise nothing, and the border stays. Along x, closed
 /// first, the shift is hardly across: it would bring the other border into the band.
 std::optional<Shift> shiftAlong(std::size_t axis, const FittingShifts& fitting) {
@@ -68,8 +68,7 @@ void closeAxis(std::span<MapExemplar> maps, const CellField& cells, std::size_t 
     const auto row = std::min(int(y * float(cells.height)), cells.height - 1);
     const std::array<float, 2>& toCentre =
         cells.toCentre[std::size_t(row) * std::size_t(cells.width) + std::size_t(column)];
-    // From the middle of the texel of cells, not from that of the pixel: the whole cell is on one
-    // side.
+    // From the middle of the texel of cells, not of the pixel: the whole cell is on one side.
     return (axis == 0 ? (float(column) + 0.5f) / float(cells.width)
                       : (float(row) + 0.5f) / float(cells.height)) +
            toCentre[axis];

@@ -15,8 +15,8 @@ namespace lichen::quilting {
 /// further, about half a tile, from which it is cut along the outlines of cells. If no shift is
 /// near, by what lies half a tile further if the shifts are not close, and otherwise the border
 /// stays as it is. The means of the maps hardly change. Returns whether any border was closed.
-/// `cells` are those of the maps, `count` as in cellsOf(). Throws std::bad_alloc and Interrupted.
-/// Source: docs/decisions/039-quilting.md.
+/// `cells` belong to the maps, `count` is as in cellsOf(). Throws std::bad_alloc and Interrupted.
+/// Source: docs/decisions/012-quilting.md.
 bool closeBorders(std::span<MapExemplar> maps, const CellField& cells, double count,
                   const FittingShifts& shifts, ProgressPart progress);
 

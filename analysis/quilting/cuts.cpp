@@ -83,7 +83,7 @@ std::optional<double> mismatch(const Bundle& bundle, const Noise& noise, const N
   const Table& cells = bundle.tables[own.cells];
   const Grid image = sampled(bundle.tables[own.image], cells);
   const std::size_t channels = map.channels.size();
-  // Of unrelated texels the mean squared difference is twice the variance.
+  // The mean squared difference of unrelated texels is twice the variance.
   double unrelated = 0.0;
   for (std::size_t c = 0; c < channels; ++c) {
     double sum = 0.0, squares = 0.0;

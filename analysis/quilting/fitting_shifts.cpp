@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cells, shifts -> the shifts after which edges lie on edges. docs/decisions/039-quilting.md says
+// Cells, shifts -> the shifts after which edges lie on edges. docs/decisions/012-quilting.md says
 // how the constants were chosen.
 #include "fitting_shifts.h"
 
@@ -37,7 +37,7 @@ double missOf(const CellField& cells, const std::array<double, 2>& shift) {
 FittingShifts fittingShifts(const CellField& cells, std::span<const std::array<double, 2>> shifts) {
   constexpr std::size_t kFewest = 9;  // fewer would repeat visibly
   constexpr double kAlike = 0.08;     // shifts whose misses differ by less fit equally well
-  std::vector<double> misses, sorted; // the latter without that of no shift
+  std::vector<double> misses, sorted; // the latter without the miss of no shift
   for (const std::array<double, 2>& shift : shifts) {
     misses.push_back(missOf(cells, shift));
     if (shift[0] != 0.0 || shift[1] != 0.0)

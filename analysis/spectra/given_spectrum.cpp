@@ -16,7 +16,7 @@ namespace {
 /// A channel of a picture, or kAll for the mean of their powers.
 constexpr int kAll = -1;
 
-/// The power at a frequency of the half plane: that of both mirrors, as a field is real.
+/// The power at a frequency of the half plane and at its mirror, as a field is real.
 double powerAt(const SpectrumPicture& picture, int channel, int u, int v) {
   const auto at = [&](int x, int y) {
     x += picture.width / 2;

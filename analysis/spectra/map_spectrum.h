@@ -19,10 +19,10 @@ namespace lichen::spectra {
 /// the standard deviation of a Gaussian value. Empty for a map that does not vary.
 struct MapSpectrum {
   std::vector<HalfSpectrum> channels;
-  /// Of the channels, in squared standard deviations. What is taken from it may leave eigenvalues
+  /// The channels' covariance, in squared standard deviations. Subtraction may leave eigenvalues
   /// that are negative by rounding.
   Eigen::MatrixXd covariance;
-  /// Of a given spectrum: the channels are `fromIndependent` times channels with phases of their
+  /// For a given spectrum: the channels are `fromIndependent` times channels with phases of their
   /// own, and `toIndependent` is its inverse. Empty for an exemplar's.
   Eigen::MatrixXd fromIndependent, toIndependent;
   /// How the stored values follow the channels, to the first order: a square matrix whose squares
@@ -38,7 +38,7 @@ struct MapSpectrum {
 /// The transforms of a Gaussianized map. Throws std::bad_alloc.
 [[nodiscard]] MapSpectrum spectrumOf(const gaussianization::GaussianizedMap& map);
 
-/// The first channel of each map among those of all, and their number.
+/// The first channel of each map among all channels, and their number.
 [[nodiscard]] std::vector<Eigen::Index> firstChannels(const std::vector<MapSpectrum>& maps);
 
 /// The cross-power of all channels at a frequency: f f^H, where f holds the channels. Channels of a
@@ -50,14 +50,14 @@ struct MapSpectrum {
 /// powerPlane() has it.
 [[nodiscard]] Eigen::MatrixXd powerWeights(const std::vector<MapSpectrum>& maps);
 
-/// Gives a covariance of all channels, a sum over the plane's frequencies, that of each map within
-/// the map: the highest frequencies of even sizes have no mirror and are not in the plane, but
-/// belong to the covariance all the same.
+/// Gives a covariance of all channels, a sum over the plane's frequencies, each map's own
+/// covariance within the map: the highest frequencies of even sizes have no mirror and are not in
+/// the plane, but belong to the covariance all the same.
 void setMapCovariances(Eigen::MatrixXd& covariance, const std::vector<MapSpectrum>& maps);
 
 /// The sum of the power of all stored values of all maps: a channel counts as much as it changes
-/// them. Columns and rows are those of the largest maps, without the highest frequencies of even
-/// sizes, which have no mirror.
+/// them. Columns and rows are the largest maps', without the highest frequencies of even sizes,
+/// which have no mirror.
 [[nodiscard]] PowerPlane powerPlane(const std::vector<MapSpectrum>& maps);
 
 } // namespace lichen::spectra

@@ -2,7 +2,8 @@
 // Power (rows, columns) -> boxes, by trees of axis-aligned cuts: a regression tree for exemplars,
 // and halves of equal power for spectra that are 0 nearly everywhere.
 //
-// In place of the strata and sub-strata of [LRP14] section 4.2: docs/decisions/027-cosines.md.
+// In place of the strata and sub-strata of [LRP14] section 4.2:
+// docs/decisions/009-local-random-phase.md.
 #include "power_tree.h"
 
 #include <tbb/parallel_for.h>
@@ -56,7 +57,7 @@ private:
 };
 
 /// Exponents of the weights of the absolute and of the relative error, and the share of the former.
-/// With 50 cosines, on eleven exemplars: docs/decisions/027-cosines.md.
+/// With 50 cosines, on eleven exemplars: docs/decisions/009-local-random-phase.md.
 constexpr double kAbsolute = 0.6, kRelative = 1.6, kAbsoluteShare = 0.6;
 
 /// Powers below this share of the largest one count as if they were it.

@@ -27,7 +27,7 @@ struct PowerPlane {
 }
 
 /// Each frequency averaged with its neighbours, by 1 2 1 along both axes, (0, 0) left out: the
-/// power of one image fluctuates about that of its texture by as much as its size.
+/// power of one image fluctuates about the power of its texture by as much as its size.
 [[nodiscard]] PowerPlane smoothed(const PowerPlane& power);
 
 /// Frequencies u in [left, right), v in [top, bottom).
@@ -51,7 +51,7 @@ struct FrequencyBox {
 [[nodiscard]] std::vector<FrequencyBox> boxesOfEqualPower(const PowerPlane& power,
                                                           std::size_t count);
 
-/// Halves the plane's power `count` - 1 times, each time that of the strongest box, across its
+/// Halves the plane's power `count` - 1 times, each time the power of the strongest box, across its
 /// longer side, and shrinks each box to where its power is; fewer times if none can be halved. For
 /// spectra that are 0 nearly everywhere, as rings and bands are: a box with holes would spread
 /// power over them. O(count columns rows). Deterministic.

@@ -13,7 +13,7 @@ namespace lichen::suitability {
 namespace {
 
 /// Standard deviation of a slope component, root mean square over both. The normal maps that come
-/// with three height maps have 0.036, 0.23 and 0.27 (docs/decisions/013-suitability.md). This is
+/// with three height maps have 0.036, 0.23 and 0.27 (docs/decisions/007-verdicts.md). This is
 /// the steepest, which shows slow variation best.
 constexpr double kReliefDeviation = 0.27;
 

@@ -13,7 +13,7 @@ struct Calibration {
   double severe = 0.0;
 };
 
-// Measured on exemplars that work and on exemplars that fail: docs/decisions/013-suitability.md.
+// Measured on exemplars that work and on exemplars that fail: docs/decisions/007-verdicts.md.
 inline constexpr Calibration kCloudiness{0.1, 0.2};
 inline constexpr Calibration kLatticeShare{0.05, 0.15};
 inline constexpr Calibration kPhaseCoherence{0.15, 0.3};
@@ -24,17 +24,17 @@ inline constexpr Calibration kUnevenScale{0.8, 1.6};
 
 /// Above this, slow variation is an object with an outline, not light. The geometric mean of 3.3,
 /// the largest value of light and clouds, and 5.4, the smallest value of objects, in
-/// docs/decisions/013-suitability.md.
+/// docs/decisions/006-light-and-grain.md.
 inline constexpr double kEdgeConcentration = 4.2;
 
 /// The deviation from which patches of the exemplar's size are visible, in sRGB codes from 0 to 1,
 /// and their share of all deviation that shows from afar, which hides fainter ones. Measured by
-/// looking, docs/decisions/013-suitability.md.
+/// looking, docs/decisions/006-light-and-grain.md.
 inline constexpr double kVisiblePatches = 0.004;
 inline constexpr double kVisiblePatchShare = 0.2;
 
 /// How much further than the third strongest place something that occurs once stands out. The
-/// geometric mean of 2.4 and 3.0 in docs/decisions/034-outliers.md.
+/// geometric mean of 2.4 and 3.0 in docs/decisions/005-exemplar.md.
 inline constexpr double kOutlier = 2.7;
 
 /// The least difference of an outlier from its surroundings, in sRGB codes from 0 to 1, root mean

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Values (height, width, channels) -> entropies of their 8-bit codes, in nats. Source: [CT06],
-// eqs. 2.1 (entropy) and 8.8 (that of a normal distribution).
+// eqs. 2.1 (entropy) and 8.8 (entropy of a normal distribution).
 #include "few_colors.h"
 
 #include "calibration.h"

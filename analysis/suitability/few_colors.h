@@ -8,9 +8,9 @@ namespace lichen::suitability {
 
 /// Both members are of 8-bit codes.
 struct FewColors {
-  /// The gap between neighbouring codes: the standard deviation divided by that of a normal
-  /// distribution of the same entropy, which is the root of the entropy power [CT06]. 1 for a
-  /// normal distribution of any width. The least over the channels that vary.
+  /// The gap between neighbouring codes: the standard deviation divided by the deviation of a
+  /// normal distribution of the same entropy, which is the root of the entropy power [CT06]. 1 for
+  /// a normal distribution of any width. The least over the channels that vary.
   double spacing = 0.0;
   /// exp(entropy) of the colours: n for n equally frequent colours. Counted only if `spacing` is
   /// large enough to be a risk.

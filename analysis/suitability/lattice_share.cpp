@@ -68,7 +68,7 @@ bool isLine(const PowerPlane& power, int u, int v) {
   return 2 * below > kNeighbours;
 }
 
-/// Whether the power also stands out among those of its own direction, on both sides of it: it
+/// Whether the power also stands out among the powers of its own direction, on both sides of it: it
 /// exceeds three eighths of the frequencies on either side by the same factor. Streaks that are
 /// longer than the image have all their power in one direction, where no frequency stands out from
 /// the others; stripes have few frequencies of it.

@@ -81,8 +81,8 @@ Eigen::MatrixXd differences(std::span<const HalfSpectrum> channels, int width, i
   return result;
 }
 
-/// The Mahalanobis distance of each row from 0. The covariance is that of the rows with all but the
-/// 2 % largest distances, by iteration, plus that of rounding to 8 bits.
+/// The Mahalanobis distance of each row from 0. The covariance is taken over the rows with all but
+/// the 2 % largest distances, by iteration, plus the variance of rounding to 8 bits.
 std::vector<float> distances(const Eigen::MatrixXd& rows) {
   constexpr double kUsual = 0.98, kRounding = 1.0 / 255.0 / 255.0 / 12.0;
   const Eigen::Index channels = rows.cols();
@@ -148,7 +148,7 @@ void erase(std::vector<float>& values, int width, std::span<const std::size_t> p
 
 /// A place that stands out at one scale.
 struct Strongest {
-  double ratio = 0.0;     ///< its distance over that of the third strongest place
+  double ratio = 0.0;     ///< its distance over the third strongest place's
   std::size_t middle = 0; ///< the pixel that differs most
   Part part;
   std::vector<bool> unusual;

@@ -28,8 +28,8 @@ struct Outlier {
 /// a third time. At four scales, from a 64th to a 16th of the longer side, every place is compared
 /// with its surroundings by their difference in colour, in deviations of the differences elsewhere.
 /// A place is an outlier if at some scale its difference is visible (kVisibleOutlier) and more than
-/// kOutlier times that of the third strongest place. Nothing for sides under 128 pixels, or longer
-/// than four times the other. Throws std::bad_alloc.
+/// kOutlier times the third strongest place's. Nothing for sides under 128 pixels, or longer than
+/// four times the other. Throws std::bad_alloc.
 [[nodiscard]] std::optional<Outlier> outlierOf(const MapExemplar& map);
 
 } // namespace lichen::suitability

@@ -13,10 +13,10 @@ namespace lichen::suitability {
 struct Patches {
   /// Standard deviation, in sRGB codes from 0 to 1, root mean square over the channels. Its square
   /// is the power of the eight waves of one cycle per side, (+-1, 0), (0, +-1) and (+-1, +-1), less
-  /// twice that of eight average waves of four cycles per side: a material's own variation has slow
-  /// waves too, which chance makes twice as strong as others in 1 of 20 exemplars.
+  /// twice the power of eight average waves of four cycles per side: a material's own variation has
+  /// slow waves too, which chance makes twice as strong as others in 1 of 20 exemplars.
   double deviation = 0.0;
-  double share = 0.0; ///< the deviation over that of all that shows from this far
+  double share = 0.0; ///< the deviation over all deviation that shows from this far
 
   [[nodiscard]] bool areVisible() const {
     return deviation >= kVisiblePatches && share >= kVisiblePatchShare;

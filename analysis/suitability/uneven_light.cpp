@@ -75,7 +75,7 @@ std::optional<double> shareFor(const MapExemplar& map, bool periodic) {
   const Patches left = patchesOf(trendless);
   if (!periodic && !left.areVisible())
     return kTrend;
-  // Of an image that tiles, only a vignette is light. Chance gives the trend a third of the
+  // In an image that tiles, only a vignette is light. Chance gives the trend a third of the
   // variance.
   constexpr double kMostOfTile = 0.25, kMostOfColored = 0.75;
   if (periodic || isColored(trendless)) {

@@ -12,7 +12,7 @@ namespace lichen::suitability {
 /// shorter side, over which the map is averaged, so a larger map of the same picture has about the
 /// same result. A smaller one is measured by its own pixels.
 /// 0 for maps other than base colours, and for sides under 128 pixels. Throws std::bad_alloc.
-/// Source: docs/decisions/013-suitability.md.
+/// Source: docs/decisions/007-verdicts.md.
 [[nodiscard]] double unevenScale(const MapExemplar& map);
 
 } // namespace lichen::suitability

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Maps of an exemplar -> a texton noise: one joint fit, colour correction, and tables with mips.
 //
-// Sources: [GLM17] section 4, [GLM14]. The contrast of the noise: docs/decisions/015-texton.md.
+// Sources: [GLM17] section 4, [GLM14]. The contrast of the noise: docs/decisions/008-textons.md.
 #include "color_correction.h"
 #include "comparison.h"
 #include "exemplar/map_ranges.h"
@@ -32,7 +32,7 @@ using Eigen::MatrixXd;
 constexpr double kHeldOutOfProgress = 0.37;
 constexpr double kFitOfProgress = 0.97;
 
-/// Returns weights for all channels: those of the first map as the eye sees them, 0 for the others.
+/// Returns weights for all channels: the first map's as the eye sees them, 0 for the others.
 std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channels) {
   std::vector<float> weights = seenWeights(first.channels);
   weights.resize(channels, 0.0f);
@@ -50,7 +50,7 @@ TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOpti
   fit.seed = options.fitSeed;
   fit.progress = progress;
   TextonCoefficients coefficients = fitCoefficients(model, fit, FitMethod::transportDistance);
-  // If the model's range is not that of the texton, the covariance stays uncorrected.
+  // If the model's range is not the texton's, the covariance stays uncorrected.
   (void)correctCovariance(coefficients, options.order, gaussian::modelCovariance(model));
   return coefficients;
 }

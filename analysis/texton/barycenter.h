@@ -21,7 +21,7 @@ struct Barycenter {
 /// one weight per model, none negative, with sum 1. Models of weight 0 have no effect. The
 /// barycentre of one model is that model.
 /// At one frequency, the barycentre of n textures may need up to sqrt(n) kernels. From four
-/// textures on, the result is the best that one kernel can do (docs/decisions/016-mixing.md). The
+/// textures on, the result is the best that one kernel can do (docs/decisions/008-textons.md). The
 /// bytes do not depend on the number of threads. With three or more textures the cost is up to 200
 /// (n + 2) products of small matrices per frequency. Throws std::bad_alloc.
 [[nodiscard]] Barycenter barycenter(std::span<const gaussian::GaussianModel> models,

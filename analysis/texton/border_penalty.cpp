@@ -7,7 +7,7 @@
 // matrix. This is a correction with as many dimensions as there are cosines:
 // q = p - B^-1 C^T A (weight L / (1 + weight L)) A^T C p, where C are the cosines, and A and L the
 // modes and eigenvalues of the border's quadratic form over C B^-1 C^T.
-// Reasons and measurements: docs/decisions/019-border-of-textons.md.
+// Reasons and measurements: docs/decisions/008-textons.md.
 #include "border_penalty.h"
 
 #include "transport/covariance_map.h"
@@ -28,7 +28,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::MatrixXf;
 
-// Measured on six photographs with supports of 16, 32 and 64 (decision 019).
+// Measured on six photographs with supports of 16, 32 and 64 (decision 8).
 constexpr Index kSlowCosines = 8;     // per side: up to three and a half waves
 constexpr double kBorderWidth = 0.25; // of the side, at each end
 constexpr double kMostWeight = 0.1;   // also the first weight

@@ -3,8 +3,8 @@
 // support), and the distance of their noise to the model.
 //
 // Let h^ = sqrt(b^) alpha^ be the noise's spectrum ([GLM17] eq. 4). The fit looks for spectra in
-// two sets: those with the model's power, where the nearest to h^ is (t^* . h^) / |t^* . h^| t^,
-// and those of coefficients inside the support. The distance of h^ to the first set is the
+// two sets: spectra with the model's power, where the nearest to h^ is (t^* . h^) / |t^* . h^| t^,
+// and spectra of coefficients inside the support. The distance of h^ to the first set is the
 // transport distance between the two textures, so both projections work on h^. [GLM17] does the
 // second projection on alpha^, where cropping is enough, but which weights distances by 1 / b^,
 // ninefold at the highest frequency. On h^ it is a least-squares problem. Its normal matrix is B_x
@@ -42,7 +42,7 @@ constexpr float kFirstRelaxation = 0.9f;
 constexpr float kLastRelaxation = 0.5f;
 
 /// Largest magnitude of a texel over all its channels, relative to the root mean square. The
-/// flatness of the magnitudes is then at most about its square, the 4 of TARGETS.md (decision 019).
+/// flatness of the magnitudes is then at most about its square, the 4 of TARGETS.md (decision 8).
 constexpr float kHighestPeak = 2.0f;
 
 using Spectra = std::vector<HalfSpectrum>;
@@ -123,8 +123,7 @@ public:
   [[nodiscard]] const TextonCoefficients& coefficients() const { return coefficients_; }
   void setCoefficients(TextonCoefficients coefficients) { coefficients_ = std::move(coefficients); }
 
-  /// Does one averaged reflection of `x` in both sets. The coefficients are those of the second
-  /// set.
+  /// Does one averaged reflection of `x` in both sets. The coefficients belong to the second set.
   void reflect(Spectra& x, float relaxation) {
     forFrequencies([&](std::size_t i, float kernel) {
       const std::complex<float> phase = phaseTowards(x, i);
@@ -313,7 +312,7 @@ TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const F
   Spectra x = randomPhases(model, options.seed); // allocate before the fit takes its own memory
   Fit fit(model, options.width, options.height, options.order);
   if (method == FitMethod::alternatingProjections) {
-    // Of white noise, only the phases of t^* . alpha^ survive the first projection. They are
+    // Only the phases of white noise's t^* . alpha^ would survive the first projection. They are
     // uniform and independent, and so are these.
     for (int step = 0; step < options.projections; ++step) {
       options.progress.reach(double(step + 1) / options.projections);

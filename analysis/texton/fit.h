@@ -30,7 +30,7 @@ enum class FitMethod {
 };
 
 /// Returns coefficients whose noise is close to the model. With FitMethod::transportDistance the
-/// border does not show and no coefficient stands out (docs/decisions/019-border-of-textons.md).
+/// border does not show and no coefficient stands out (docs/decisions/008-textons.md).
 /// The bytes do not depend on the number of threads. Time: 100 transforms of a plane per channel.
 /// Throws std::bad_alloc, and Interrupted where the caller stops the fit.
 [[nodiscard]] TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model,

@@ -3,7 +3,7 @@
 //
 // The unit of each quantity is its standard deviation and the same in all exemplars. So the joint
 // fit neglects none of a set's maps, and contrasts between exemplars do not change.
-// Sources: [GLM17] section 7; docs/decisions/016-mixing.md.
+// Sources: [GLM17] section 7; docs/decisions/008-textons.md.
 #include "exemplar/map_ranges.h"
 #include "gaussian/model_covariance.h"
 #include "joint_exemplar.h"
@@ -78,7 +78,7 @@ Result<void> checkAlike(const MixedExemplar& first, const MixedExemplar& other) 
       return refuse(fmt::format("{} is stored as {}, in {} as {}", nameOf(map.target),
                                 nameOf(map.encoding), first.name, nameOf(same->encoding)));
     if (first.maps[m].target != map.target)
-      return usage(other.name + ": maps in another order; expected that of their targets");
+      return usage(other.name + ": maps in another order; expected the order of their targets");
   }
   return {};
 }

@@ -10,7 +10,7 @@ namespace {
 
 using Amplitudes = std::array<float, LICHEN_MAX_MIPS>;
 
-/// Packs kept amplitudes of mips as LichenMap stores them.
+/// Packs retained amplitudes of mips as LichenMap stores them.
 shader::uvec4 keptBytes(const Amplitudes& kept) {
   std::array<shader::uint, 4> words{};
   for (std::size_t mip = 0; mip < kept.size(); ++mip)

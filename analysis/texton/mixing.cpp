@@ -5,7 +5,7 @@
 // between the two spectra. So one texton is fitted to all exemplars together, with the channels of
 // all of them and one phase per frequency. Interpolating two of its parts gives a texton of the
 // barycentre there. [GLM17] instead fits each step alone from the same noise, and neighbours end in
-// different minima (docs/decisions/016-mixing.md lists the errors and step lengths of both).
+// different minima (docs/decisions/008-textons.md lists the errors and step lengths of both).
 // Sources: [GLM17] section 7; [XFPA14].
 #include "mixing.h"
 

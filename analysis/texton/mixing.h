@@ -22,8 +22,8 @@ namespace lichen::texton {
 struct MixExemplar {
   std::string name; ///< the file's name, for messages
   gaussian::GaussianModel model;
-  /// The covariance that the noise must have at this exemplar: that of its pixels, or
-  /// modelCovariance(). Its range lies inside that of the model's covariance.
+  /// The covariance that the noise must have at this exemplar: its pixels' covariance, or
+  /// modelCovariance(). Its range lies inside the range of the model's covariance.
   Eigen::MatrixXd covariance;
 };
 

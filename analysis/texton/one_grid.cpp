@@ -3,11 +3,11 @@
 //
 // More texels on the same tile mean more frequencies, without power there: zero-padding of the
 // spectrum. This is exact and avoids the blur of a filter in space. No model loses texels.
-// A taller tile has frequencies between those of the model. They come from the transform of the
-// kernel padded with zeros, which preserves covariances and keeps one kernel per channel. Padding
-// the autocovariance instead might not give a covariance. Of all kernels with the same spectrum, a
-// compact one loses least in the cut. Here that is the kernel whose strongest colour axis has phase
-// 0; for one channel it is the canonical texton of [DMR12].
+// A taller tile has frequencies between the model's. They come from the transform of the kernel
+// padded with zeros, which preserves covariances and leaves one kernel per channel. Padding the
+// autocovariance instead might not give a covariance. A compact kernel loses least of all with the
+// same spectrum in the cut. Here it is the kernel whose strongest colour axis has phase 0; for one
+// channel it is the canonical texton of [DMR12].
 #include "one_grid.h"
 
 #include "gaussian/model_covariance.h"

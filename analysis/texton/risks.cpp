@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One map -> the risks of a Gaussian texture of it. Thresholds: docs/decisions/017-texton-risks.md.
+// One map -> the risks of a Gaussian texture of it. Thresholds: docs/decisions/007-verdicts.md.
 //
 // At any support, a texton's noise has Gaussian values and random phases, so it reproduces neither
 // the exemplar's histogram nor its outlines. It also misses variation slower than the support.

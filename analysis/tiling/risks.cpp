@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One map -> its risks, in a fixed order. Thresholds: docs/decisions/013-suitability.md.
+// One map -> its risks, in a fixed order. Thresholds: docs/decisions/007-verdicts.md.
 #include "exemplar/grain.h"
 #include "progress_part.h"
 #include "suitability/as_seen.h"
@@ -152,7 +152,7 @@ Risk unevenScaleRisk(const MapExemplar& map) {
                 {{}, "a photograph from straight in front, in focus everywhere"});
 }
 
-/// Cloudiness and low frequency; `seen` is the map, or its slopes if those are what shows.
+/// Cloudiness and low frequency; `seen` is the map, or its slopes if light shows these.
 std::vector<Risk> slowRisks(const MapExemplar& map, const MapExemplar& seen,
                             const HalfSpectrum& spectrum, bool periodic, double firstPixels) {
   const bool isRisk =

@@ -15,7 +15,7 @@ namespace lichen::transport {
 namespace {
 
 /// The time of the multiscale matching in rounds of exchanges, for the progress only: 0.15 s
-/// against 0.05 s at 65,536 points (docs/decisions/008-multiscale-transport.md). A round of exact
+/// against 0.05 s at 65,536 points (docs/decisions/004-transport.md). A round of exact
 /// blocks counts as one round.
 constexpr double kMultiscaleWork = 3.0;
 

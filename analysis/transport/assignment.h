@@ -13,7 +13,7 @@ namespace lichen::transport {
 
 /// How much work assign() does after the multiscale matching. The defaults cost about 6
 /// microseconds per point on one core and leave the transport cost at most 0.1 % above the optimum
-/// (docs/decisions/008-multiscale-transport.md).
+/// (docs/decisions/004-transport.md).
 struct TransportOptions {
   int swapRounds = 4;  ///< rounds of two-opt in small blocks, several blockings per region
   int exactRounds = 1; ///< rounds of exact assignment in small blocks

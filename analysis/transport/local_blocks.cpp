@@ -19,7 +19,7 @@ namespace lichen::transport {
 namespace {
 
 /// Pairs per exchange block. In the same time, blocks of 64 come nearer to the optimum than blocks
-/// of 16 or 32 (docs/decisions/008-multiscale-transport.md).
+/// of 16 or 32 (docs/decisions/004-transport.md).
 constexpr std::size_t kSwapBlockSize = 64;
 /// Pairs per region, which is cut into blocks kRoundsInRegion times. At 28 bytes per pair, a region
 /// fits the first-level cache.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the members of a map's inverse table and checks them against one another and against the
-// table. D is the number of dimensions of the exemplar's values, n that of the map's channels.
+// table. D is the number of dimensions of the exemplar's values, n the number of the map's
+// channels.
 #include "inverse_table_reader.h"
 
 #include <lichen/counted.h>

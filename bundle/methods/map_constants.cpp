@@ -43,7 +43,7 @@ void setTableMean(const NoiseMap& map, const Table& table, shader::LichenMap& co
   if (map.encoding == ValueEncoding::slope)
     mean[2] = float(variance);
   if (map.encoding == ValueEncoding::log2) {
-    // Of light, which only the table knows: all cells are equally likely.
+    // The mean of light, which only the table knows: all cells are equally likely.
     const std::vector<float> cells = decodeLevel(table, 0);
     const auto channels = std::size_t(channelCount(table.format));
     for (std::size_t c = 0; c < n; ++c) {

@@ -28,8 +28,8 @@ void setOffsetSteps(shader::LichenNoise& constants);
 void setRows(shader::LichenMap& constants, const std::vector<double>& matrix,
              std::size_t dimensions, const std::vector<double>& offset);
 
-/// The kept amplitude sqrt(1 - loss) of each mip level as unorm bytes, the first in the lowest byte
-/// of x. The last loss repeats for further levels.
+/// The retained amplitude sqrt(1 - loss) of each mip level as unorm bytes, the first in the lowest
+/// byte of x. The last loss repeats for further levels.
 [[nodiscard]] shader::uvec4 retainedAmplitudes(std::span<const double> losses);
 
 /// Sets the rows of a map with an inverse table to the linear part of that: the direction of each

@@ -10,8 +10,8 @@ namespace lichen::exemplars {
 
 /// A GLB of the ground within three kilometres of the camera 'view', with normals and three
 /// materials: 'ground'; 'rock' on steep slopes; and 'rock edge', a blended layer around the rock
-/// whose alpha is the share of rock. 1,000,000 triangles plus those of the layer, 29 MB. The result
-/// is deterministic. Throws std::bad_alloc.
+/// whose alpha is the share of rock. 1,000,000 triangles plus the layer's, 29 MB. The result is
+/// deterministic. Throws std::bad_alloc.
 [[nodiscard]] std::vector<std::byte> landscapeGlb();
 
 } // namespace lichen::exemplars

@@ -135,7 +135,7 @@ int writeFiles(const std::filesystem::path& folder, int side, const std::set<std
   };
   const auto writePicture = [&](const std::string& name, const SrgbImage& image) {
     const std::filesystem::path path = folder / (name + ".png");
-    const int created = createFolder(path.parent_path()); // that of a set of maps
+    const int created = createFolder(path.parent_path()); // the folder of a set of maps
     return created != 0 ? created : reportWritten(writeImage(path, image), path);
   };
   for (const exemplars::Material& picture : pictures())
@@ -219,7 +219,7 @@ int run(int argc, char** argv) {
                     std::to_string(exemplars::kMaterials.size()) + ", the materials]");
   cli::addValue(app, "--size", side,
                 cli::wholeNumber(exemplars::kSmallestSide, exemplars::kLargestSide), "512",
-                "Pixels per side; details keep their size in pixels");
+                "Pixels per side; details have the same size in pixels");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& request) {

@@ -50,7 +50,7 @@ Surface boardAt(Point p, const Sheet& sheet, const Board& board, float gap, cons
 
 constexpr float kBoardWidth = 44.0f, kBoardLength = 190.0f;
 
-/// Boards along x; the ends of each row are a third of a board from those of the row before.
+/// Boards along x; the ends of each row are a third of a board from the ends of the row before.
 Surface floorBoards(Point at, const Sheet& sheet) {
   const Point p = sheet.uneven(at, {0.3f * kBoardWidth, 0.3f * kBoardWidth});
   const Slot y = sheet.slot(p.y, kBoardWidth, 0.0f, Axis::y, 0);

@@ -67,7 +67,7 @@ const unsigned char* viewBytes(const tinygltf::Model& model, int view) {
   return model.buffers[std::size_t(v.buffer)].data.data() + v.byteOffset;
 }
 
-/// Calls `visit(element, pointer to its bytes)` for each stored element: first those of the
+/// Calls `visit(element, pointer to its bytes)` for each stored element: first the elements of the
 /// bufferView, then the sparse ones that replace them.
 template <class Visit>
 Result<void> eachElement(const tinygltf::Model& model, int accessorIndex, std::size_t elementBytes,

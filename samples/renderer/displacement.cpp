@@ -62,7 +62,7 @@ void weld(std::vector<Vertex>& vertices) {
   glm::vec3 reach(0.0f);
   for (const Vertex& vertex : vertices)
     reach = glm::max(reach, glm::abs(vertex.position));
-  constexpr float kRounding = 1e-6f; // sixteen times that of a float
+  constexpr float kRounding = 1e-6f; // sixteen times a float's
   const float cell = kRounding * std::max(reach.x, std::max(reach.y, reach.z));
   if (cell == 0.0f)
     return;

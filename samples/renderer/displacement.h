@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prepares a scene for displacement: surfaces move along their normals by the height of their
-// noise. See docs/decisions/029-displacement.md.
+// noise. See docs/decisions/016-displacement.md.
 #pragma once
 
 #include "scene.h"
@@ -41,8 +41,7 @@ struct DisplacementView {
 /// The scene with Material::displacement and Primitive::displacement set wherever a noise has a
 /// height map, and the triangles in view refined: to `spacing`, or if `tessellated`, to what a
 /// device can divide further. Each instance that is displaced has a primitive of its own. Notes are
-/// added to those of the scene. Errors:
-/// badInput if no noise has a height map; those of chooseCamera().
+/// added to the scene's. Errors: badInput if no noise has a height map; errors of chooseCamera().
 [[nodiscard]] Result<Scene> displacedScene(const Scene& scene, const Displacement& displacement,
                                            const DisplacementView& view, bool tessellated);
 

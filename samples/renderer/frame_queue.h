@@ -36,8 +36,8 @@ public:
   [[nodiscard]] VkSemaphore acquired() const { return slots_[slot()].acquired; }
   /// Submits what was recorded after begin().
   void submit();
-  /// Likewise, for a frame that writes an acquired image in `stages`: waits for acquired() there,
-  /// and signals `presentable` when the frame has completed.
+  /// Submits a frame that writes an acquired image in `stages`: waits for acquired() there, and
+  /// signals `presentable` when the frame has completed.
   void submit(VkPipelineStageFlags2 stages, VkSemaphore presentable);
 
   /// Destroys the object when the device has completed all frames submitted so far. (Engines
@@ -54,7 +54,7 @@ private:
     std::uint64_t frame = 0; ///< that uses the slot and may be in flight; 0 for none
   };
 
-  /// Of the frame that is recorded next.
+  /// The slot of the frame that is recorded next.
   [[nodiscard]] std::uint32_t slot() const { return std::uint32_t(submitted_ % kFramesInFlight); }
   /// Whether no frame that uses the slot is in flight. Waits for that if asked to.
   [[nodiscard]] bool isFree(Slot& slot, bool waits);

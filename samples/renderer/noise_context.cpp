@@ -33,7 +33,7 @@ void checkLichen(LichenResult result) {
 }
 
 Result<void> fitsDescriptors(const VkPhysicalDeviceLimits& limits) {
-  // Of a frame all but its block, of a material its textures, and of a noise two samplers.
+  // The bindings of a frame but its block, the textures of a material, and two samplers of a noise.
   constexpr std::uint32_t kOwn = FRAME_BINDINGS - 1 + MATERIAL_TEXTURES;
   constexpr std::uint32_t kSamplers = kOwn + 2, kImages = kOwn + LICHEN_LAYERED_SET_IMAGES;
   const auto tooFew = [](const char* what, std::uint32_t has, std::uint32_t needed) {

@@ -33,7 +33,7 @@ T lichenStruct(LichenStructureType type) {
 /// Throws a failure of the plugin. `file` names the file if the diagnostic does not.
 void checkLichen(LichenResult result, const LichenDiagnostic& diagnostic,
                  const std::string& file = "");
-/// Likewise for queries, which fail only where the renderer has a fault.
+/// The same for queries, which fail only where the renderer has a fault.
 void checkLichen(LichenResult result);
 
 class NoiseContext {
@@ -42,7 +42,7 @@ public:
   explicit NoiseContext(VulkanDevice& device);
 
   [[nodiscard]] LichenVulkanContext handle() const { return context_.get(); }
-  /// Of every noise's set.
+  /// The layout of every noise's set.
   [[nodiscard]] VkDescriptorSetLayout setLayout() const { return setLayout_; }
 
 private:

@@ -95,7 +95,7 @@ constexpr std::array kAttributes{
 
 constexpr std::uint32_t kDisplacement = 2; // binding of VertexDisplacement
 
-/// kAttributes and those of displacement.
+/// kAttributes and the attributes of displacement.
 constexpr auto kDisplacedAttributes = [] {
   std::array<VkVertexInputAttributeDescription, kAttributes.size() + 2> all{};
   std::copy(kAttributes.begin(), kAttributes.end(), all.begin());
@@ -199,7 +199,7 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   return objects.graphicsPipeline(info);
 }
 
-/// Of opaque surfaces, which need no fragment shader. The caller adds the stages before it.
+/// For opaque surfaces, which need no fragment shader. The caller adds the stages before it.
 Description depthDescription(VkPipelineLayout layout) {
   Description d;
   d.layout = layout;
@@ -403,7 +403,7 @@ Pipelines PipelineStore::pipelinesFor(const PipelineLayouts& layouts,
                                       const PipelinesUsed& used) {
   if (shared_.accumulate == VK_NULL_HANDLE)
     createShared(layouts);
-  // Of the noises of other materials a surface without one knows nothing.
+  // A surface without a noise takes no constants from the noises of other materials.
   const SurfaceConstants bare{.debugView = constants.debugView};
   Pipelines pipelines = shared_;
   for (std::size_t kind = 0; kind < pipelines.surfaces.size(); ++kind)

@@ -41,7 +41,7 @@ struct SurfaceKind {
   }
 };
 
-/// Of a surface in a depth map.
+/// How a surface appears in a depth map.
 struct DepthKind {
   bool hasGaps = false;  ///< masked or blended
   bool hasNoise = false; ///< only if it has gaps or is displaced: others read no set

@@ -33,7 +33,7 @@ struct RenderSettings {
   Displacement displacement;
   std::optional<LinearImage> environment; ///< latitude-longitude; replaces the built-in sky
   SkyCache* skies = nullptr; ///< shared between several pictures; null: the renderer uses its own
-  PipelineStore* pipelines = nullptr; ///< likewise, of the same device
+  PipelineStore* pipelines = nullptr; ///< shared between pictures of one device, or null
   /// called after each frame with the number of finished frames; may be empty
   std::function<void(std::uint32_t frames)> frameDone;
 };

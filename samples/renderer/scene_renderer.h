@@ -21,7 +21,7 @@
 
 namespace lichen::renderer {
 
-/// Of a displaced surface, in pixels: the distance of vertices, and the footprint of their heights.
+/// A displaced surface, in pixels: the distance of vertices, and the footprint of their heights.
 struct VertexPixels {
   float spacing = kVertexSpacing;
   float footprint = kVertexSpacing;

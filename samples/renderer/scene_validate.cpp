@@ -283,7 +283,7 @@ private:
       require(accessor.type == "VEC4" && notUint32, "VEC4 of float, byte or short");
   }
 
-  /// Deltas of morph targets have three components, even those of TANGENT.
+  /// Deltas of morph targets have three components, even deltas of TANGENT.
   void morphTarget(const Place& place, std::uint64_t vertices) const {
     for (const auto& [name, value] : place.json().items()) {
       const Place entry = place.member(name.c_str());

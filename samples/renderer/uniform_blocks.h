@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Uniform blocks that the host rewrites for every frame while the device still reads those of the
-// frame before: one buffer, a copy of all blocks for each frame in flight, dynamic offsets.
+// Uniform blocks that the host rewrites for every frame while the device still reads the blocks of
+// the frame before: one buffer, a copy of all blocks for each frame in flight, dynamic offsets.
 #pragma once
 
 #include "gpu_objects.h"
@@ -24,7 +24,7 @@ public:
 
   /// UNIFORM_BUFFER_DYNAMIC: a set that has it is written once, and bound with an offset().
   [[nodiscard]] Descriptor descriptor() const;
-  /// Of a block in the copy of `slot`, which is below kFramesInFlight.
+  /// The offset of a block in the copy of `slot`, which is below kFramesInFlight.
   [[nodiscard]] std::uint32_t offset(std::uint32_t slot, std::size_t block = 0) const {
     return std::uint32_t((slot * count_ + block) * stride_);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Textons: the time of a bake, the distance from the model compared with the papers' algorithm, and
-// the visibility of their borders. The numbers of docs/decisions/019-border-of-textons.md.
+// the visibility of their borders. See docs/decisions/008-textons.md.
 #include "exemplars.h"
 #include "rows.h"
 

@@ -367,9 +367,10 @@ TEST_CASE("the errors for channels that do not fit name them") {
        {std::vector<std::string>{"red"}, {"red", "green", "metallic"}, {"slopeX", "slopeY"}}) {
     example::GlbParts parts(bytes);
     parts.map(0, 0)["channels"] = channels;
-    checkRefusal(
-        {"compare", image, workplace.write("other.glb", parts.join())}, int(ErrorKind::badInput),
-        {"other.glb: ", "/maps/0/channels: not those of baseColor; expected red, green, blue"});
+    checkRefusal({"compare", image, workplace.write("other.glb", parts.join())},
+                 int(ErrorKind::badInput),
+                 {"other.glb: ",
+                  "/maps/0/channels: not the channels of baseColor; expected red, green, blue"});
   }
   for (const char* folder : {"one", "two"})
     std::filesystem::create_directory(workplace.path(folder));

@@ -445,7 +445,7 @@ TEST_CASE("the planes view shows each plane's share of the variance") {
           std::max({std::abs(normal[0]), std::abs(normal[1]), std::abs(normal[2])});
       Vec3 squares{};
       float sum = 0.0f;
-      for (std::size_t k = 0; k < 3; ++k) { // decision 021, with the sharpness of setParameters()
+      for (std::size_t k = 0; k < 3; ++k) { // decision 13, with the sharpness of setParameters()
         const float weight = std::pow(std::abs(normal[k]) / greatest, 3.0f) - 1.0f / 64.0f;
         squares[k] = std::pow(std::max(weight, 0.0f), 2.0f);
         sum += squares[k];

@@ -4,7 +4,7 @@
 //
 // NOTHING MAY BE TUNED WITH THESE PICTURES: no threshold of the choice may change because of what
 // they show, or their rates say nothing about other pictures. After a change for other reasons they
-// are drawn again with new seeds; docs/decisions/039-quilting.md has the rates of all draws.
+// are drawn again with new seeds; docs/decisions/012-quilting.md has the rates of all draws.
 #pragma once
 
 #include "error_rate.h"

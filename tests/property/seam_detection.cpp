@@ -216,7 +216,7 @@ TEST_CASE("seam detection compares dark borders with equally dark lines inside")
 
 TEST_CASE("at most 5 % of fixed cuts of tileable materials have borders that do not fit") {
   // The same 240 cuts in every run; 9 of them fail. The bound detects a change of the method. It
-  // does not estimate how often other materials fail: docs/decisions/006-seam-detection.md does.
+  // does not estimate how often other materials fail: docs/decisions/005-exemplar.md does.
   constexpr int kSide = 128, kCuts = 40;
   int failures = 0;
   for (const Named& material : generatedMaterials(kSide))
@@ -230,7 +230,7 @@ TEST_CASE("at most 5 % of fixed cuts of tileable materials have borders that do 
   CHECK(failures <= int(0.05 * kCuts * double(exemplars::kMaterials.size())));
 }
 
-// The table of docs/decisions/006-seam-detection.md: analysis_tests '[table]'.
+// Prints the strengths of whole exemplars and of crops: analysis_tests '[table]'.
 TEST_CASE("print a table of seam strengths", "[.][table]") {
   std::vector<Named> all = generatedMaterials(512);
   for (Named& photograph : photographs())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Verdicts on pictures that were not used to choose the thresholds of decision 013. This file's
+// Verdicts on pictures that were not used to choose the thresholds of decision 7. This file's
 // generators make each picture with its own seed, colours and sizes. The expected verdict of each
 // kind was fixed before any picture was judged.
 #include "measured_cloudiness.h"

@@ -56,7 +56,7 @@ struct Evaluation : TextonEvaluation {
         double(constants.tileSizeMetres) /
         std::hypot(double(material.uvToTileXX), double(material.uvToTileXY)) /
         double(constants.tileTexelsX);
-    // Textons are fetched half a level below the footprint's (docs/decisions/018).
+    // Textons are fetched half a level below the footprint's (docs/decisions/003).
     const double pixel = std::exp2(level > 0.0 ? level + 0.5 : 0.0) * metresPerTexel;
     SurfaceFootprint at;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -215,7 +215,7 @@ TEST_CASE(
       borderVisibility(fitCoefficients(model, support(63), FitMethod::transportDistance));
   const double papers =
       borderVisibility(fitCoefficients(model, support(63), FitMethod::alternatingProjections));
-  // Measured 5.5 and 21; 18 with the weight that suffices for photographs (docs/decisions/019).
+  // Measured 5.5 and 21; 18 with the weight that suffices for photographs (docs/decisions/008).
   CAPTURE(ours, papers);
   CHECK(papers > 15.0);
   CHECK(ours < 7.0);

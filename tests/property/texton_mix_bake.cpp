@@ -169,7 +169,7 @@ TEST_CASE("the variance of filtered noise at each step of a mix is that of its l
   constexpr int kSide = 64; // positions, 40 x 40 texels each: further apart than textons reach
   for (int step = 0; step < 3; ++step)
     for (const double level : {0.0, 1.0, 2.0}) {
-      // Textons are fetched half a level below the footprint's (docs/decisions/018).
+      // Textons are fetched half a level below the footprint's (docs/decisions/003).
       const float side = float(level > 0.0 ? std::exp2(level + 0.5) : 1.0);
       double sum = 0.0, squares = 0.0, lost = 0.0;
       for (int k = 0; k < kSide * kSide; ++k) {

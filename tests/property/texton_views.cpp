@@ -328,7 +328,7 @@ TEST_CASE(
   const View view(bakedBundle(exemplars::rust(kSide)));
   const NoiseMap& map = view.bundle.noises[0].maps[0];
   for (const std::size_t level : {1u, 2u, 5u}) {
-    // Textons are fetched half a level below the footprint's (docs/decisions/018).
+    // Textons are fetched half a level below the footprint's (docs/decisions/003).
     const float pixel = std::exp2(float(level) + 0.5f) / float(kSide);
     constexpr int kPlaces = 64; // per side, further apart than textons reach
     std::array<double, 3> variance{};

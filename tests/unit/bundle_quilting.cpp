@@ -199,7 +199,7 @@ TEST_CASE("maps with images of cells of their own are refused") {
   const std::vector<Finding> findings = checkBundle(parts.join());
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == "map-quilting");
-  CHECK(findings[0].message == "differs from that of the first map; expected the same");
+  CHECK(findings[0].message == "differs from the first map's; expected the same");
 }
 
 TEST_CASE("the constants of a quilting noise hold its reach, its offsets and the size of cells") {

@@ -109,7 +109,7 @@ LocalRandomPhaseCommand::addBakeOptions(CLI::App& verb, const CommonOptions& com
            "Number of cosines; more follow the spectrum more closely and cost more per pixel")
       .group(kHeading);
   addValue(verb, "--structure", options->structure, orAuto(number(kStructureRange)), "auto",
-           "Share of the power that keeps the phases of the exemplar, and so its structure; auto: "
+           "Share of the power with the exemplar's phases, and so its structure; auto: "
            "as clearly as the exemplar repeats")
       .group(kHeading);
   addValue(verb, "--turbulence", options->turbulence, number(kTurbulenceRange, "tiles"), "0",

@@ -106,7 +106,7 @@ public:
                         nlohmann::ordered_json& json) const = 0;
   [[nodiscard]] virtual std::vector<std::string> linesOf(const Bundle& bundle,
                                                          const NoiseMap& map) const = 0;
-  /// Whether the noise has rows, such as those of bricks, which only a period of whole exemplars
+  /// Whether the noise has rows, such as rows of bricks, which only a period of whole exemplars
   /// continues.
   [[nodiscard]] virtual bool hasRows(const Noise&) const { return false; }
   /// The number of texture fetches per pixel for one map on one plane: an average if fetchesVary(),

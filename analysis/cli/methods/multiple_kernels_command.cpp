@@ -121,8 +121,8 @@ MultipleKernelsCommand::addBakeOptions(CLI::App& verb, const CommonOptions& comm
     windows.emplace_back(nameOf(window), window);
   addValue(
       verb, "--kernel", options->window, oneOf(windows), "gabor",
-      "Window of the kernels: gabor, which is fitted in all ways, or sinc or gaussian-sinc for "
-      "spectra with straight edges")
+      "Window of the kernels: gabor, fitted in frequency, size, direction and energy, or sinc or "
+      "gaussian-sinc for spectra with straight edges")
       .group(kHeading);
   addValue(verb, "--max-kernels", options->kernels,
            wholeNumber(int(kKernelsRange.least), int(kKernelsRange.most)), "8",
@@ -141,8 +141,8 @@ MultipleKernelsCommand::addBakeOptions(CLI::App& verb, const CommonOptions& comm
       .group(kHeading);
   addValue(
       verb, "--perturb", options->perturb, number(kPerturbationRange), "1",
-      "Strength of the noise beside the pattern: 0 leaves the pattern alone, of a given one in "
-      "the luminance; colours keep their covariance")
+      "Strength of the noise beside the pattern: 0 leaves the pattern alone (a given one: in the "
+      "luminance); colours have the exemplar's covariance")
       .group(kHeading);
   return options;
 }

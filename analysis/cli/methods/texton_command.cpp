@@ -30,7 +30,7 @@ Accepted<PointProcess> pointProcess() {
 
 /// Relative model error ([GLM14] eq. 5) of one channel up to which a texton is close. A texton with
 /// the exact spectrum of a material, compared with one picture of it, has
-/// sqrt(2 - sqrt(pi)) = 0.477, because the moduli of a picture's spectrum vary like those of
+/// sqrt(2 - sqrt(pi)) = 0.477, because the moduli of a picture's spectrum vary like the moduli of
 /// complex normal numbers. A texton whose amplitudes are wrong by a fraction D of the standard
 /// deviation has sqrt(2 - sqrt(pi) + sqrt(pi) / 2 D^2). This is D = 1/2. Several channels together
 /// have more, because a picture's cross-spectra vary too. Six materials of 512 x 512 pixels have
@@ -82,8 +82,8 @@ std::string closeness(std::string_view textons, const std::vector<double>& chann
   return text;
 }
 
-/// What the fit of a texton lacks, compared with the best one of the exemplar's Gaussian texture.
-/// What that texture itself lacks is for the verdict to say.
+/// Faults of a texton's fit, compared with the best texton of the exemplar's Gaussian texture. The
+/// verdict covers the faults of that texture itself.
 std::vector<std::string> qualityNotes(const TextonQuality& quality, const Noise& noise,
                                       double impacts) {
   std::vector<std::string> notes;

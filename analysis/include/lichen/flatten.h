@@ -16,7 +16,7 @@ namespace lichen {
 /// pixels of the first map, in kFlattenPeriodRange. In maps of other sizes the period is the same
 /// share of their size. The trend is a polynomial of degree 4 with the terms that stand out from
 /// the material's own variation, since light from one side has no period; the channels of a map of
-/// light share it, and if `periodic` its powers are even. Of the rest, the filter halves waves of
+/// light share it, and if `periodic` its powers are even. In the rest, the filter halves waves of
 /// this period and reduces waves of half the period by 1/16. Beyond the borders the rest repeats if
 /// `periodic`, else it is mirrored. Base colour and emissive light are divided by their low-passed
 /// light, since uneven light is a factor, and clipped at white. From other maps the low-passed
@@ -45,7 +45,7 @@ struct RemovedLight {
 
 /// Removes uneven light from a base colour, such as a vignette, light from one side or a soft
 /// shadow, if its noise would show it as patches: beyond twice what waves of four cycles per side
-/// have, those of one cycle have a deviation of at least a code of 8-bit sRGB, and a fifth of all
+/// have, waves of one cycle have a deviation of at least a code of 8-bit sRGB, and a fifth of all
 /// deviation that is left where the exemplar covers 32 pixels. Flattens with the longest period
 /// that leaves no such patches: twice the longer side, which removes little more than the trend, or
 /// by halves down to an eighth of it. Only the trend is removed from an image that tiles, if that
@@ -54,7 +54,7 @@ struct RemovedLight {
 /// Returns nothing, and changes nothing, if no patches show, if they have an outline, like a large
 /// object and unlike light, or if this does not remove them.
 /// Maps, errors and threads: as flatten(). Takes little longer than flatten().
-/// Source: docs/decisions/013-suitability.md.
+/// Source: docs/decisions/006-light-and-grain.md.
 [[nodiscard]] Result<std::optional<RemovedLight>> removeUnevenLight(MapExemplar& map, bool periodic,
                                                                     const Progress& progress = {});
 

@@ -9,13 +9,13 @@ namespace lichen {
 
 /// Whether maps with Gaussian stored values omit the inverse table.
 enum class GaussianOnly {
-  detect, ///< test each map (docs/decisions/011-gaussian-only.md)
+  detect, ///< test each map (docs/decisions/002-inverse-tables.md)
   yes,    ///< all maps omit it; values that are not Gaussian get another histogram
   no
 };
 
 /// How close to the optimum the optimal transport gets: its largest cost above the optimum,
-/// measured on the exemplars of docs/decisions/008-multiscale-transport.md.
+/// measured on the exemplars of docs/decisions/004-transport.md.
 enum class TransportEffort {
   fast,     ///< 0.4 %; for previews
   standard, ///< 0.1 %; for production

@@ -71,15 +71,15 @@ struct LayerPart {
 /// Splits a region in two where a Gaussian field exceeds a threshold.
 struct LayerSplit {
   double proportion = 0.5; ///< of the region that lies above the threshold, in (0, 1)
-  /// Of the field, whose variance is 1: the squares of the amplitudes sum to 1. It ends at a
-  /// quarter of the label image's frequencies and at 128 cycles per tile.
+  /// The spectrum of the field, whose variance is 1: the squares of the amplitudes sum to 1. It
+  /// ends at a quarter of the label image's frequencies and at 128 cycles per tile.
   SpectrumPicture spectrum;
   LayerPart below, above; ///< `below` has the darker mean colour
 };
 
 /// Models where labels lie: a binary tree of labels.count - 1 splits, the first of which is the
 /// root. Labels of similar mean colour in `map`, usually the base colour, are split last. The
-/// spectrum of a split is that of the Gaussian field which, cut at the threshold of the proportion,
+/// spectrum of a split belongs to the Gaussian field that, cut at the threshold of the proportion,
 /// has the autocovariance of the labels inside the region [T91]. Throws std::bad_alloc.
 /// O(N log N) in the number of pixels.
 [[nodiscard]] std::vector<LayerSplit> splitLayers(const MapExemplar& map, const LabelImage& labels);

@@ -31,7 +31,7 @@ public:
   [[nodiscard]] std::size_t mapCount() const;
 
   /// Evaluates map `map`, below mapCount(), with the parameters that shaderMaterial() makes from
-  /// the same bundle's noise. Values are those of TilingEvaluator::evaluate(). Time proportional to
+  /// the same bundle's noise. Values are as of TilingEvaluator::evaluate(). Time proportional to
   /// the number of cosines; no allocation.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
                                const TileFootprint& at) const;

@@ -63,7 +63,7 @@ struct MaterialSet {
   /// Whether the maps' borders match, if that was measured. It is measured before resampling, which
   /// smooths the differences that a seam is compared with.
   Periodic periodic = Periodic::detect;
-  std::optional<PixelRectangle> crop; ///< that of the options, or the part inside a frame
+  std::optional<PixelRectangle> crop; ///< the options' crop, or the part inside a frame
   std::vector<std::string> notes;     ///< notes for the user, one sentence each
 };
 

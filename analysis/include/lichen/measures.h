@@ -19,7 +19,7 @@ inline constexpr double kColorDistanceTarget = 0.003;
 inline constexpr double kSpectrumDistanceTargetDb = 0.6;
 inline constexpr double kAnisotropicSpectrumDistanceTargetDb = 1.2;
 /// The bound between noises that keep an exemplar's features and noises that break them.
-/// Source: docs/decisions/035-verdict.md.
+/// Source: docs/decisions/007-verdicts.md.
 inline constexpr double kAutocovarianceErrorTarget = 0.2;
 inline constexpr double kSeamVisibilityTarget = 1.1;
 /// Tiles that are cut differ there like unrelated points.

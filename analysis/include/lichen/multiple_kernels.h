@@ -53,8 +53,8 @@ struct MultipleKernelsBake {
   Noise noise; ///< maps in the order given
   std::vector<Table> tables;
   bool exemplarWasPeriodic = true;
-  /// Of a quarter, of half and of all of the most kernels that may be, in this order, without what
-  /// has as many kernels as the one before; the last is that of the noise. What more kernels bring.
+  /// Errors with a quarter, half and all of the most kernels that may be, in this order, without
+  /// repeated numbers of kernels; the last is the noise's. They show what more kernels bring.
   std::vector<SpectrumError> spectrumErrors;
 };
 

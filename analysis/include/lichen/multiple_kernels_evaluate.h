@@ -30,14 +30,14 @@ public:
   [[nodiscard]] std::size_t mapCount() const;
 
   /// Evaluates map `map`, below mapCount(), with the parameters that shaderMaterial() makes from
-  /// the same bundle's noise. Values are those of TilingEvaluator::evaluate(). Time proportional to
+  /// the same bundle's noise. Values are as of TilingEvaluator::evaluate(). Time proportional to
   /// the number of impacts; no allocation.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
                                const TileFootprint& at) const;
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenTriplanarMaterial& material,
                                const TriplanarFootprint& at) const;
 
-  /// In a solid: windows are of the kind gabor. Values are those of
+  /// In a solid: windows are of the kind gabor. Values are as of
   /// LocalRandomPhaseEvaluator::evaluate() in a solid.
   [[nodiscard]] Value evaluate(std::size_t map, const shader::LichenMaterial& material,
                                const SolidFootprint& at) const;
@@ -60,7 +60,7 @@ public:
                                const SurfaceFootprint& at) const;
 
   /// The value of the map's first channel and its derivatives along x and y [1 / tile], for bumps.
-  /// Those of the Gaussian values are exact, those of the table are differences.
+  /// Derivatives of the Gaussian values are exact, derivatives of the table are differences.
   [[nodiscard]] std::array<float, 3>
   gradient(std::size_t map, const shader::LichenMaterial& material, const TileFootprint& at) const;
 

@@ -15,10 +15,10 @@ namespace lichen {
 struct NoiseComparison {
   MapLook look;
   SrgbImage exemplar; ///< as a picture
-  SrgbImage result;   ///< likewise
-  /// For tiling, those of measureResult() and lattice_visibility. For a texton, those of
-  /// measureGaussianResult(), model_error and flatness. For local random phase, those of
-  /// measureGaussianResult() without a structure, otherwise those of measureResult().
+  SrgbImage result;   ///< as a picture
+  /// Tiling: measureResult() and lattice_visibility. Textons: measureGaussianResult(), model_error
+  /// and flatness. Local random phase: measureGaussianResult() without a structure, otherwise
+  /// measureResult().
   std::vector<Measure> measures;
   /// The exemplar's Gaussian version, if the noise has random phases.
   std::optional<SrgbImage> gaussian;

@@ -58,7 +58,7 @@ struct BakeRecord {
   std::vector<std::string> notes;
 };
 
-/// The most pixels of all pictures of a page, without those of inverse tables.
+/// The most pixels of all pictures of a page, inverse tables not counted.
 inline constexpr double kReportPixels = 3.5e6;
 
 /// The page, and the targets that the noise misses.

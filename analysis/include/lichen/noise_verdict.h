@@ -15,18 +15,18 @@
 namespace lichen {
 
 /// Returns the risks of each of a noise's exemplars, in the order of `maps`, by the noise's method:
-/// those of assessSuitability() for tiling, of assessTextonSuitability() for textons, and of the
-/// latter only "outlines" for the others, unless their spectrum was given or their structure keeps
-/// outlines, and "cuts" for quilting. `maps` are the exemplars as they were baked. What helps a
-/// layered noise is never a method that layers do not take. Errors: as both functions.
+/// assessSuitability() for tiling, assessTextonSuitability() for textons, only "outlines" of the
+/// latter for the others, unless their spectrum was given or their structure preserves outlines,
+/// and "cuts" for quilting. `maps` are the exemplars as they were baked. What helps a layered noise
+/// is never a method that layers do not take. Errors: as both functions.
 [[nodiscard]] Result<std::vector<std::vector<Risk>>> assessNoise(const Noise& noise,
                                                                  std::span<const MapExemplar> maps,
                                                                  Periodic borders,
                                                                  const Progress& progress = {});
 
 /// Measures a noise on a small result: two exemplars per side, or one if that has more than 1024
-/// pixels. The measures are those of compareNoise() without lattice_visibility, model_error and
-/// flatness, and take 0.6 s for 512 x 512 pixels on two cores. Errors: as compareNoise().
+/// pixels. The measures are the same as of compareNoise(), without lattice_visibility, model_error
+/// and flatness, and take 0.6 s for 512 x 512 pixels on two cores. Errors: as compareNoise().
 [[nodiscard]] Result<std::vector<Measure>> measureNoise(const Bundle& bundle,
                                                         const MaterialNoise& material,
                                                         const MapExemplar& exemplar,
@@ -52,7 +52,7 @@ struct Verdict {
 /// Returns the verdict on all maps together: good if no risk is above level none, acceptable if the
 /// worst is mild, and unsuitable if it is severe.
 /// `bordersWereKept` says whether the bake took the exemplar's borders to fit together.
-/// Source: docs/decisions/035-verdict.md.
+/// Source: docs/decisions/007-verdicts.md.
 [[nodiscard]] Verdict verdictOn(std::span<const JudgedMap> maps, bool bordersWereKept);
 
 /// "good", "acceptable" or "unsuitable".

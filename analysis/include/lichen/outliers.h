@@ -32,7 +32,7 @@ struct Outliers {
 /// unspecified. Errors: usage for a map out of range or a first map that is no base colour,
 /// resources if memory runs out, environment if `progress` stops it. Thread-safe; same values for
 /// any number of threads. O(N) in the number of pixels, plus about 0.1 s.
-/// Source: docs/decisions/034-outliers.md.
+/// Source: docs/decisions/005-exemplar.md.
 [[nodiscard]] Result<Outliers> fillOutliers(std::span<MapExemplar> maps, bool periodic,
                                             const Progress& progress = {});
 

@@ -22,7 +22,7 @@ struct PatternWave {
                                                       int cosines);
 
 /// The waves of a picture that repeats `repeats` times along each axis of a tile, without its mean:
-/// those of the `cosines` largest amplitudes of its luminance codes. Throws std::bad_alloc.
+/// the waves with the `cosines` largest amplitudes of its luminance codes. Throws std::bad_alloc.
 [[nodiscard]] std::vector<PatternWave> patternOf(const SrgbImage& picture, int repeats,
                                                  int cosines);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Measures how far a synthesized result is from its exemplar, and what reveals it as synthesized.
 //
-// Images have 1 to 4 channels of finite values; alpha is ignored. "Luminance" is that of
+// Images have 1 to 4 channels of finite values; alpha is ignored. "Luminance" is the luminance of
 // spectrum.h, of the stored code values. Every measure is thread-safe and deterministic: the same
 // bytes for any number of threads.
 // Errors: badInput, naming sizes and channels, for images without pixels, too small for the
@@ -41,7 +41,7 @@ inline constexpr int kLeastLookSide = 32;
 
 /// Root mean square difference, in decibels, of the radially averaged power spectra of the
 /// luminance (radialPowerSpectrum()), from 4 cycles per crop to Nyquist. Crops have an even side of
-/// at most 128 pixels and a quarter of the shortest side of both images. Powers below that of
+/// at most 128 pixels and a quarter of the shortest side of both images. Powers below the power of
 /// rounding to 8 bits are raised to it. Sides must be at least 32.
 [[nodiscard]] Result<double> spectrumDistanceDb(const SrgbImage& exemplar, const SrgbImage& result);
 

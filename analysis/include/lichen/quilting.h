@@ -32,12 +32,12 @@ struct QuiltingBake {
   double strength = 0.0; ///< how clearly the exemplar repeats: 0 of a random field, 1 of bricks
 };
 
-/// Finds the exemplar's cells, what repeats in it and its grain, that of the first map, and stores
-/// the maps with mip levels. Needs at least one map, each within the ranges of MapExemplar; maps
-/// may differ in size. `name` names the noise and, with the target, its tables. Errors: usage for
+/// Finds the exemplar's cells, what repeats in it and the grain of its first map, and stores the
+/// maps with mip levels. Needs at least one map, each within the ranges of MapExemplar; maps may
+/// differ in size. `name` names the noise and, with the target, its tables. Errors: usage for
 /// options or maps outside their ranges; resources if memory runs out; environment if
 /// `options.progress` stops it. Thread-safe; same bytes for any number of threads. O(N log N) in
-/// the number of pixels. Source: docs/decisions/039-quilting.md.
+/// the number of pixels. Source: docs/decisions/012-quilting.md.
 [[nodiscard]] Result<QuiltingBake> bakeQuilting(std::string name, std::span<const MapExemplar> maps,
                                                 const QuiltingOptions& options);
 

@@ -47,7 +47,7 @@ private:
 /// inside the part that holds whole periods, but not if outlines are less than kLeastOutlines and
 /// no lattice repeats the first map highly. Nothing is clear in a first map with a side under 128
 /// pixels. Errors: resources if memory runs out. Deterministic. O(N log N) in the number of pixels.
-/// Source: docs/decisions/039-quilting.md, 028-structure.md and 013-suitability.md.
+/// Source: docs/decisions/012-quilting.md.
 [[nodiscard]] Result<Structure> structureOf(std::span<const MapExemplar> maps, Periodic periodic);
 
 /// Replaces each map by the part of it between the corners, which are in pixels of the first map,

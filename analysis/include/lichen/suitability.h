@@ -46,15 +46,15 @@ using SettingWords = std::string (*)(const BakeSetting& setting);
 /// "none", "mild" or "severe".
 [[nodiscard]] std::string_view nameOf(Risk::Level level);
 
-/// Assesses every risk of one map, in the order of the names above, including those of level none.
+/// Assesses every risk of one map, in the order of the names above, including risks of level none.
 /// `periodic` says whether the exemplar's opposite borders match. A map without variance has no
 /// risk. For a height map, cloudiness and low-frequency measure its slopes, which lighting shows.
 /// `firstPixels`, above 0, is the length of one pixel of this map in pixels of the first map of the
-/// set; a setting that is a period for flatten() counts in those. `grain` is that of the noise: the
-/// bake fades streaks along it at borders that do not match. Absent: that of this map.
+/// set; a setting that is a period for flatten() counts in those. `grain` is the noise's: the bake
+/// fades streaks along it at borders that do not match. Absent: the grain of this map.
 /// Errors: usage for maps outside the ranges of MapExemplar, resources if memory runs out,
 /// environment if `progress` stops it. Thread-safe; same result for any number of threads.
-/// O(N log N) in the number of pixels. Source: docs/decisions/013-suitability.md.
+/// O(N log N) in the number of pixels. Source: docs/decisions/007-verdicts.md.
 [[nodiscard]] Result<std::vector<Risk>> assessSuitability(const MapExemplar& map, bool periodic,
                                                           const Progress& progress = {},
                                                           double firstPixels = 1.0,
@@ -64,7 +64,7 @@ using SettingWords = std::string (*)(const BakeSetting& setting);
 /// whether the material is a Gaussian texture, and whether `support` texels can hold it. The noise
 /// has `widthTexels` x `heightTexels` texels over the map's extent, the size of the largest map of
 /// the set; 0 means the map's own size. Errors and threads: as above. O(N log N).
-/// Source: docs/decisions/017-texton-risks.md.
+/// Source: docs/decisions/007-verdicts.md.
 [[nodiscard]] Result<std::vector<Risk>> assessTextonSuitability(const MapExemplar& map, int support,
                                                                 const Progress& progress = {},
                                                                 int widthTexels = 0,

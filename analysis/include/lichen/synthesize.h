@@ -34,7 +34,7 @@ struct SynthesisOptions {
   /// at one border enters at the opposite one.
   std::array<double, 2> origin{0.0, 0.0};
   /// Takes every `stride`-th pixel of a larger image along each axis, starting with the first. The
-  /// footprint is still that of one pixel of the larger image. >= 1; 1 for a tileable image.
+  /// footprint is still one pixel of the larger image. >= 1; 1 for a tileable image.
   int stride = 1;
   bool tileable = false; ///< opposite borders continue each other; needs at least half a tile
   EvaluationOptions evaluation;
@@ -59,8 +59,8 @@ struct SynthesisOptions {
 [[nodiscard]] Result<LinearImage>
 synthesizePreview(const Bundle& bundle, const MaterialNoise& material, MapTarget map, int tiles);
 
-/// The pixels of a result along x and y of a tile of noise `noise`: those of one of its maps' own
-/// exemplar if `texelsPerTile` is 0, otherwise alike for all its maps. As exemplarSize().
+/// The pixels of a result along x and y of a tile of noise `noise`: the pixels of the exemplar of
+/// one of its maps if `texelsPerTile` is 0, otherwise alike for all its maps. As exemplarSize().
 [[nodiscard]] std::array<double, 2> pixelsPerTile(const Bundle& bundle, std::size_t noise,
                                                   const NoiseMap& map, double texelsPerTile);
 

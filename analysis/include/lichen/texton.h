@@ -16,8 +16,8 @@ namespace lichen {
 
 /// The covariance of the noise.
 enum class TextonVariance {
-  exemplar, ///< that of the photograph: the noise has its contrast
-  periodic, ///< that of its periodic component, which the spectrum comes from
+  exemplar, ///< the photograph's: the noise has its contrast
+  periodic, ///< its periodic component's, which the spectrum comes from
 };
 
 struct TextonOptions {

@@ -53,7 +53,7 @@ struct TextonMixBake {
 /// Fits textons along the path through the exemplars in order, or one barycentre of all. All maps
 /// of all exemplars are fitted together, so the same impacts can show any exemplar. Every exemplar
 /// spans the tile's width; one with fewer pixels is refined without loss. The tile is as high as
-/// the highest exemplar; the textures of the others are endless (docs/decisions/016-mixing.md).
+/// the highest exemplar; the textures of the others are endless (docs/decisions/008-textons.md).
 /// Errors: usage for options or numbers of exemplars out of range, or an image of all steps above
 /// kMaxTableSide; badInput for exemplars with different maps, for one that no texton can represent,
 /// or if their shapes need a tile of more than kMaxTableSide texels; resources if memory runs out;

@@ -13,7 +13,7 @@
 
 namespace lichen {
 
-/// Tiling has no options beyond those of the Gaussianization.
+/// Tiling has no options beyond the Gaussianization's.
 using TilingOptions = GaussianizationOptions;
 
 /// The result of a bake. The maps of `noise` number its tables from 0.

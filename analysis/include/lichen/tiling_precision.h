@@ -25,7 +25,7 @@ struct PrecisionLoss {
 /// Measures map `map` of noise `noise`, which was baked from `exemplar`; `periodic` is
 /// TilingBake::exemplarWasPeriodic. The loss includes rounding to the bake's precision and the
 /// errors of table and transport: bake with 8 and with 16 bits to compare. All are 0 for a constant
-/// exemplar. Errors: usage for an exemplar with another size or number of channels, and those of
+/// exemplar. Errors: usage for an exemplar with another size or number of channels, and errors of
 /// TilingEvaluator::create(); resources if memory runs out.
 [[nodiscard]] Result<PrecisionLoss> precisionLoss(const Bundle& bundle, std::size_t noise,
                                                   std::size_t map, const MapExemplar& exemplar,

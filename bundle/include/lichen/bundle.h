@@ -208,7 +208,7 @@ struct Noise {
   double tileSizeMetres = 1.0; ///< width of one exemplar
   MethodNoise data;
   std::vector<NoiseMap> maps;
-  /// Of a layered noise. All above is then about its first layer.
+  /// The tree of a layered noise, whose members above describe its first layer.
   std::optional<NoiseLayers> layers;
   Preparation preparation; ///< none if several exemplars made it
 

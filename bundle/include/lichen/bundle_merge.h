@@ -33,7 +33,7 @@ struct MergedBundle {
 /// Adds noise `index` of `from` to `into` and returns its index there. If `into` already has a
 /// noise that differs only in name, returns that one. Otherwise appends the noise, shares the
 /// tables that `into` already has, and appends a number to a name in `taken`. The other layers and
-/// the index maps of a layered noise come first, likewise. Throws std::bad_alloc.
+/// the index maps of a layered noise come first, in the same way. Throws std::bad_alloc.
 [[nodiscard]] std::size_t placeNoise(Bundle& into, const Bundle& from, std::size_t index,
                                      std::set<std::string> taken);
 

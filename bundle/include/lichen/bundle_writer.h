@@ -38,8 +38,8 @@ struct BundleFile {
 [[nodiscard]] Result<std::vector<std::byte>> encodeGlb(const BundleFile& file);
 
 /// Writes a .glb, or a .gltf with its binary beside it in STEM.HASH.bin, where HASH depends on the
-/// content. Replacing a .gltf removes its old binary. Errors: those of encodeGlb() and
-/// replaceFile(), which leave the old files intact and no new ones; usage for another extension.
+/// content. Replacing a .gltf removes its old binary. Errors: as of encodeGlb() and replaceFile(),
+/// which leave the old files intact and no new ones; usage for another extension.
 [[nodiscard]] Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& file);
 
 /// Encodes a cooked bundle: the noises and how the materials use them, without the scene, in one

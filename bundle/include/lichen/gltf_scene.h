@@ -135,9 +135,8 @@ public:
 
   /// Writes a .glb, or a .gltf with the new bytes in STEM.HASH.bin beside it. Converts between the
   /// two according to the extension of `path`; converting to .glb embeds the first buffer and the
-  /// images. Errors: those of replaceFile; usage if `path` has another extension, or lies in
-  /// another folder while the asset refers to external files; badInput if a file to be embedded is
-  /// invalid.
+  /// images. Errors: as of replaceFile(); usage if `path` has another extension, or lies in another
+  /// folder while the asset refers to external files; badInput if a file to be embedded is invalid.
   [[nodiscard]] Result<void> write(const std::filesystem::path& path);
 
 private:

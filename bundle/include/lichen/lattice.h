@@ -51,7 +51,7 @@ inline constexpr double kLatticeColumnsPerTile = 3.5; // equilateral: 2 sqrt(3),
 /// log2 of the step between neighbouring tile offsets along a side of `size` >= 1 texels. The step
 /// is the largest power of two that leaves at least 64 offsets. It keeps the first mip levels of a
 /// power-of-two image aligned between tiles, so that minified tiles are equally sharp.
-/// docs/decisions/005-tile-offsets.md explains the number 64.
+/// docs/decisions/001-tiling.md explains the number 64.
 [[nodiscard]] constexpr std::uint32_t tileOffsetShift(std::uint32_t size) {
   constexpr std::uint32_t kLeastOffsetsLog2 = 6;
   const auto log2 = std::uint32_t(std::bit_width(size)) - 1u;
@@ -108,7 +108,7 @@ enum class Grain { none, x, y };
 [[nodiscard]] std::optional<Grain> grainFrom(std::string_view name);
 
 /// The lattice of a noise with a grain has cells longer along it by this factor, so that borders of
-/// tiles cut half as many streaks. docs/decisions/036-grain.md chose it.
+/// tiles cut half as many streaks. docs/decisions/006-light-and-grain.md chose it.
 inline constexpr double kGrainStretch = 2.0;
 
 /// The lattice that a material uses: infinite, or periodic with an integer number of cells.
@@ -122,10 +122,10 @@ struct Lattice {
 /// The lattice without a period.
 [[nodiscard]] Lattice infiniteLattice(Grain grain);
 
-/// The periodic lattice over a rectangle of tiles. It has the nearest number of columns and the
-/// nearest even number of rows to those of infiniteLattice(), at least 3 columns and 4 rows, so its
-/// triangles are slightly different, and those of a small rectangle less stretched. Both sides must
-/// be > 0 and at least about half a tile.
+/// The periodic lattice over a rectangle of tiles. It has the columns of infiniteLattice() to the
+/// nearest number and its rows to the nearest even number, at least 3 columns and 4 rows, so its
+/// triangles are slightly different, and less stretched in a small rectangle. Both sides must be >
+/// 0 and at least about half a tile.
 [[nodiscard]] Lattice periodicLattice(double widthTiles, double heightTiles,
                                       Grain grain = Grain::none);
 

@@ -45,9 +45,9 @@ namespace lichen {
 /// A noise as an index map: with its first map alone, whose values are the Gaussian ones.
 [[nodiscard]] Noise asIndex(Noise noise);
 
-/// Where the shader finds the map of a role of a layer: the binding and the place in
-/// LichenNoiseConstants::maps of this role. Layer 0 has those of its roles. Others: `role` is one
-/// that so many layers may have (layersFault()).
+/// Where the shader finds the map of a role of a layer: the binding and the index in
+/// LichenNoiseConstants::maps of this role. Layer 0 has the bindings of its roles. Others: `role`
+/// is one that so many layers may have (layersFault()).
 [[nodiscard]] std::uint32_t layerSlot(std::size_t layer, std::uint32_t role);
 
 /// The members of the block of a noise that say how its layers are chosen; 0 if it has none.

@@ -12,7 +12,7 @@
 
 namespace lichen {
 
-/// Octaves of the lattice: that of octave k has 2^k times the columns and rows of octave 0.
+/// Octaves of the lattice: the lattice of octave k has 2^k times the columns and rows of octave 0.
 inline constexpr std::size_t kMostOctaves = 12;
 inline constexpr int kMostCosines = 254;
 /// The number of tiles that hold whole columns and rows of octave 0.
@@ -28,8 +28,8 @@ inline constexpr int kFewestStructureOffsets = 3, kMostStructureOffsets = 64;
 /// exemplar's phases. Each vertex of a lattice has a tile of it, and tiles are blended.
 struct CosineStructure {
   int columns = 0; ///< texels of level 0; 0 without a structure
-  int rows = 0;    ///< likewise
-  /// The number of offsets of tiles that keep what repeats in the exemplar; 0 if tiles have any
+  int rows = 0;    ///< texels of level 0
+  /// The number of offsets of tiles that preserve what repeats in the exemplar; 0 if tiles have any
   /// offset.
   int offsets = 0;
   /// The deviation of the displacement of tiles along each axis [tiles], [0, 1]: 0 leaves them as
@@ -51,7 +51,7 @@ struct CosineStructure {
 /// rectangle at random and a phase.
 struct LocalRandomPhaseNoise {
   int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
-  int texelsPerTileY = 0; ///< likewise
+  int texelsPerTileY = 0; ///< size of the exemplar, [1, kMaxTableSide]
   /// Cells of octave 0 in kOctaveTiles tiles: columns in [1, kMostOctaveCells], rows even and in
   /// [2, kMostOctaveCells].
   int columns = 7;
@@ -73,11 +73,11 @@ struct LocalRandomPhaseNoise {
 ///
 /// The image's texels are RGBA32F. It begins with one row for two cosines, ordered by octave. These
 /// rows have 1 + variants columns, and each float is a pair of numbers (bfloat16_pair.h): red and
-/// green are those of the first cosine, blue and alpha those of the second.
+/// green belong to the first cosine, blue and alpha to the second.
 /// - Column 0: the rectangle of its frequencies [cycles / tile]: the middle along x and y, then the
 ///   width and the height.
 /// - Column 1 + v, variant v: the amplitudes of the first and second channel [Gaussian values],
-///   then that of the third, and what is added to the phase [turns].
+///   then of the third, and what is added to the phase [turns].
 /// The rectangles are the same for all maps. Then come the parts that CosineImageLayout names, if
 /// the noise has a structure.
 struct LocalRandomPhaseMap {
@@ -87,10 +87,10 @@ struct LocalRandomPhaseMap {
   /// D Gaussian values that the largest integer of the structure's texels stands for
   /// (structure_texel.h), [0, kMostAmplitude]. Empty without a structure.
   std::vector<double> structureAmplitudes;
-  /// The deviation of each level of the structure over that of the noise, [0, 1].
+  /// The deviation of each level of the structure over the noise's, [0, 1].
   std::vector<double> structureDeviations;
 
-  /// As those of TilingMap.
+  /// As in TilingMap.
   [[nodiscard]] std::size_t imageTable() const { return cosines; }
   [[nodiscard]] std::optional<std::size_t> decodingTable() const { return inverseTable; }
 

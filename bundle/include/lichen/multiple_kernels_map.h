@@ -31,7 +31,7 @@ enum class KernelWindow {
 /// What all maps of a noise share. Each kernel has a grid of its own, with one impact in each cell.
 struct MultipleKernelsNoise {
   int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
-  int texelsPerTileY = 0; ///< likewise
+  int texelsPerTileY = 0; ///< size of the exemplar, [1, kMaxTableSide]
   int kernels = 1;        ///< [1, kMostKernels]
   int rings = 0;          ///< the last so many kernels have a direction at random, [0, kernels]
   int cosines = 0;        ///< of a pattern that the kernels perturb, [0, kMostPatternCosines]
@@ -61,7 +61,7 @@ struct MultipleKernelsMap {
   std::optional<std::size_t> inverseTable; ///< as TilingMap::inverseTable
   int dimensions = 1;                      ///< D, [1, 3]
 
-  /// As those of TilingMap.
+  /// As in TilingMap.
   [[nodiscard]] std::size_t imageTable() const { return kernels; }
   [[nodiscard]] std::optional<std::size_t> decodingTable() const { return inverseTable; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The data of a quilting noise: tiles of the exemplar that are cut along the outlines of its cells,
-// such as bricks, stones or threads. docs/decisions/039-quilting.md.
+// such as bricks, stones or threads. docs/decisions/012-quilting.md.
 #pragma once
 
 #include <lichen/lattice.h>
@@ -14,7 +14,7 @@
 namespace lichen {
 
 inline constexpr std::size_t kMostQuiltingOffsets = 24;
-/// The largest texel of an image in magnitude, and that of the encoding log2.
+/// The largest texel of an image in magnitude, and with the encoding log2.
 inline constexpr float kMostQuiltingTexel = 65504.0f, kMostQuiltingLog2 = 16.0f;
 /// The largest distance from a texel to the centre of its cell. [tiles]
 inline constexpr double kMostCellReach = 0.5;
@@ -47,9 +47,9 @@ inline constexpr std::size_t kFewestQuiltingOffsets = 3; // fewer hardly differ 
 /// constant over each level, alpha is 1.
 struct QuiltingMap {
   std::size_t image = 0; ///< index into Bundle::tables
-  std::size_t cells = 0; ///< likewise, the same for all maps of a noise
+  std::size_t cells = 0; ///< index into Bundle::tables, the same for all maps of a noise
 
-  /// As those of TilingMap.
+  /// As in TilingMap.
   [[nodiscard]] std::size_t imageTable() const { return image; }
   [[nodiscard]] std::optional<std::size_t> decodingTable() const { return std::nullopt; }
 

@@ -87,8 +87,8 @@ shaderMaterial(const Bundle& bundle, const MaterialNoise& material, const Placem
 [[nodiscard]] MaterialNoise layerMaterial(const MaterialNoise& material, std::size_t layer);
 [[nodiscard]] MaterialNoise indexMaterial(const MaterialNoise& material, std::size_t node);
 
-/// The block of a material of a layered noise; the constants are those of its layers and of its
-/// index maps. Without index maps only `first` is set.
+/// The block of a material of a layered noise; the constants belong to its layers and to its index
+/// maps. Without index maps only `first` is set.
 [[nodiscard]] shader::LichenLayeredMaterial
 shaderLayeredMaterial(std::span<const shader::LichenNoise> layers,
                       std::span<const shader::LichenNoise> indices, const MaterialNoise& material,

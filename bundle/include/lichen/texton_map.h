@@ -20,11 +20,11 @@ namespace lichen {
 /// level on all sides. An image stacks `steps` frames vertically and is at most kMaxTableSide high.
 struct TextonShape {
   int coefficientsX = 0;  ///< [1, kMaxTextonSide], at most the exemplar's texels
-  int coefficientsY = 0;  ///< likewise
+  int coefficientsY = 0;  ///< [1, kMaxTextonSide], at most the exemplar's texels
   int order = 1;          ///< degree of the interpolating B-spline: 0, 1 or 3
   int mipLevels = 1;      ///< of the images, [1, mostMipLevels()]
   int texelsPerTileX = 0; ///< size of the exemplar, [1, kMaxTableSide]
-  int texelsPerTileY = 0; ///< likewise
+  int texelsPerTileY = 0; ///< size of the exemplar, [1, kMaxTableSide]
   int steps = 1;          ///< textons of a mix, from its first exemplar to the last; 1 if not a mix
 
   /// The largest number of mip levels whose last level has at least four texels, each 2^(mipLevels
@@ -50,8 +50,8 @@ inline constexpr std::size_t kMaxTextonLosses = 16;
 [[nodiscard]] std::span<const double> lossRow(std::span<const double> mipLoss, std::size_t row,
                                               std::size_t rows);
 
-/// A step of a mix after the first. The members mean the same as those of the map, which describe
-/// the first step.
+/// A step of a mix after the first. The members mean the same as the map's, which describe the
+/// first step.
 struct TextonStep {
   std::vector<double> mean;
   std::vector<double> covariance;
@@ -76,7 +76,7 @@ struct TextonMap {
   std::vector<double> mipLoss;
   std::vector<TextonStep> laterSteps; ///< TextonShape::steps - 1 elements
 
-  /// As those of TilingMap.
+  /// As in TilingMap.
   [[nodiscard]] std::size_t imageTable() const { return image; }
   [[nodiscard]] static std::optional<std::size_t> decodingTable() { return std::nullopt; }
 

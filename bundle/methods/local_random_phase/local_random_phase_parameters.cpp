@@ -97,7 +97,7 @@ Lattice LocalRandomPhaseFormat::cells(const shader::LichenNoise& noise, const Ma
     return lattice;
   const int octave = firstOctave(noise, placement);
   const auto cellsIn = [&](double tiles, double perTile, double fewest) {
-    constexpr double kMostCells = 1 << 18; // of half the rows; an int holds those of all octaves
+    constexpr double kMostCells = 1 << 18; // of half the rows; all octaves' cells fit an int
     return std::clamp(std::round(std::ldexp(tiles * perTile, octave)), fewest, kMostCells);
   };
   lattice.periodColumns =

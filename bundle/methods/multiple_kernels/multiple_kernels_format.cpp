@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of a cosine of a pattern.
+/// Floats of a cosine of a pattern.
 constexpr std::size_t kPatternFloats = 4 * kKernelTexels / kRowPatternCosines;
 
 constexpr std::array<std::string_view, 3> kWindowNames{"gabor", "sinc", "gaussian-sinc"};

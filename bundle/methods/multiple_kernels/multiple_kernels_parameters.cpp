@@ -60,7 +60,7 @@ void MultipleKernelsFormat::setMaterial(const shader::LichenNoise& noise,
   shader::LichenKernelsMaterial part{};
   const bool isSolid = material.mapping == Mapping::solid;
   if (isSolid || material.mapping == Mapping::surface) {
-    // On surfaces the axes are those of space, in tile widths.
+    // On surfaces the axes are the axes of space, in tile widths.
     const std::array<SplitOrigin, 3> origin =
         isSolid ? solidOrigin(noise, material, placement, kKernelTiles)
                 : std::array{splitOrigin(placement.tileOriginX, 0.0, kKernelTiles),

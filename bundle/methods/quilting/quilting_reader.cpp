@@ -125,7 +125,7 @@ MethodMap QuiltingFormat::readMap(ObjectReader& reader, const Noise& noise, cons
   if (const Table* cells = readTableIndex(reader, "cells", "map-quilting-index", tables, own.cells))
     checkCells(reader, *cells);
   if (!noise.maps.empty() && noise.maps.front().as<QuiltingMap>().cells != own.cells)
-    reader.error("map-quilting", "cells", "differs from that of the first map; expected the same");
+    reader.error("map-quilting", "cells", "differs from the first map's; expected the same");
   return own;
 }
 

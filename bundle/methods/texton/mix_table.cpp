@@ -44,7 +44,7 @@ Table mixTable(const NoiseMap& map) {
     for (std::size_t c = map.mean.size(); c < kComponents; ++c)
       texel(LICHEN_MIX_DEVIATION)[c] = 1.0f;
     for (std::size_t c = 0; c < texton.scale.size(); ++c) {
-      // The kept amplitudes of a constant channel stay 0, as without a mix.
+      // The retained amplitudes of a constant channel stay 0, as without a mix.
       const std::span<const double> losses = lossRow(steps[s].mipLoss, c, texton.scale.size());
       for (std::size_t mip = 0; mip < LICHEN_MAX_MIPS && texton.scale[c] > 0.0; ++mip)
         texel(LICHEN_MIX_RETAINED + mip)[c] =

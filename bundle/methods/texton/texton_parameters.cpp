@@ -20,8 +20,8 @@ std::vector<double> diagonal(const std::vector<double>& values) {
   return matrix;
 }
 
-/// Sets the kept amplitudes of each channel. They are 0 for a constant channel, so that the shader
-/// skips impacts once the other channels have faded out.
+/// Sets the retained amplitudes of each channel. They are 0 for a constant channel, so that the
+/// shader skips impacts once the other channels have faded out.
 void setTextonRetained(shader::LichenMap& result, const TextonMap& map) {
   const std::array<shader::uvec4*, 3> kept{&result.mipRetained0, &result.mipRetained1,
                                            &result.mipRetained2};
@@ -82,8 +82,7 @@ void setSurface(const TextonShape& shape, const MaterialNoise& material, const P
   constants.cellJ = across[1];
   constants.seedWord = latticeSeed(material.seed, kSurfacePlane);
   part.cellK = impactGridCell(grid, placement.tileOriginZ, 0)[0];
-  // [GLM17] proposition 3: the variance of surface noise is lambda r / 3 times that of the
-  // texton.
+  // [GLM17] proposition 3: the variance of surface noise is lambda r / 3 times the texton's.
   const double cube = shape.texelsPerTileX / grid.columnsPerTile;
   const double lambda = 1.0 / (cube * cube * cube);
   part.surfaceCubeTexels = float(cube);

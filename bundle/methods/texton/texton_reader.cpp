@@ -44,7 +44,7 @@ void checkShape(ObjectReader& reader, const TextonShape& shape) {
   const std::string coefficients = sides(shape.coefficientsX, shape.coefficientsY);
   if (shape.coefficientsX > shape.texelsPerTileX || shape.coefficientsY > shape.texelsPerTileY)
     return reader.error("texton-coefficients", "coefficients",
-                        coefficients + "; expected at most those of the exemplar, " +
+                        coefficients + "; expected at most the exemplar's, " +
                             sides(shape.texelsPerTileX, shape.texelsPerTileY) + " texels");
   if (shape.mipLevels > shape.mostMipLevels())
     return reader.error("texton-mip-levels", "mipLevels",
@@ -77,7 +77,7 @@ bool checkImage(ObjectReader& reader, const TextonShape& shape, std::size_t n, c
     return error("8-bit texels; expected a float format");
   if (usedChannels(image.format) < n)
     return error(counted(usedChannels(image.format), "channel") +
-                 "; expected at least those of the map, " + std::to_string(n));
+                 "; expected at least the map's, " + std::to_string(n));
   return true;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads the tiling members of a noise and of a map, and checks those of a map against one another
-// and against the Gaussian image.
+// Reads the tiling members of a noise and of a map, and checks the map's members against one
+// another and against the Gaussian image.
 #include "methods/grain_member.h"
 #include "methods/inverse_table_reader.h"
 #include "tiling_format.h"

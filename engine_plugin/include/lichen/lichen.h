@@ -178,8 +178,8 @@ typedef struct LichenNoiseProperties {
   uint32_t mappings;    /* bit m: a material of the noise may have the LichenMapping m */
   uint32_t kernelKinds; /* LICHEN_KERNELS_... of a multiple-kernels noise, 0 of others */
   uint32_t layerCount;  /* [2, 4] of a layered noise, 1 of others */
-  /* The noises that are its layers, the first this one, and those of its layerCount - 1 index maps;
-   * then LICHEN_NO_NOISE. All else is about the first layer, but for `mappings`. */
+  /* The noises that are its layers, the first this one, and the noises of its layerCount - 1 index
+   * maps; then LICHEN_NO_NOISE. All other members describe the first layer, but for `mappings`. */
   uint32_t layers[4];
   uint32_t indices[3];
   /* 1 if a tiling noise has a grain, 0 of other noises. LICHEN_GRAIN of the shader library may be 0
@@ -243,8 +243,8 @@ typedef struct LichenMapProperties {
   uint32_t channelCount;     /* 1 to 3 */
   LichenChannel channels[3]; /* of the shader's x, y, z; the first channelCount are set */
   uint32_t image;            /* image indices, < imageCount: Gaussian image, texton or cosines */
-  uint32_t tableImage;       /* of a mix that of its steps; of other maps without an inverse table a
-                              * placeholder, which is not read */
+  uint32_t tableImage; /* for a mix the table of its steps; for other maps without an inverse table
+                        * a placeholder, which is not read */
   LichenTableKind tableKind;
 } LichenMapProperties;
 
@@ -261,7 +261,7 @@ typedef enum LichenMapping {
   LICHEN_MAPPING_MAX_ENUM = 0x7FFFFFFF
 } LichenMapping;
 
-/* Of all mappings but LICHEN_MAPPING_UV, the space of the positions, normals and tangents that the
+/* For all mappings but LICHEN_MAPPING_UV, the space of the positions, normals and tangents that the
  * host gives the shader: the blocks are the same for both. */
 typedef enum LichenSpace {
   LICHEN_SPACE_WORLD = 0,  /* one pattern runs from mesh to mesh */
@@ -332,7 +332,7 @@ typedef struct LichenImageProperties {
   uint32_t reserved;    /* 0 */
 } LichenImageProperties;
 
-/* image < imageCount. All inverse tables are 3-D images: those of one and two dimensions have a
+/* image < imageCount. All inverse tables are 3-D images; tables of one and two dimensions have a
  * depth of 1. */
 LICHEN_API LichenResult lichenGetImageProperties(LichenBundle bundle, uint32_t image,
                                                  LichenImageProperties* properties);
@@ -458,7 +458,7 @@ typedef struct LichenMaterialParameters {
   double impacts; /* [1, 1000] of texton noise: the mean number of impacts that reach a point, on
                    * surfaces twice as many; cost is proportional */
   LichenPointProcess pointProcess; /* of texton noise */
-  /* Of a mix: the weight of LICHEN_MIX_CONSTANT; the texture coordinates of 0 and 1 of
+  /* For a mix: the weight of LICHEN_MIX_CONSTANT; the texture coordinates of 0 and 1 of
    * LICHEN_MIX_DIRECTION. */
   LichenMixSource mixSource;
   double mixWeight;              /* [0, 1] */
@@ -481,9 +481,9 @@ typedef struct LichenPlacement {
   const void* next;
   /* The host's origin in whole tiles, each within +-2^40, exact: a point's tile coordinate is this
    * plus what the shader computes, so that coordinates near the camera stay small. Texture
-   * coordinates have x and y. Of the other mappings, a point in space, whose tiles are cubes of
-   * `scale` times the noise's tileSizeMetres: the host gives the shader positions less tileOrigin
-   * times that. */
+   * coordinates have x and y. For the other mappings it is a point in space, whose tiles are cubes
+   * of `scale` times the noise's tileSizeMetres: the host gives the shader positions less
+   * tileOrigin times that. */
   int64_t tileOrigin[3];
   /* The noise repeats after this many tiles: [1, 65536] each, a whole number where tileOrigin is
    * not 0. 0, 0: never, as of all mappings but LICHEN_MAPPING_UV. */
@@ -491,9 +491,9 @@ typedef struct LichenPlacement {
   /* [0, 64] VkSamplerCreateInfo::maxAnisotropy of the images' sampler. 0 and 1: it is
    * trilinear, the default, which is what the reference pictures and the tests show. Above 1 the
    * shaders must be compiled with LICHEN_ANISOTROPIC 1 and the sampler must be made with the same
-   * value: the level of the inverse table is that of the footprint that the sampler filters, and
-   * where the three do not agree, minified noise has too much or too little contrast. How exactly
-   * an anisotropic footprint is filtered is the driver's choice. */
+   * value: the level of the inverse table follows the footprint that the sampler filters, and where
+   * the three do not agree, minified noise has too much or too little contrast. How exactly an
+   * anisotropic footprint is filtered is the driver's choice. */
   float maxAnisotropy;
   uint32_t reserved; /* 0 */
 } LichenPlacement;

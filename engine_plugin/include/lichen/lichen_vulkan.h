@@ -30,9 +30,9 @@
 extern "C" {
 #endif
 
-/* Everything that the plugin calls. Device functions may be the loader's or those of the one
- * device. NULL may be those of memory with a deviceAllocator, and those of sets where the host
- * writes its own descriptors: a context without them has no set layout. */
+/* Everything that the plugin calls. Device functions may come from the loader or from the one
+ * device. The functions of memory may be NULL with a deviceAllocator, and the functions of sets
+ * where the host writes its own descriptors: a context without them has no set layout. */
 typedef struct LichenVulkanFunctions {
   LichenStructureType type;
   uint32_t size;
@@ -125,7 +125,7 @@ typedef struct LichenVulkanInfo {
   const LichenVulkanFunctions* functions;
   PFN_vkGetInstanceProcAddr getInstanceProcAddr;
   VkInstance instance;
-  /* Of host memory, for every object that the plugin creates; copied. NULL: the driver's own. */
+  /* For host memory of every object that the plugin creates; copied. NULL: the driver's own. */
   const VkAllocationCallbacks* allocationCallbacks;
   /* Copied. NULL: the plugin allocates one block for a bundle's images, one for its constants and
    * one for its staging buffer; more where the images take more than 1 GiB. */
@@ -219,10 +219,10 @@ LICHEN_API LichenResult lichenVulkanAllocateSet(LichenVulkanAssets assets, uint3
                                                 VkDescriptorSet* set, LichenDiagnostic* diagnostic);
 
 /* For hosts that write descriptors themselves: where the noise's constants are, and its
- * LICHEN_SET_IMAGES images, those of all roles and then their tables, without samplers; with
- * LICHEN_VULKAN_LAYERS LICHEN_LAYERED_SET_IMAGES of them, those of index maps last. They live as
- * long as the assets. The buffer may also be read as a storage buffer, in which all noises of the
- * bundle follow each other. noise < noiseCount. */
+ * LICHEN_SET_IMAGES images, first of all roles and then their tables, without samplers; with
+ * LICHEN_VULKAN_LAYERS LICHEN_LAYERED_SET_IMAGES images, the index maps' last. They live as long as
+ * the assets. The buffer may also be read as a storage buffer, in which all noises of the bundle
+ * follow each other. noise < noiseCount. */
 LICHEN_API LichenResult lichenVulkanGetDescriptors(LichenVulkanAssets assets, uint32_t noise,
                                                    VkDescriptorBufferInfo* constants,
                                                    VkDescriptorImageInfo* images);

@@ -103,7 +103,7 @@ vec3 multipleKernelsDebug(LichenKernelsPoint point) {
 #endif
 
 #ifdef LICHEN_HAS_QUILTING
-/// Tiles have the colours of their vertices, so that a tile has one wherever it is seen.
+/// Tiles have the colours of their vertices, so that a tile has one colour everywhere.
 vec3 quiltingDebug(LichenQuiltingPoint point) {
   vec2 shares = point.weights / max(point.weights.x + point.weights.y, kLeastSum);
   vec3 tiles = shares.x * vec3(equal(point.colors.xxx, uvec3(0u, 1u, 2u))) +

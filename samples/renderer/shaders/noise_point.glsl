@@ -78,7 +78,7 @@ struct Spot {
 
 struct Footprint {
   vec4 texCoords; // two sets
-  vec4 dx; // screen-space derivatives, scaled likewise
+  vec4 dx; // screen-space derivatives, scaled in the same way
   vec4 dy;
   Spot world;
   Spot object; // unset if kObjectSpaces is false, like worldOutward

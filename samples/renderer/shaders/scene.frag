@@ -19,7 +19,7 @@ layout(location = 6) in vec3 objectPosition;
 layout(location = 7) in vec3 objectNormal;
 layout(location = 8) in vec4 objectTangent;
 layout(location = 9) in vec3 worldOutward;
-layout(location = 10) in vec3 displacedPosition; // that of the noise is worldPosition
+layout(location = 10) in vec3 displacedPosition; // the noise's position is worldPosition
 layout(location = 0) out vec4 color;
 
 /// Whether the surface is displaced, but no map has the slopes of its relief.

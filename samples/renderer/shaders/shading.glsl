@@ -42,8 +42,8 @@ struct Shading {
 float alphaOf(float roughness) { return max(roughness * roughness, kLeastAlpha); }
 
 /// Bumps that filtering has averaged away tilt parts of the surface. Diffuse light is the mean over
-/// four normals whose slopes have the same mean and covariance as those of the bumps. One normal
-/// would be too bright under the sun: bumps of deviation 0.2 reflect 3 % less than a plane.
+/// four normals whose slopes have the same mean and covariance as the bumps'. One normal would be
+/// too bright under the sun: bumps of deviation 0.2 reflect 3 % less than a plane.
 void setSpread(inout Shading s, float slopeVariance) {
   s.spread = sqrt(2.0 * slopeVariance);
   if (s.spread == 0.0)
