@@ -7,7 +7,6 @@
 #include "exemplar_options.h"
 #include "html_report.h"
 #include "layers_option.h"
-#include "method_choice.h"
 #include "methods/method_command.h"
 #include "noise_name.h"
 #include "options.h"
@@ -28,12 +27,6 @@
 namespace lichen::cli {
 namespace {
 
-/// What --method says; nothing: tiling, or quilting of what repeats clearly.
-struct MethodWish {
-  std::optional<Method> method;
-  bool comparesAll = false; ///< "auto"
-};
-
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
 
@@ -44,18 +37,19 @@ struct Arguments {
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
   ExemplarOptions exemplar;
-  MethodWish wanted;
+  std::optional<Method> wanted;
   Method method{}; ///< what was wanted, or chosen
-  std::optional<double> budget;
-  int bits = 0; ///< per channel of the tables
+  int bits = 0;    ///< per channel of the tables
   CommonOptions common;
-  MethodOptions methods;
+  std::vector<std::unique_ptr<const BakeOptions>> methods; ///< in the order of Method
   LayersOption layers;
   const CLI::App* verb = nullptr;
   PreviewShape preview{};
   std::string report;
 
-  [[nodiscard]] const BakeOptions& chosen() const { return *methods[std::size_t(method)]; }
+  [[nodiscard]] const BakeOptions& optionsOf(Method one) const {
+    return *methods[std::size_t(one)];
+  }
 };
 
 /// The error of an option that only some methods take.
@@ -70,8 +64,7 @@ Error foreignTo(Method method, const char* option, bool (MethodCommand::*takes)(
 
 /// Whether no option but --guide decides the method.
 bool leavesMethodOpen(const Arguments& arguments) {
-  return !arguments.wanted.method && !arguments.wanted.comparesAll && !arguments.layers.isGiven() &&
-         !arguments.common.spectrum &&
+  return !arguments.wanted && !arguments.layers.isGiven() && !arguments.common.spectrum &&
          !givenOf(*arguments.verb, commandOf(Method::tiling).heading());
 }
 
@@ -80,28 +73,17 @@ bool choosesByStructure(const Arguments& arguments) {
   return leavesMethodOpen(arguments) && !arguments.common.guide;
 }
 
-/// The methods of which --method auto chooses one.
-std::vector<Method> candidatesOf(const Arguments& arguments) {
-  std::vector<Method> candidates;
-  for (const Method method : allMethods())
-    if (!arguments.layers.isGiven() || isLayerable(method))
-      candidates.push_back(method);
-  return candidates;
-}
-
 /// The method before the exemplar is known.
 Method usualMethod(const Arguments& arguments) {
   const bool isGuided = arguments.common.guide.value_or(0.0) > 0.0;
-  return arguments.wanted.method.value_or(isGuided ? Method::quilting : Method::tiling);
+  return arguments.wanted.value_or(isGuided ? Method::quilting : Method::tiling);
 }
 
-/// Of the method, or of the one among those that may be chosen that needs most.
+/// What the method needs, or the larger needs if the exemplar decides between tiling and quilting.
 BakeMemory memoryOf(const Arguments& arguments) {
-  if (arguments.wanted.comparesAll)
-    return largestMemory(arguments.methods);
-  BakeMemory memory = arguments.chosen().memory();
+  BakeMemory memory = arguments.optionsOf(arguments.method).memory();
   if (choosesByStructure(arguments)) {
-    const BakeMemory other = arguments.methods[std::size_t(Method::quilting)]->memory();
+    const BakeMemory other = arguments.optionsOf(Method::quilting).memory();
     memory = {std::max(memory.map, other.map), std::max(memory.largest, other.largest)};
   }
   return memory;
@@ -113,29 +95,21 @@ Result<void> checkMethodOptions(const Arguments& arguments) {
     return Error{ErrorKind::usage, "--layers: given with --labels; expected one of the two"};
   if (arguments.layers.softness && !arguments.layers.isGiven())
     return Error{ErrorKind::usage, "--softness: belongs to --labels and --layers"};
-  if (arguments.wanted.comparesAll) {
-    if (arguments.common.spectrum)
-      return Error{ErrorKind::usage, "--spectrum: auto compares with the exemplar; expected a "
-                                     "--method"};
-    return {};
-  }
   if (arguments.layers.isGiven() && !isLayerable(arguments.method))
     return Error{ErrorKind::usage,
                  fmt::format("{}: layers do not take the method {}; expected --method {}",
                              arguments.layers.count ? "--layers" : "--labels",
                              nameOf(arguments.method), layerableMethods())};
-  if (arguments.budget)
-    return Error{ErrorKind::usage, "--budget: belongs to --method auto"};
   const MethodCommand& command = commandOf(arguments.method);
   if (arguments.common.spectrum && !command.takesSpectrum())
     return foreignTo(arguments.method, "--spectrum", &MethodCommand::takesSpectrum);
-  if (arguments.wanted.method && arguments.common.guide && !command.takesGuide())
+  if (arguments.wanted && arguments.common.guide && !command.takesGuide())
     return foreignTo(arguments.method, "--guide", &MethodCommand::takesGuide);
   const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
   if (!foreign)
     return {};
   return Error{ErrorKind::usage,
-               arguments.wanted.method
+               arguments.wanted
                    ? fmt::format("{}: belongs to --method {}, not to {}", foreign->name,
                                  nameOf(foreign->method), nameOf(arguments.method))
                    : fmt::format("{}: belongs to --method {}, which was not given", foreign->name,
@@ -178,24 +152,12 @@ Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
     arguments.exemplar.set.cutsFrame = false; // the labels are of the whole picture
   const bool byStructure = choosesByStructure(arguments);
   arguments.exemplar.findsStructure =
-      !arguments.layers.isGiven() &&
-      (byStructure || arguments.wanted.comparesAll || arguments.method == Method::quilting);
+      !arguments.layers.isGiven() && (byStructure || arguments.method == Method::quilting);
   Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
   if (!read)
     return read.error();
   MaterialSet& set = read.value().set;
   const Structure& structure = read.value().structure;
-  if (arguments.wanted.comparesAll) {
-    const Method usual = structure.isClear() ? Method::quilting : Method::tiling;
-    const double budget =
-        arguments.budget.value_or(arguments.methods[std::size_t(usual)]->plainFetches());
-    Result<MethodChoice> choice = chooseMethod(set.maps, set.periodic, arguments.methods,
-                                               candidatesOf(arguments), budget, arguments.shared);
-    if (!choice)
-      return choice.error();
-    arguments.method = choice.value().method;
-    notes.add(std::move(choice.value().reason));
-  }
   if (leavesMethodOpen(arguments) && arguments.common.guide == kGuideRange.least)
     notes.add("--guide 0: tiles are placed anywhere, so the noise is baked by tiling; --method "
               "quilting cuts them along outlines");
@@ -229,8 +191,8 @@ struct JudgedBake {
 Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exemplar, Notes& notes) {
   ProgressLine progress("bake", arguments.shared);
   const auto bake = [&](std::span<const MapExemplar> maps) {
-    return arguments.chosen().bake(
-        {exemplar.name, maps, exemplar.borders, arguments.bits, progress.asProgress()});
+    return arguments.optionsOf(arguments.method)
+        .bake({exemplar.name, maps, exemplar.borders, arguments.bits, progress.asProgress()});
   };
   LayeredBake result;
   if (arguments.layers.isGiven()) {
@@ -328,18 +290,13 @@ Result<int> run(Arguments& arguments) {
   MethodBake& bake = made.value().baked.about;
   for (const std::string& line : bake.notes)
     notes.add(line);
-  if (arguments.wanted.comparesAll &&
-      made.value().judged.verdict.level == Verdict::Level::unsuitable)
-    notes.add("the verdict on the choice of --method auto is unsuitable: auto compares "
-              "look_distance within --budget and does not ask the verdict; follow what the verdict "
-              "says helps");
   const Result<BundleFile> file = makeBundleFile(arguments, made.value().baked);
   if (!file)
     return file.error();
   const Bundle& bundle = file.value().bundle;
   if (arguments.shared.json && !arguments.layers.isGiven()) {
     const Result<nlohmann::ordered_json> measured =
-        arguments.chosen().measure(bundle, exemplar.maps, bake);
+        arguments.optionsOf(arguments.method).measure(bundle, exemplar.maps, bake);
     if (!measured)
       return measured.error();
     bake.json.update(measured.value());
@@ -382,21 +339,16 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
   addExemplarOptions(verb, arguments->exemplar, ExemplarUse::bake);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);
-  Choices<MethodWish> methods;
+  Choices<Method> methods;
   for (const Method method : allMethods())
-    methods.emplace_back(nameOf(method), MethodWish{method, false});
-  methods.emplace_back("auto", MethodWish{std::nullopt, true});
+    methods.emplace_back(nameOf(method), method);
   addValue(
-      verb, "--method", arguments->wanted, oneOf(methods), "",
+      verb, "--method", arguments->wanted, optional(oneOf(methods)), "",
       "tiling keeps the exemplar's histogram; texton makes a Gaussian texture, the smallest on "
       "the GPU; local-random-phase keeps histogram and spectrum, sharp at any magnification; "
       "multiple-kernels does so with few kernels, for painted spectra; quilting keeps bricks, "
-      "boards and threads whole; auto: of those within --budget the one that looks nearest to "
-      "the exemplar, or the cheapest if none looks clearly nearer [default: quilting if something "
-      "repeats clearly or has clear outlines, otherwise tiling]");
-  addValue(verb, "--budget", arguments->budget, optional(number(kBudgetRange)), "",
-           "With --method auto: the most time of a pixel, in plain texture fetches [default: that "
-           "of tiling, or of quilting for what repeats or has clear outlines]");
+      "boards and threads whole [default: quilting if something repeats clearly or has clear "
+      "outlines, otherwise tiling]");
   addValue(verb, "--precision", arguments->bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables; for textons 16- or 32-bit floats");
   for (const Method method : allMethods())

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-// lichen compare: compares a result, a bundle's noise or every method with the exemplar.
+// lichen compare: compares a result or a bundle's noise with the exemplar.
 #include "bake_verdict.h"
 #include "command.h"
-#include "compare_methods.h"
 #include "exemplar_options.h"
-#include "html_report.h"
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
@@ -32,8 +30,6 @@ struct Arguments {
   std::string noise;
   std::string map;
   std::optional<double> mix;
-  bool allMethods = false;
-  std::string report;
   ExemplarOptions asBaked;
   const CLI::App* verb = nullptr;
 };
@@ -266,31 +262,8 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
                           {"notes", notes}}));
 }
 
-/// Checks the options that belong to --methods, or not to it.
-Result<void> checkMethods(const Arguments& arguments) {
-  if (!arguments.allMethods) {
-    if (arguments.result.empty())
-      return Error{ErrorKind::usage, "RESULT|BUNDLE is required without --methods"};
-    if (!arguments.report.empty())
-      return Error{ErrorKind::usage, "--report: belongs to --methods"};
-    return {};
-  }
-  if (!arguments.result.empty() || !arguments.noise.empty() || arguments.mix)
-    return Error{ErrorKind::usage, "--methods: bakes the exemplar itself; expected no result, and "
-                                   "no option of one"};
-  return checkReportPath(arguments.report);
-}
-
 Result<int> run(Arguments& arguments) {
-  if (Result<void> checked = checkMethods(arguments); !checked)
-    return checked.error();
-  if (arguments.allMethods) {
-    arguments.asBaked.bakeMemory = memoryOfMethods();
-    if (!isGiven(*arguments.verb, "--flatten"))
-      arguments.asBaked.flattening.automatic = true; // as in a bake
-  } else {
-    arguments.asBaked.outliers.recorded.emplace();
-  }
+  arguments.asBaked.outliers.recorded.emplace();
   if (!arguments.noise.empty() && !namesBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
                                                arguments.noise, arguments.result)};
@@ -312,7 +285,7 @@ Result<int> run(Arguments& arguments) {
         describe(adoptPreparation(baked->noise().preparation, *arguments.verb, arguments.asBaked));
   }
   // A bundle records what was cut off, but of the exemplars of a mix.
-  arguments.asBaked.set.cutsFrame = arguments.allMethods || (baked && isMix(baked->noise()));
+  arguments.asBaked.set.cutsFrame = baked && isMix(baked->noise());
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar && adopted.empty())
     return exemplar.error();
@@ -325,9 +298,6 @@ Result<int> run(Arguments& arguments) {
     exemplar.value().set.notes.insert(exemplar.value().set.notes.begin(),
                                       "as the bundle was baked: " + adopted);
   const MaterialSet& set = exemplar.value().set;
-  if (arguments.allMethods)
-    return compareMethods({arguments.exemplar, set.maps.front(), set.periodic, set.notes},
-                          arguments.report, arguments.shared);
   const Result<std::vector<MapMeasures>> maps =
       baked ? compareBundle(arguments, *baked, exemplar.value())
             : compareImage(arguments, exemplar.value().set);
@@ -356,15 +326,12 @@ Runner addCompare(CLI::App& verb, const SharedOptions& shared) {
           "The photograph, or a folder with the maps of a material")
       .required();
   addText(verb, "RESULT|BUNDLE", arguments->result, "",
-          "An image made from it, or a .glb or .gltf with its noise; none with --methods");
-  addFlag(verb, "--methods", arguments->allMethods,
-          "Bake the exemplar by every method, and print a line for each: measures, memory, cost");
-  addText(verb, "--report", arguments->report, "OUT.html",
-          "With --methods: also write a page with pictures");
+          "An image made from it, or a .glb or .gltf with its noise")
+      .required();
   addText(verb, "--noise", arguments->noise, "NAME",
           "Name of the bundle's noise [default: the first]");
   addText(verb, "--map", arguments->map, "MAP",
-          "One of the exemplar's maps, such as normal [default: all; the first with --methods]");
+          "One of the exemplar's maps, such as normal [default: all]");
   addValue(verb, "--mix", arguments->mix, optional(number(kMixWeightRange)), "",
            "Weight of a mix at which to measure: 0 for the first input, 1 for the last [default: "
            "0]");

@@ -156,7 +156,6 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse us
     const Option option = addValue(verb, name, value, accepted, preset, help);
     if (use == ExemplarUse::comparison)
       option.shownDefault("as the bundle says" + (preset.empty() ? "" : ", else " + preset));
-    return option;
   };
   add("--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
       "Use only the W x H pixels from column X and row Y on, counted in the largest map; a bake "
@@ -170,13 +169,10 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse us
   const Choices<AlphaUse> uses{{"ignore", AlphaUse::ignore}, {"opacity", AlphaUse::opacity}};
   add("--alpha", options.set.alpha, oneOf(uses), "ignore",
       "Ignore the alpha of the base colour, or bake it as opacity");
-  const Option flatten =
-      add("--flatten", options.flattening, flattening(),
-          use == ExemplarUse::comparison ? "none" : "auto",
-          "Remove variation slower than PERIOD pixels; auto removes uneven light from the base "
-          "colour, if the noise would show it");
-  if (use == ExemplarUse::comparison)
-    flatten.shownDefault("as the bundle says; none for an image, auto with --methods");
+  add("--flatten", options.flattening, flattening(),
+      use == ExemplarUse::comparison ? "none" : "auto",
+      "Remove variation slower than PERIOD pixels; auto removes uneven light from the base "
+      "colour, if the noise would show it");
   addFlag(
       verb, "--keep-outliers", options.outliers.keeps,
       "Leave what occurs once, such as a leaf, a fold or a stain, instead of filling it from the "
@@ -187,10 +183,7 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse us
       std::string("Make the part between four corners the tile, after all that is above: X,Y of "
                   "the upper left, upper right, lower right and lower left; choose points that lie "
                   "whole periods apart") +
-          (findsPeriods
-               ? "; auto: whole periods of what repeats, in a bake by quilting or with --method "
-                 "auto"
-               : ""));
+          (findsPeriods ? "; auto: whole periods of what repeats, in a bake by quilting" : ""));
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
   add("--periodic", options.set.periodic, oneOf(periodic), "auto",

@@ -18,7 +18,7 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 18> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 17> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
@@ -31,7 +31,6 @@ constexpr std::array<Family, 18> kFamilies{{{"bake", bakeRows},
                                             {"multiple-kernels", multipleKernelsRows},
                                             {"structure", structureRows},
                                             {"quilting", quiltingRows},
-                                            {"methods", methodRows},
                                             {"load", loadRows},
                                             {"shader", shaderRows},
                                             {"options", optionRows},

@@ -6,7 +6,6 @@
 
 #include <lichen/counted.h>
 #include <lichen/local_random_phase.h>
-#include <lichen/plain_fetches.h>
 
 #include <fmt/format.h>
 
@@ -38,10 +37,6 @@ public:
   [[nodiscard]] BakeMemory memory() const override {
     const bool mayHaveStructure = structure != 0.0;
     return {64.0, mayHaveStructure ? 460.0 : 160.0};
-  }
-
-  [[nodiscard]] double plainFetches() const override {
-    return cosineFetches(cosines, structure != 0.0);
   }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {

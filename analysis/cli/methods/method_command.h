@@ -58,9 +58,6 @@ public:
   virtual ~BakeOptions() = default;
 
   [[nodiscard]] virtual BakeMemory memory() const = 0;
-  /// The time of a pixel of one map, in trilinear texture fetches: what `lichen-bench --only
-  /// shader` measures on a CPU (llvmpipe) with the default kernels, windows and order.
-  [[nodiscard]] virtual double plainFetches() const = 0;
   [[nodiscard]] virtual Result<MethodBake> bake(const BakeInput& input) const = 0;
   /// Returns members of `bake --json` that need the finished bundle.
   [[nodiscard]] virtual Result<nlohmann::ordered_json>

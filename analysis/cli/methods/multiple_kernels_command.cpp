@@ -7,7 +7,6 @@
 
 #include <lichen/counted.h>
 #include <lichen/multiple_kernels.h>
-#include <lichen/plain_fetches.h>
 
 #include <fmt/format.h>
 
@@ -32,10 +31,6 @@ public:
 
   /// As tiling needs, and the spectra of all channels.
   [[nodiscard]] BakeMemory memory() const override { return {64.0, 160.0}; }
-
-  [[nodiscard]] double plainFetches() const override {
-    return kernelFetches(impacts, pattern ? cosinesOf(*pattern) : 0);
-  }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     MultipleKernelsOptions options;

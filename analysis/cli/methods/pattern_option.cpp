@@ -7,7 +7,6 @@
 
 #include <lichen/pattern.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -61,18 +60,6 @@ Accepted<std::optional<PatternChoice>> patternChoice() {
               ", parts such as wave:8:0 or spline:0:4:1:0:0.5 with commas between them and whole "
               "cycles per tile, or a picture",
           read};
-}
-
-int cosinesOf(const PatternChoice& choice) {
-  if (const auto* strongest = std::get_if<StrongestWaves>(&choice))
-    return strongest->cosines;
-  std::size_t waves = kMostPatternCosines; // of a picture
-  if (const auto* parts = std::get_if<std::vector<PatternPart>>(&choice)) {
-    waves = 0;
-    for (const PatternPart& part : *parts)
-      waves += part.size();
-  }
-  return int(std::min(waves, std::size_t(kMostPatternCosines)));
 }
 
 Result<Perturbation> perturbationOf(const PatternChoice& choice, double amount, int repeats) {

@@ -25,9 +25,6 @@ using PatternChoice = std::variant<StrongestWaves, std::vector<PatternPart>, std
 /// "cosines:40", "wave:8:0,spline:0:4:1:0:0.5", or the name of a file.
 [[nodiscard]] Accepted<std::optional<PatternChoice>> patternChoice();
 
-/// The most cosines that it may have.
-[[nodiscard]] int cosinesOf(const PatternChoice& choice);
-
 /// The perturbation of `choice` by `amount`. A picture lies `repeats` times along each axis of the
 /// tile. Errors: as readImage().
 [[nodiscard]] Result<Perturbation> perturbationOf(const PatternChoice& choice, double amount,

@@ -2,7 +2,6 @@
 // Quilting: options, bake reports, and descriptions for `inspect`.
 #include "quilting_command.h"
 
-#include <lichen/plain_fetches.h>
 #include <lichen/quilting.h>
 
 #include <fmt/format.h>
@@ -23,8 +22,6 @@ public:
   explicit Bake(const CommonOptions& common) : common_(common) {}
 
   [[nodiscard]] BakeMemory memory() const override { return {32.0, 128.0}; }
-
-  [[nodiscard]] double plainFetches() const override { return kQuiltingFetches; }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     QuiltingOptions options;

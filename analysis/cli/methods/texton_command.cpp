@@ -5,7 +5,6 @@
 #include "../progress_line.h"
 #include "../table_words.h"
 
-#include <lichen/plain_fetches.h>
 #include <lichen/texton_comparison.h>
 
 #include <fmt/format.h>
@@ -111,8 +110,6 @@ public:
   MaterialNoise material;
 
   [[nodiscard]] BakeMemory memory() const override { return kTextonMemory; }
-
-  [[nodiscard]] double plainFetches() const override { return textonFetches(material.impacts); }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     TextonOptions texton = options;

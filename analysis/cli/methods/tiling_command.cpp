@@ -4,7 +4,6 @@
 
 #include "../table_words.h"
 
-#include <lichen/plain_fetches.h>
 #include <lichen/tiling.h>
 #include <lichen/tiling_precision.h>
 
@@ -36,8 +35,6 @@ public:
   /// Measured: 139 to 148 bytes per pixel for one map of 512 to 2048 pixels a side, 161 for one of
   /// 8192 (docs/benchmarks.md), 238 for four maps of 1024.
   [[nodiscard]] BakeMemory memory() const override { return {32.0, 128.0}; }
-
-  [[nodiscard]] double plainFetches() const override { return kTilingFetches; }
 
   [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
     TilingOptions tiling = options;
