@@ -3,6 +3,7 @@
 // exemplars, and how often a bake chooses it wrongly.
 #include "exemplars.h"
 #include "false_joints.h"
+#include "patch_distance.h"
 #include "repetition.h"
 #include "rows.h"
 #include "structured_subjects.h"
@@ -82,8 +83,8 @@ void addComparison(Scores& scores, const SrgbImage& exemplar, const SrgbImage& o
   addToMean(scores.covariance.other, require(autocovarianceError(exemplar, tiled, support)));
   addToMean(scores.shortCovariance.own, require(autocovarianceError(exemplar, own)));
   addToMean(scores.shortCovariance.other, require(autocovarianceError(exemplar, tiled)));
-  addToMean(scores.patches.own, require(patchDistance(exemplar, own)));
-  addToMean(scores.patches.other, require(patchDistance(exemplar, tiled)));
+  addToMean(scores.patches.own, patchDistance(exemplar, own));
+  addToMean(scores.patches.other, patchDistance(exemplar, tiled));
 }
 
 Scores scoresOf(const StructuredSubject& subject) {

@@ -24,21 +24,6 @@ namespace lichen {
 /// rounded to 2^16 steps, so results below 3e-5 mean nothing. O(256 pixels). Source: [RPDB12].
 [[nodiscard]] Result<double> colorDistance(const SrgbImage& exemplar, const SrgbImage& result);
 
-/// Sliced Wasserstein-2 distance between the 9 x 9 patches of the luminance, at most 96 x 96 of
-/// them, one from a random place in each cell of a grid over the image: the root mean square over
-/// 256 directions, in units of the code value of a pixel. Places and directions are the same at
-/// each call. A pixel of a patch is the mean of `spacingPixels` x `spacingPixels` pixels of an
-/// image. Equal sets give 0. Sides must be at least 9 times the spacing, which is 1 to 1024.
-/// Source: [RPDB12].
-[[nodiscard]] Result<double> patchDistance(const SrgbImage& exemplar, const SrgbImage& result,
-                                           int spacingPixels = 1);
-
-/// How far a result looks from its exemplar, whatever its method: the root mean square of
-/// patchDistance() with spacings of 1, 2 and 4 pixels, or as many of them as leave 32 pixels along
-/// the shortest side of both. Sides must be at least kLeastLookSide.
-[[nodiscard]] Result<double> lookDistance(const SrgbImage& exemplar, const SrgbImage& result);
-inline constexpr int kLeastLookSide = 32;
-
 /// Root mean square difference, in decibels, of the radially averaged power spectra of the
 /// luminance (radialPowerSpectrum()), from 4 cycles per crop to Nyquist. Crops have an even side of
 /// at most 128 pixels and a quarter of the shortest side of both images. Powers below the power of
