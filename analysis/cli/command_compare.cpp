@@ -34,12 +34,10 @@ struct Arguments {
   const CLI::App* verb = nullptr;
 };
 
-/// The measures of one map; for a texton, also its comparison with other kernels of the same
-/// support.
+/// The measures of one map.
 struct MapMeasures {
   MapTarget map = MapTarget::baseColor;
   std::vector<Measure> measures;
-  std::optional<KernelComparison> kernels;
 };
 
 /// A bundle, and which of its noises to compare.
@@ -125,7 +123,7 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments, Materi
       measureResult(look.picture(exemplar), look.picture(image));
   if (!measures)
     return measures.error();
-  return std::vector{MapMeasures{exemplar.target, std::move(measures).value(), {}}};
+  return std::vector{MapMeasures{exemplar.target, std::move(measures).value()}};
 }
 
 /// Adds a note if an exemplar differs in size from the one that the map was baked from. Methods
@@ -176,7 +174,7 @@ Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, const
     Result<NoiseComparison> comparison = compareNoise(baked.bundle, material, map, part);
     if (!comparison)
       return Error{comparison.error().kind, arguments.result + ": " + comparison.error().message};
-    all.push_back({map.target, std::move(comparison.value().measures), comparison.value().kernels});
+    all.push_back({map.target, std::move(comparison.value().measures)});
   }
   return all;
 }
@@ -194,22 +192,6 @@ std::string lineOf(const Measure& measure, std::size_t nameWidth) {
   if (!measure.remark.empty())
     line += "  " + measure.remark;
   return line.substr(0, line.find_last_not_of(' ') + 1);
-}
-
-/// Returns a table that compares the texton with other kernels of the same support.
-std::vector<std::string> linesOf(const KernelComparison& kernels) {
-  constexpr const char* kRow = "{:<22} {:>11} {:>8} {:>14}";
-  std::vector<std::string> lines{
-      fmt::format(kRow, "of this support", "model_error", "flatness", "impacts needed")};
-  const auto add = [&](const char* name, const KernelJudgement& kernel) {
-    lines.push_back(fmt::format(kRow, name, fmt::format("{:.3f}", kernel.modelError),
-                                fmt::format("{:.2f}", kernel.flatness),
-                                fmt::format("{:.0f}", kernel.impactsNeeded())));
-  };
-  add("this texton", kernels.texton);
-  add("luminance texton", kernels.luminance);
-  add("random phase, cropped", kernels.randomPhase);
-  return lines;
 }
 
 /// The verdict in words; of a good one also why the exit code is 1, if it is.
@@ -233,13 +215,12 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
   if (verdict)
     say(arguments.shared, wordsOf(*verdict, maps));
   Json list = Json::array();
-  Json kernelList = Json::array();
   const std::string indent = maps.size() > 1 ? "  " : "";
   std::size_t nameWidth = 0;
   for (const MapMeasures& map : maps)
     for (const Measure& measure : map.measures)
       nameWidth = std::max(nameWidth, measure.name.size());
-  for (const auto& [map, measures, kernels] : maps) {
+  for (const auto& [map, measures] : maps) {
     if (maps.size() > 1)
       say(arguments.shared, std::string(nameOf(map)));
     for (const Measure& measure : measures) {
@@ -247,18 +228,12 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
       list.back().update(jsonOf(measure));
       say(arguments.shared, indent + lineOf(measure, nameWidth));
     }
-    if (!kernels)
-      continue;
-    kernelList.push_back({{"map", nameOf(map)}, {"spots", jsonOf(*kernels)}});
-    for (const std::string& line : linesOf(*kernels))
-      say(arguments.shared, indent + line);
   }
   if (arguments.shared.json)
     printLine(toText(Json{{"exemplar", arguments.exemplar},
                           {"result", arguments.result},
                           {"verdict", verdict ? jsonOf(*verdict) : Json()},
                           {"measures", list},
-                          {"kernels", kernelList},
                           {"notes", notes}}));
 }
 

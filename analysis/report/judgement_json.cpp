@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures, kernels and risks -> JSON.
+// Measures and risks -> JSON.
 #include <lichen/judgement_json.h>
 
 #include <nlohmann/json.hpp>
@@ -21,20 +21,6 @@ Json jsonOf(const Measure& measure) {
           {"target", orNull(measure.target)},
           {"met", measure.value && measure.target ? Json(!measure.isMissed()) : Json()},
           {"remark", measure.remark}};
-}
-
-Json jsonOf(const KernelComparison& kernels) {
-  Json list = Json::array();
-  const std::pair<const char*, const KernelJudgement*> all[] = {
-      {"this texton", &kernels.texton},
-      {"luminance texton", &kernels.luminance},
-      {"random phase, cropped", &kernels.randomPhase}};
-  for (const auto& [name, kernel] : all)
-    list.push_back({{"name", name},
-                    {"modelError", kernel->modelError},
-                    {"flatness", kernel->flatness},
-                    {"impactsNeeded", kernel->impactsNeeded()}});
-  return list;
 }
 
 Json jsonOf(const Risk& risk, SettingWords words) {

@@ -169,7 +169,6 @@ Result<Json> describeMap(const Bundle& bundle, const MaterialNoise& material,
   section["image"] = std::move(image).value();
   section["furtherImages"] = std::move(further).value();
   section["table"] = std::move(table).value();
-  section["kernels"] = comparison.value().kernels ? jsonOf(*comparison.value().kernels) : Json();
   return section;
 }
 

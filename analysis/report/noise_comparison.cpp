@@ -96,8 +96,8 @@ private:
     if (!result)
       return result.error();
     const MapLook look(exemplar(), map_.encoding);
-    NoiseComparison comparison{look, look.picture(exemplar()), look.picture(result.value()), {}, {},
-                               {}};
+    NoiseComparison comparison{
+        look, look.picture(exemplar()), look.picture(result.value()), {}, {}};
     if (Result<void> taken = method_.measure(compared({}), comparison); !taken)
       return taken.error();
     return comparison;

@@ -3,9 +3,9 @@
 //
 // Sources: [GLM17] section 4, [GLM14]. The contrast of the noise: docs/decisions/008-textons.md.
 #include "color_correction.h"
-#include "comparison.h"
 #include "exemplar/map_ranges.h"
 #include "fit.h"
+#include "flatness.h"
 #include "gaussian/model_covariance.h"
 #include "joint_exemplar.h"
 #include "option_ranges.h"

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A stored texton and its exemplar -> its error and flatness beside other spots, and the exemplar's
-// Gaussian texture.
+// A stored texton and its exemplar -> its error and flatness, and the exemplar's Gaussian texture.
 //
 // Sources: [GLM14] section 4 and eq. 5.
-#include "comparison.h"
+#include "color_correction.h"
 #include "exemplar/resample.h"
 #include "exemplar/value_encoding.h"
+#include "flatness.h"
 #include "gaussian/gaussian_texture.h"
 #include "gaussian/model_covariance.h"
 #include "transport/covariance_map.h"
+
+#include <lichen/texton_judgement.h>
 
 #include <algorithm>
 #include <limits>
@@ -41,16 +43,19 @@ TextonCoefficients storedCoefficients(const Table& image, const TextonShape& sha
   return stored;
 }
 
-Result<KernelComparison> compared(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
-                                  const MapExemplar& exemplar, std::size_t step) {
+TextonJudgement judged(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+                       const MapExemplar& exemplar, std::size_t step) {
   const auto [width, height] = exemplarSize(bundle, noise, map);
   const bool fits = exemplar.width == int(width) && exemplar.height == int(height);
   const gaussian::GaussianModel model =
       modelOf(fits ? exemplar : exemplar::resampled(exemplar, int(width), int(height), false));
-  return compareKernels(model,
-                        storedCoefficients(bundle.tables[map.as<TextonMap>().image],
-                                           noise.as<TextonShape>(), map, step),
-                        noise.as<TextonShape>().order, seenWeights(map.channels));
+  const auto& shape = noise.as<TextonShape>();
+  TextonCoefficients texton =
+      storedCoefficients(bundle.tables[map.as<TextonMap>().image], shape, map, step);
+  // A texton that cannot have this covariance is judged unchanged.
+  (void)correctCovariance(texton, shape.order, gaussian::modelCovariance(model));
+  return {relativeModelError(model, texton, shape.order),
+          flatness(interpolatedSpot(texton, shape.order), seenWeights(map.channels))};
 }
 
 /// Returns the range that images of an encoding can hold.
@@ -92,10 +97,10 @@ MapExemplar gaussianTextureOf(const NoiseMap& map, const MapExemplar& exemplar,
 
 } // namespace
 
-Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noiseIndex,
-                                       const MapExemplar& exemplar, std::size_t step) {
-  const auto exhausted = [] { return "not enough memory to compare a texton with other spots"; };
-  return withinMemory(exhausted, [&]() -> Result<KernelComparison> {
+Result<TextonJudgement> judgeTexton(const Bundle& bundle, std::size_t noiseIndex,
+                                    const MapExemplar& exemplar, std::size_t step) {
+  const auto exhausted = [] { return "not enough memory to judge a texton"; };
+  return withinMemory(exhausted, [&]() -> Result<TextonJudgement> {
     if (noiseIndex >= bundle.noises.size())
       return usage("noise " + std::to_string(noiseIndex) + ": the bundle has " +
                    std::to_string(bundle.noises.size()));
@@ -114,7 +119,7 @@ Result<KernelComparison> compareTexton(const Bundle& bundle, std::size_t noiseIn
       return Error{ErrorKind::badInput, "the exemplar has other channels than the map " +
                                             std::string(nameOf(map.target)) + " of noise '" +
                                             noise.name + "'"};
-    return compared(bundle, noise, map, exemplar::asStored(exemplar), step);
+    return judged(bundle, noise, map, exemplar::asStored(exemplar), step);
   });
 }
 

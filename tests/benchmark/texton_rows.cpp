@@ -16,8 +16,8 @@
 #include <materials.h>
 #include <texton/border_penalty.h>
 #include <texton/color_correction.h>
-#include <texton/comparison.h>
 #include <texton/fit.h>
+#include <texton/flatness.h>
 
 namespace lichen::bench {
 namespace {

@@ -100,7 +100,7 @@ TEST_CASE("the error for an unknown option value of bake lists the valid ones") 
   checkBakeRefuses({"--precision", "9"}, kUsage, {"--precision 9: expected 8 or 16"});
   checkBakeRefuses({"--method", "magic"}, kUsage,
                    {"--method magic: expected tiling, texton, local-random-phase, "
-                    "multiple-kernels, quilting or auto"});
+                    "multiple-kernels or quilting"});
   checkBakeRefuses({"--periodic", "maybe"}, kUsage,
                    {"--periodic maybe: expected auto, yes or no; see 'lichen bake --help'"});
   checkBakeRefuses({"--transport", "slow"}, kUsage, {"--transport slow: expected fast or default"});

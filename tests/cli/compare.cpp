@@ -219,9 +219,6 @@ TEST_CASE("textons are measured against the exemplar's Gaussian version, not its
   CHECK(texton.value("model_error") > 0.0);
   CHECK(texton.value("model_error") < 1.0);
   CHECK(texton.value("flatness") > 1.0);
-  const std::string page = runLichen({"compare", image, bundle}).output;
-  for (const char* words : {"impacts needed", "this texton", "luminance texton", "random phase"})
-    CHECK_THAT(page, Catch::Contains(words));
 }
 
 TEST_CASE("cosines without a structure are measured against the exemplar's Gaussian version") {

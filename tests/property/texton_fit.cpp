@@ -13,8 +13,8 @@
 #include <numbers>
 #include <texton/border_penalty.h>
 #include <texton/color_correction.h>
-#include <texton/comparison.h>
 #include <texton/fit.h>
+#include <texton/flatness.h>
 #include <texton/interpolation.h>
 #include <vector>
 

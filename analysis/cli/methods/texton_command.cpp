@@ -5,8 +5,6 @@
 #include "../progress_line.h"
 #include "../table_words.h"
 
-#include <lichen/texton_comparison.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -40,6 +38,8 @@ constexpr double kCloseError = 0.67;
 /// a fit should have, divided by the number of impacts that the papers and this project use.
 constexpr double kEnoughFlatness = 4.0;
 constexpr double kUsualImpacts = 30.0;
+/// The excess kurtosis of that many impacts of a normally distributed texton.
+constexpr double kNearlyNormal = 3.0 / kUsualImpacts;
 
 bool isSupportWhole(const TextonShape& shape) {
   return shape.coefficientsX + shape.order >= shape.texelsPerTileX &&
@@ -91,7 +91,7 @@ std::vector<std::string> qualityNotes(const TextonQuality& quality, const Noise&
   if (quality.flatness * kUsualImpacts > kEnoughFlatness * impacts)
     notes.push_back(
         fmt::format("{:g} impacts are few: --impacts {:.0f} makes the values nearly normal",
-                    impacts, std::ceil(quality.flatness / KernelJudgement::kNearlyNormal)));
+                    impacts, std::ceil(quality.flatness / kNearlyNormal)));
   return notes;
 }
 

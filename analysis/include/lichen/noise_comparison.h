@@ -6,7 +6,6 @@
 #include <lichen/map_picture.h>
 #include <lichen/measures.h>
 #include <lichen/progress.h>
-#include <lichen/texton_comparison.h>
 
 #include <optional>
 
@@ -22,8 +21,6 @@ struct NoiseComparison {
   std::vector<Measure> measures;
   /// The exemplar's Gaussian version, if the noise has random phases.
   std::optional<SrgbImage> gaussian;
-  /// Textons only: other kernels with the same support.
-  std::optional<KernelComparison> kernels;
 };
 
 /// Synthesizes the exemplar's map from the material's noise and pattern, and measures it. The

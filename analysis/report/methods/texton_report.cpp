@@ -5,6 +5,8 @@
 
 #include "section_figures.h"
 
+#include <lichen/texton_judgement.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -18,22 +20,22 @@ using Json = nlohmann::ordered_json;
 
 constexpr GaussianTargets kTargets{0.5, 0.5, false};
 
-Measure flatnessMeasure(const KernelComparison& kernels) {
+Measure flatnessMeasure(const TextonJudgement& texton) {
   return {
       "flatness",
       "",
       "how much the magnitudes of the texton's texels differ; ten times as many impacts are enough",
-      kernels.texton.flatness,
+      texton.flatness,
       kFlatnessTarget,
       {}};
 }
 
-Measure modelErrorMeasure(const KernelComparison& kernels) {
+Measure modelErrorMeasure(const TextonJudgement& texton) {
   return {"model_error",
           "",
           "transport distance of all channels together to the exemplar's Gaussian texture, as a "
           "share of its deviation",
-          kernels.texton.modelError,
+          texton.modelError,
           {},
           {}};
 }
@@ -116,13 +118,12 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
   const Bundle& bundle = result.bundle;
   const SynthesisOptions& options = result.options;
   const std::size_t step = stepAt(bundle.noises[options.material.noise], options.mix[0]);
-  const Result<KernelComparison> kernels =
-      compareTexton(bundle, options.material.noise, result.exemplar, step);
-  if (!kernels)
-    return kernels.error();
-  comparison.kernels = kernels.value();
-  comparison.measures.push_back(modelErrorMeasure(kernels.value()));
-  comparison.measures.push_back(flatnessMeasure(kernels.value()));
+  const Result<TextonJudgement> texton =
+      judgeTexton(bundle, options.material.noise, result.exemplar, step);
+  if (!texton)
+    return texton.error();
+  comparison.measures.push_back(modelErrorMeasure(texton.value()));
+  comparison.measures.push_back(flatnessMeasure(texton.value()));
   return {};
 }
 

@@ -323,20 +323,6 @@ function measureRow(measure) {
   return row;
 }
 
-function kernelRow(kernel) {
-  const row = document.createElement('tr');
-  const name = element('th', kernel.name);
-  name.scope = 'row';
-  const numbers = {'Model error': kernel.modelError.toFixed(3), 'Flatness': kernel.flatness.toFixed(1),
-                   'Impacts needed': String(Math.round(kernel.impactsNeeded))};
-  row.append(name, ...Object.entries(numbers).map(([column, text]) => {
-    const cell = element('td', text, 'number');
-    cell.dataset.column = column;
-    return cell;
-  }));
-  return row;
-}
-
 function riskItem(risk) {
   const item = document.createElement('li');
   const look = {none: 'good', mild: 'warn', severe: 'bad'}[risk.level];
@@ -455,8 +441,6 @@ async function addMap(map) {
   find('.target').textContent = titleOf(map);
   find('.channels').textContent = map.summary;
   find('.measures tbody').append(...map.measures.map(measureRow));
-  find('.kernels tbody').append(...(map.kernels ?? []).map(kernelRow));
-  find('.kernels-section').hidden = !map.kernels;
   find('.risks').append(...map.risks.map(riskItem));
   find('.risks-section').hidden = map.risks.length === 0;
   find('.histograms').append(...map.histograms.map(histogram));

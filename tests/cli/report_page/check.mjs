@@ -127,21 +127,10 @@ const checks = {
     assert.notDeepEqual(await paneDigests(page), zoomed);
   },
 
-  async 'a texton stands beside two other spots, and its spectrum beside the Gaussian one'({page}) {
+  async 'the spectrum of a texton is beside the Gaussian one'({page}) {
     const isTexton = method !== 'tiling';
-    assert.equal(await page.locator('.kernels-section').first().isVisible(), isTexton);
     assert.equal(await page.locator('.gaussian-name').first().isVisible(), isTexton);
     assert.equal(await page.locator('.spectrum path.gaussian').count(), isTexton ? sections : 0);
-    const spots = await page.$$eval('.kernels tbody tr', (rows) => rows.map(
-      (row) => [...row.children].map((cell) => cell.textContent)));
-    if (!isTexton)
-      return assert.deepEqual(spots, []);
-    const names = ['this texton', 'luminance texton', 'random phase, cropped'];
-    assert.deepEqual(spots.map(([name]) => name), Array(sections).fill(names).flat());
-    for (const [, error, flatness, impacts] of spots) {
-      assert.ok(error > 0 && error < 2, `model error ${error}`);
-      assert.ok(Math.abs(impacts - 10 * flatness) <= 1, `${impacts} impacts, flatness ${flatness}`);
-    }
   },
 
   async 'a mix shows its inputs, the steps between them with their textons, and all spectra'({page}) {

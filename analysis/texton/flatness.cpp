@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Gaussian model and support -> error and kurtosis of three spots of that support.
+// Texton -> the ratio of the fourth to the squared second moment of its texels.
 //
-// The kurtosis follows from Campbell's theorem: the cumulant of order n of a renormalised spot
-// noise is sum h^n / intensity^(n / 2 - 1), where intensity = impacts / support. Source: [GLM14]
-// section 4.
-#include "comparison.h"
-
-#include "color_correction.h"
-#include "gaussian/kernels.h"
-#include "gaussian/model_covariance.h"
-#include "interpolation.h"
+// The kurtosis of the noise follows from Campbell's theorem: the cumulant of order n of a
+// renormalised spot noise is sum h^n / intensity^(n / 2 - 1), where intensity = impacts / support.
+// Source: [GLM14] section 4.
+#include "flatness.h"
 
 #include <lichen/spectrum.h>
 
@@ -17,22 +12,6 @@
 #include <cassert>
 
 namespace lichen::texton {
-namespace {
-
-/// Returns the model of coefficients whose B-spline interpolation has the given model. [GLM17] eq.
-/// 4.
-gaussian::GaussianModel coefficientModel(const gaussian::GaussianModel& model, int order) {
-  const std::vector<float> kernelX = kernelAmplitudes(order, model.width());
-  const std::vector<float> kernelY = kernelAmplitudes(order, model.height());
-  gaussian::GaussianModel result = model;
-  for (HalfSpectrum& channel : result.channels)
-    for (int v = 0; v < channel.height; ++v)
-      for (int u = 0; u < channel.columns(); ++u)
-        channel.at(u, v) /= kernelX[std::size_t(u)] * kernelY[std::size_t(v)];
-  return result;
-}
-
-} // namespace
 
 double flatness(const TextonCoefficients& spot, std::span<const float> weights) {
   assert(weights.size() == std::size_t(spot.channels));
@@ -76,22 +55,6 @@ std::vector<float> seenWeights(std::span<const MapChannel> channels) {
   if (channels.front() == MapChannel::red)
     return {kLuminanceWeights.begin(), kLuminanceWeights.end()};
   return std::vector<float>(channels.size(), 1.0f);
-}
-
-KernelComparison compareKernels(const gaussian::GaussianModel& model,
-                                const TextonCoefficients& texton, int order,
-                                std::span<const float> weights, std::uint32_t seed) {
-  const Eigen::MatrixXd covariance = gaussian::modelCovariance(model);
-  const auto judged = [&](TextonCoefficients spot) {
-    // A spot that cannot have this covariance is judged unchanged.
-    (void)correctCovariance(spot, order, covariance);
-    return KernelJudgement{relativeModelError(model, spot, order),
-                           flatness(interpolatedSpot(spot, order), weights)};
-  };
-  const gaussian::GaussianModel coefficients = coefficientModel(model, order);
-  return {judged(texton),
-          judged(gaussian::luminanceTexton(coefficients, texton.width, texton.height)),
-          judged(gaussian::randomPhaseKernel(coefficients, texton.width, texton.height, seed))};
 }
 
 } // namespace lichen::texton

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Compares a synthesis-oriented texton with other spots of the same support.
+// How many impacts a texton needs: how much the magnitudes of its texels differ.
 #pragma once
 
 #include "fit.h"
 
-#include <lichen/texton_comparison.h>
+#include <lichen/exemplar.h>
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -26,14 +25,5 @@ namespace lichen::texton {
 /// Weights that approximate how the eye sees these channels: luminance weights for colours, else 1
 /// each.
 [[nodiscard]] std::vector<float> seenWeights(std::span<const MapChannel> channels);
-
-/// Compares the texton with spots that have as many coefficients. All are interpolated with the
-/// B-spline of `order` and have the model's covariance; without that correction the nearest spot
-/// has less variance than the model. `weights` is as for flatness(); `seed` sets the random phases.
-/// The bytes do not depend on the number of threads.
-[[nodiscard]] KernelComparison compareKernels(const gaussian::GaussianModel& model,
-                                              const TextonCoefficients& texton, int order,
-                                              std::span<const float> weights,
-                                              std::uint32_t seed = 1);
 
 } // namespace lichen::texton
