@@ -5,7 +5,6 @@
 // to blocks of cosines, which hold more numbers: docs/decisions/009-local-random-phase.md.
 #include "structure.h"
 
-#include "cosine.h"
 
 #include <tbb/parallel_for.h>
 
@@ -17,6 +16,13 @@
 
 namespace lichen::local_random_phase {
 namespace {
+
+/// The amplitude that a footprint leaves of a cosine, for the square of the cycles that it spans, as
+/// lichenCosineRetained (shaders_glsl/noise/wave.glsl) has it.
+double retainedAt(double squaredCycles) {
+  constexpr double kSlope = 0.548311356; // pi^2 / 18
+  return std::pow(std::clamp(1.0 - kSlope * squaredCycles, 0.0, 1.0), 3.0);
+}
 
 using Complex = std::complex<double>;
 using Eigen::Index;
@@ -143,7 +149,7 @@ StructureImage structureImage(const MapSpectrum& inside, const CosineStructure& 
           if (coefficient == 0.0)
             continue;
           const double x = double(u) / structure.columns, y = double(v) / structure.rows;
-          const double retained = double(retainedAt(float(beyondTexel * (x * x + y * y))));
+          const double retained = retainedAt(beyondTexel * (x * x + y * y));
           // Pixels of the exemplar and texels of this image have their centres at other places.
           const HalfSpectrum& source = inside.channels[c];
           const double turns = 0.5 * (u * (1.0 / own.columns - 1.0 / source.width) +

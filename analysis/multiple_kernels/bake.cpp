@@ -5,11 +5,11 @@
 #include "kernel_colors.h"
 #include "kernel_fit.h"
 #include "perturbation.h"
-#include "solid_kernels.h"
 #include "spectra/given_spectrum.h"
 #include "spectra/map_spectrum.h"
 
 #include <lichen/multiple_kernels.h>
+#include <lichen/shader_parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +95,10 @@ KernelRow gridOf(const Kernel& kernel, Window window, double impacts, double til
   // On surfaces in cubes, as textons. [GLM17] section 6
   const double inWidths = kernel.area(window) / tileAspect;
   row.cubes = cellsOf(std::cbrt(std::pow(inWidths, 1.5) / (kSurfaceImpacts * impacts)));
-  row.layers = cellsOf(4.0 / 3.0 * std::pow(double(kSolidWider), 3.0) / double(row.toWindowZ));
+  // Windows in a solid are wider, so that its planes have the spread of the window in the plane:
+  // by a ratio of Beta functions.
+  const double kSolidWider = std::sqrt(15.0 / 14.0);
+  row.layers = cellsOf(4.0 / 3.0 * std::pow(kSolidWider, 3.0) / double(row.toWindowZ));
   return row;
 }
 

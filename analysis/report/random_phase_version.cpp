@@ -2,7 +2,7 @@
 // Exemplar -> the Gaussian image and inverse table of a tiling -> random phases -> decoded values.
 #include "random_phase_version.h"
 
-#include "gaussianization/value_decoder.h"
+#include "evaluation/method_evaluator.h"
 
 #include <lichen/gaussian_image.h>
 #include <lichen/spectrum.h>
@@ -36,15 +36,14 @@ Result<LinearImage> randomPhaseVersion(const MapExemplar& exemplar, std::uint32_
     planes.push_back(
         phaseRandomizedPlane(forwardFft(plane, int(image.width), int(image.height)), seed));
   }
-  const gaussianization::ValueDecoder decoder(bundle, shaderMap(bundle, bundle.noises[0], 0),
-                                              map.inverseTable);
+  const auto evaluator = methodEvaluator(bundle, 0);
   const std::size_t channels = exemplar.channels.size();
   LinearImage result(int(image.width), int(image.height), int(channels));
   for (std::size_t i = 0; i < result.pixelCount(); ++i) {
-    std::array<float, 4> gaussian{0.5f, 0.5f, 0.5f, 0.0f};
+    std::array<float, 3> gaussian{0.5f, 0.5f, 0.5f};
     for (std::size_t c = 0; c < planes.size(); ++c)
       gaussian[c] = planes[c][i];
-    const std::array<float, 4> value = decoder.decode(gaussian, 1.0f);
+    const std::array<float, 4> value = evaluator->decoded(0, gaussian);
     std::copy_n(value.begin(), channels, &result.values[channels * i]);
   }
   return result;

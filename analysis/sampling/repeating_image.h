@@ -2,46 +2,56 @@
 // A 2-D table with its mips, as a repeating trilinear sampler reads it.
 #pragma once
 
-#include <lichen/bundle.h>
+#include "texels.h"
 
-#include <array>
-#include <vector>
+#include <algorithm>
+#include <cmath>
 
 namespace lichen {
-
-/// Where the fourth component of a texel comes from: it is 1, or the table's last channel, as in
-/// Gaussian images.
-enum class Alpha { one, lastChannel };
-
-/// Returns the texels of a table: red, green and blue, which are 0 where the table has fewer
-/// channels, and alpha.
-[[nodiscard]] std::vector<std::array<float, 4>> texelsOf(const Table& table, std::uint32_t level,
-                                                         Alpha alpha = Alpha::one);
-
-/// a + t (b - a). Inline: a synthesis calls it ten or more times per fetch, and a real call would
-/// take a fifth of the time.
-[[nodiscard]] inline std::array<float, 4> mix(const std::array<float, 4>& a,
-                                              const std::array<float, 4>& b, float t) {
-  std::array<float, 4> result{};
-  for (std::size_t c = 0; c < result.size(); ++c)
-    result[c] = a[c] + t * (b[c] - a[c]);
-  return result;
-}
 
 /// Immutable: any number of threads may fetch from it.
 class RepeatingImage {
 public:
-  using Value = std::array<float, 4>;
+  using Value = Texel;
 
+  RepeatingImage() = default;
   /// Throws std::bad_alloc.
-  explicit RepeatingImage(const Table& table, Alpha alpha = Alpha::one);
+  explicit RepeatingImage(const Table& table, Alpha alpha = Alpha::one) {
+    for (std::uint32_t level = 0; level < table.mipLevels; ++level)
+      mips_.push_back({std::max(1, int(table.width >> level)),
+                       std::max(1, int(table.height >> level)), texelsOf(table, level, alpha)});
+  }
 
-  /// Returns the value at (u, v), where the whole image is one unit. `lod` is in mip levels and is
-  /// clamped to those that exist.
-  [[nodiscard]] Value at(float u, float v, float lod) const;
+  /// The value at (u, v), where the whole image is one unit. `lod` is in mip levels and is clamped
+  /// to those that exist.
+  [[nodiscard]] Value at(float u, float v, float lod) const {
+    // Small integer parts, so that products with the side lose no fraction.
+    u -= floorOf(u);
+    v -= floorOf(v);
+    const float level = std::clamp(lod, 0.0f, float(mips_.size() - 1));
+    const auto fine = std::size_t(level);
+    const Value value = bilinear(mips_[fine], u, v);
+    const float t = level - float(fine);
+    return t > 0.0f ? mix(value, bilinear(mips_[fine + 1], u, v), t) : value;
+  }
+
+  /// One texel of level 0, inside the image.
+  [[nodiscard]] const Value& texel(int x, int y) const {
+    return mips_[0].texels[std::size_t(y) * std::size_t(mips_[0].width) + std::size_t(x)];
+  }
+
+  /// The red of the four texels around (u, v) of level 0, in textureGather's order.
+  [[nodiscard]] Value gatherRed(float u, float v) const {
+    const Corners at = cornersOf(mips_[0], u - floorOf(u), v - floorOf(v));
+    return {texel(at.x0, at.y1)[0], texel(at.x1, at.y1)[0], texel(at.x1, at.y0)[0],
+            texel(at.x0, at.y0)[0]};
+  }
+
   [[nodiscard]] const std::vector<Value>& texels(std::size_t level) const {
     return mips_[level].texels;
   }
+  [[nodiscard]] int width() const { return mips_[0].width; }
+  [[nodiscard]] int height() const { return mips_[0].height; }
 
 private:
   struct Mip {
@@ -49,7 +59,36 @@ private:
     int height = 0;
     std::vector<Value> texels;
   };
-  [[nodiscard]] static Value bilinear(const Mip& mip, float u, float v);
+  struct Corners {
+    int x0, y0, x1, y1;
+    float fx, fy; ///< from (x0, y0) to (x1, y1)
+  };
+
+  /// std::floor below 2^31, which is a call without SSE 4.1.
+  [[nodiscard]] static float floorOf(float x) {
+    const auto whole = float(int(x));
+    return whole > x ? whole - 1.0f : whole;
+  }
+  /// For u and v in [0, 1].
+  [[nodiscard]] static Corners cornersOf(const Mip& mip, float u, float v) {
+    const float x = u * float(mip.width) - 0.5f, y = v * float(mip.height) - 0.5f;
+    Corners at{};
+    at.x0 = int(x + 1.0f) - 1; // both are above -1
+    at.y0 = int(y + 1.0f) - 1;
+    at.fx = x - float(at.x0);
+    at.fy = y - float(at.y0);
+    at.x1 = at.x0 + 1 < mip.width ? at.x0 + 1 : 0;
+    at.y1 = at.y0 + 1 < mip.height ? at.y0 + 1 : 0;
+    at.x0 = at.x0 < 0 ? mip.width - 1 : at.x0;
+    at.y0 = at.y0 < 0 ? mip.height - 1 : at.y0;
+    return at;
+  }
+  [[nodiscard]] static Value bilinear(const Mip& mip, float u, float v) {
+    const Corners at = cornersOf(mip, u, v);
+    const Value* const row0 = mip.texels.data() + std::size_t(at.y0) * std::size_t(mip.width);
+    const Value* const row1 = mip.texels.data() + std::size_t(at.y1) * std::size_t(mip.width);
+    return mix(mix(row0[at.x0], row0[at.x1], at.fx), mix(row1[at.x0], row1[at.x1], at.fx), at.fy);
+  }
 
   std::vector<Mip> mips_;
 };

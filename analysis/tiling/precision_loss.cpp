@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Bundle and exemplar (width * height * channels) -> how far the noise is from the exemplar.
+#include "evaluation/method_evaluator.h"
 #include "exemplar/color_space.h"
 #include "exemplar/value_encoding.h"
+#include "sampling/texels.h"
 
 #include <lichen/quality.h>
-#include <lichen/tiling_evaluate.h>
 #include <lichen/tiling_precision.h>
 
 #include <cmath>
@@ -58,19 +59,23 @@ Result<PrecisionLoss> precisionLoss(const Bundle& bundle, std::size_t noise, std
                                     const MapExemplar& exemplar, bool periodic) {
   const auto exhausted = [] { return "not enough memory to measure a map's tables"; };
   return withinMemory(exhausted, [&]() -> Result<PrecisionLoss> {
-    const Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle, noise);
-    if (!evaluator)
-      return evaluator.error();
-    if (map >= evaluator.value().mapCount())
-      return Error{ErrorKind::usage, "map " + std::to_string(map) + ": the noise has " +
-                                         std::to_string(evaluator.value().mapCount())};
+    if (noise >= bundle.noises.size() || map >= bundle.noises[noise].maps.size())
+      return Error{ErrorKind::usage, "map " + std::to_string(map) + " of noise " +
+                                         std::to_string(noise) + ": the bundle has no such map"};
     const NoiseMap& described = bundle.noises[noise].maps[map];
     const Table& gaussian = bundle.tables[described.as<TilingMap>().gaussian];
     if (int(gaussian.width) != exemplar.width || int(gaussian.height) != exemplar.height ||
         described.channels != exemplar.channels)
       return Error{ErrorKind::usage, "the exemplar is not the one from which the map was baked"};
-    const std::vector<float> texels = evaluator.value().decodedTexels(map);
-    return compared(exemplar, texels, periodic);
+    const auto evaluator = methodEvaluator(bundle, noise);
+    std::vector<float> decoded;
+    for (const Texel& texel : texelsOf(gaussian, 0, Alpha::lastChannel)) {
+      constexpr float kShift = 0.5f - kStoredGaussianMean;
+      const auto value =
+          evaluator->decoded(map, {texel[0] + kShift, texel[1] + kShift, texel[2] + kShift});
+      decoded.insert(decoded.end(), value.begin(), value.begin() + int(exemplar.channels.size()));
+    }
+    return compared(exemplar, decoded, periodic);
   });
 }
 

@@ -2,8 +2,9 @@
 // Layered noises at a point: what lichen.glsl evaluates where it declares the descriptors and
 // LICHEN_LAYERS is above 1. All layers and roles take one loop, so that the code of a noise is
 // there once, and not once for each: drivers that inline all calls need minutes and gigabytes to
-// compile that. Images are numbers, and each fetch chooses one. Noises that are not layered are drawn too,
-// but only base colour, normals, and occlusion, roughness and metallic, and not on surfaces.
+// compile that. Images are numbers, and each fetch chooses one. Noises that are not layered are
+// drawn too, but only base colour, normals, and occlusion, roughness and metallic, and not on
+// surfaces.
 #ifndef LICHEN_LAYERED_GLSL
 #define LICHEN_LAYERED_GLSL
 
@@ -28,8 +29,11 @@ struct LichenLayeredPlace {
 /// The noise of a layer and of an index map, with the method that compilers can know.
 LichenNoise lichenLayerOf(LichenNoise noise) {
   int methods = int(LICHEN_LAYER_METHODS);
-  noise.method = methods == 1 ? 0u : methods == 2 ? 1u : methods == 4 ? 2u : methods == 8 ? 3u :
-                 noise.method;
+  noise.method = methods == 1   ? 0u
+                 : methods == 2 ? 1u
+                 : methods == 4 ? 2u
+                 : methods == 8 ? 3u
+                                : noise.method;
   return noise;
 }
 LichenNoise lichenIndexOf(LichenNoise noise) {
@@ -58,12 +62,12 @@ vec4 lichenLayerWeightsAt(LichenLayeredPlace at) {
   for (int node = 0; node < LICHEN_LAYERS - 1; ++node) {
     if (uint(node) >= lichenLayers.nodes)
       break;
-    LichenShadingPoint shading = lichenLayerPoint(at, lichenIndexMaterials[node],
-                                                  lichenIndexOf(lichenIndexNoises[node]));
+    LichenShadingPoint shading =
+        lichenLayerPoint(at, lichenIndexMaterials[node], lichenIndexOf(lichenIndexNoises[node]));
     int image = LICHEN_FIRST_INDEX + node;
     vec4 index = lichenValue(image, image, shading, lichenIndexMapOf(lichenIndexMaps[node]));
-    float share = lichenIndexWeight(index, lichenLayers.threshold[node],
-                                    lichenLayers.softness[node]);
+    float share =
+        lichenIndexWeight(index, lichenLayers.threshold[node], lichenLayers.softness[node]);
     above = mix(above, vec3(share), equal(ivec3(node), ivec3(0, 1, 2)));
   }
   return lichenLayerWeights(above, lichenLayers);
@@ -144,8 +148,8 @@ LichenLayeredPoint lichenLayeredInSpace(vec3 position, vec3 gradientX, vec3 grad
 /// The point of a material with any mapping.
 LichenLayeredPoint lichenLayeredAnywhere(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, vec3 position,
                                          vec3 gradientX, vec3 gradientY, vec3 normal) {
-  return lichenLayeredAt(LichenLayeredPlace(uv, uvGradientX, uvGradientY, position, gradientX,
-                                            gradientY, normal));
+  return lichenLayeredAt(
+      LichenLayeredPlace(uv, uvGradientX, uvGradientY, position, gradientX, gradientY, normal));
 }
 
 #endif

@@ -13,15 +13,6 @@ vec2 lichenImpactReach(LichenNoise noise) {
   return 0.5 * lichenTextonCoefficients(noise) / vec2(noise.tileTexelsX, noise.tileTexelsY);
 }
 
-/// `weight` 0 is the first step, 1 the last. `gradient` is its derivative along x and y of tile
-/// space [1 / tile], which gives the weight at the impacts around. Where the weight is continuous,
-/// the gradient must be too. Pass 0 where it is not, as for vertex colours, which bend at every
-/// edge: all impacts then have the point's own weight, and neighbouring steps differ little.
-void lichenSetMix(inout LichenImpacts impacts, float weight, vec2 gradient) {
-  impacts.mixWeight = weight;
-  impacts.mixGradient = gradient;
-}
-
 /// Where a mask is fetched beside the point itself: at its texture coordinates plus and minus each
 /// column, which lie along x and y of tile space. The columns of `uvGradients` are the screen-space
 /// gradients of those coordinates, of `tileGradients` those of the tile coordinate.
@@ -36,7 +27,7 @@ mat2 lichenMaskReach(mat2 uvGradients, mat2 tileGradients, LichenNoise noise) {
 
 /// From a mask: its value at the point, and for each column of lichenMaskReach the value at plus
 /// the column less that at minus the column.
-void lichenMixByMask(inout LichenImpacts impacts, float weight, vec2 differences,
+void lichenMixByMask(LICHEN_INOUT(LichenImpacts) impacts, float weight, vec2 differences,
                      LichenNoise noise) {
   lichenSetMix(impacts, weight, differences / (2.0 * lichenImpactReach(noise)));
 }

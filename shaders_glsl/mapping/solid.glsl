@@ -25,10 +25,10 @@ LichenShadingPoint lichenPointSolidGrad(vec3 position, vec3 positionGradientX,
   vec2 right = vec2(material.uvToTileXX, -material.uvToTileXY); // of x and y, as y points up
   vec2 down = vec2(material.uvToTileYX, -material.uvToTileYY);
   vec3 tile = vec3(dot(right, position.xy), dot(down, position.xy), position.z);
-  vec3 tileX = vec3(dot(right, positionGradientX.xy), dot(down, positionGradientX.xy),
-                    positionGradientX.z);
-  vec3 tileY = vec3(dot(right, positionGradientY.xy), dot(down, positionGradientY.xy),
-                    positionGradientY.z);
+  vec3 tileX =
+      vec3(dot(right, positionGradientX.xy), dot(down, positionGradientX.xy), positionGradientX.z);
+  vec3 tileY =
+      vec3(dot(right, positionGradientY.xy), dot(down, positionGradientY.xy), positionGradientY.z);
   shading.solid =
       lichenSolidPointAt(offset + scale * tile, scale * tileX, scale * tileY, material, noise);
 #endif

@@ -30,8 +30,7 @@ mat3 lichenSurfaceFrame(vec3 normal, vec4 tangent) {
 /// position's derivatives along the screen: usable in compute and in non-uniform control flow.
 LichenShadingPoint lichenPointSurfaceGrad(vec3 position, vec3 positionGradientX,
                                           vec3 positionGradientY, vec3 normal, vec4 tangent,
-                                          LichenMaterial material,
-                                   LichenNoise noise) {
+                                          LichenMaterial material, LichenNoise noise) {
   LichenShadingPoint shading;
   shading.material = material;
   shading.noise = noise;

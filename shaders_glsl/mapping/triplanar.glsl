@@ -3,16 +3,16 @@
 // LichenShadingPoint; the gradient of slopes -> normal. Needs neither texture coordinates nor
 // tangents.
 // Planes look along x, y and z. Each shows one field through all of space: the same from both sides
-// of a sheet, and mirrored on the far face of a body (docs/decisions/021-triplanar.md).
+// of a sheet, and mirrored on the far face of a body (docs/decisions/013-triplanar.md).
 #ifndef LICHEN_TRIPLANAR_MAPPING_GLSL
 #define LICHEN_TRIPLANAR_MAPPING_GLSL
 
 #include "../noise/mix_point.glsl"
 #include "../noise/shading_point.glsl"
 
-// The shader scales the largest weight to 1, subtracts this from all three and skips planes below 0,
-// so weights have no jump. A plane of this weight moves an 8-bit value, whose deviation is an eighth
-// of the range, by half a step.
+// The shader scales the largest weight to 1, subtracts this from all three and skips planes below
+// 0, so weights have no jump. A plane of this weight moves an 8-bit value, whose deviation is an
+// eighth of the range, by half a step.
 #define LICHEN_LEAST_PLANE_WEIGHT (1.0 / 64.0)
 
 /// Weights of the planes that look along x, y and z; their squares sum to 1.
@@ -28,8 +28,7 @@ vec3 lichenPlaneWeights(vec3 normal, LichenMaterial material) {
 /// `normal` is not 0, of any length and either side.
 LichenShadingPoint lichenPointTriplanarGrad(vec3 position, vec3 positionGradientX,
                                             vec3 positionGradientY, vec3 normal,
-                                            LichenTriplanarMaterial planes,
-                                     LichenNoise noise) {
+                                            LichenTriplanarMaterial planes, LichenNoise noise) {
   LichenMaterial material = planes.material;
   vec3 weights = lichenPlaneWeights(normal, material);
   // The greatest first, and those that do not count last.

@@ -20,30 +20,17 @@ LichenShadingPoint lichenPointUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY
   shading.material = material;
   shading.noise = noise;
   shading.point = lichenPointAt(position, lichenUvToTile(uvGradientX, material),
-                              lichenUvToTile(uvGradientY, material), material, noise);
+                                lichenUvToTile(uvGradientY, material), material, noise);
   lichenSetMixFromUv(shading.point, uv, material, noise);
   return shading;
 }
 
-/// The impacts for lichenTextonGradient at `uv`, likewise.
-LichenImpacts lichenGradientPointUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY,
-                                        LichenMaterial material, LichenNoise noise) {
-  vec2 position = vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material);
-  LichenImpacts impacts =
-      lichenGradientImpactsAt(position, lichenUvToTile(uvGradientX, material),
-                              lichenUvToTile(uvGradientY, material), material, noise);
-  lichenMixByUv(impacts, uv, material);
-  return impacts;
-}
-
-/// The value of a map's first channel at `uv` and its derivatives along x and y of tile space
-/// [1 / tile], for bumps of a height. Of tiling, which has none, these are 0.
-vec3 lichenGradientUvGrad(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 uv, vec2 uvGradientX,
-                          vec2 uvGradientY, LichenMaterial material, LichenNoise noise,
-                          LichenMap map) {
-  vec2 position = vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material);
-  vec2 gradientX = lichenUvToTile(uvGradientX, material);
-  vec2 gradientY = lichenUvToTile(uvGradientY, material);
+/// The value of a map's first channel at `position` [tiles] and its derivatives along x and y of
+/// tile space [1 / tile], for bumps of a height. Tiling and quilting have none, and give 0. The
+/// weight of a mix and its derivatives are those that lichenSetMix takes.
+vec3 lichenGradientAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 position, vec2 gradientX,
+                      vec2 gradientY, float mixWeight, vec2 mixGradient, LichenMaterial material,
+                      LichenNoise noise, LichenMap map) {
 #ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
   if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, noise))
     return lichenCosinesGradient(image, table, position, gradientX, gradientY, material, noise,
@@ -55,13 +42,25 @@ vec3 lichenGradientUvGrad(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 uv,
                                  map);
 #endif
 #ifdef LICHEN_HAS_TEXTONS
-  if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise))
-    return lichenTextonGradient(
-        image, table, lichenGradientPointUvGrad(uv, uvGradientX, uvGradientY, material, noise),
-        material, noise, map);
+  if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise)) {
+    LichenImpacts impacts =
+        lichenGradientImpactsAt(position, gradientX, gradientY, material, noise);
+    lichenSetMix(impacts, mixWeight, mixGradient);
+    return lichenTextonGradient(image, table, impacts, material, noise, map);
+  }
 #endif
   LichenPoint point = lichenPointAt(position, gradientX, gradientY, material, noise);
   return vec3(lichenValueAt(image, table, point, material, noise, map).x, 0.0, 0.0);
+}
+
+/// The same at `uv`, with the material's weight of a mix.
+vec3 lichenGradientUvGrad(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 uv, vec2 uvGradientX,
+                          vec2 uvGradientY, LichenMaterial material, LichenNoise noise,
+                          LichenMap map) {
+  return lichenGradientAt(
+      image, table, vec2(material.offsetX, material.offsetY) + lichenUvToTile(uv, material),
+      lichenUvToTile(uvGradientX, material), lichenUvToTile(uvGradientY, material),
+      lichenMixWeight(uv, material), lichenMixGradient(material), material, noise, map);
 }
 
 /// The unit tangent-space normal of slopes (-nx/nz, -ny/nz).

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A local random-phase map's first channel and its derivatives, for bumps of a height: a point and
 // its footprint -> (value, d/dx, d/dy), per tile. Derivatives of cosines and windows are exact;
-// those of a structure are differences. The CPU twin is
-// analysis/local_random_phase/cosine_gradient.
+// those of a structure are differences.
 #ifndef LICHEN_COSINE_GRADIENT_GLSL
 #define LICHEN_COSINE_GRADIENT_GLSL
 
@@ -10,8 +9,8 @@
 #include "local_random_phase.glsl"
 
 /// Derivatives of the three normalised windows along x and y [1 / tile].
-void lichenCosineWindowSlopes(LichenCosinesVertices vertices, vec2 cellsPerTile, out vec3 alongX,
-                              out vec3 alongY) {
+void lichenCosineWindowSlopes(LichenCosinesVertices vertices, vec2 cellsPerTile,
+                              LICHEN_OUT(vec3) alongX, LICHEN_OUT(vec3) alongY) {
   vec3 rows = vertices.offsetY * cellsPerTile.y;
   vec3 columns = vertices.offsetX * cellsPerTile.x - 0.5 * rows;
   const float kPerSquaredRadius = 4.0 / 3.0; // as lichenCosineWindows
@@ -31,9 +30,9 @@ void lichenCosineWindowSlopes(LichenCosinesVertices vertices, vec2 cellsPerTile,
 
 /// Adds one cosine at three vertices: to the sums of each before its window, and to the derivatives
 /// with constant windows. Other arguments as lichenAddCosine has them.
-void lichenAddCosineSlopes(inout mat3 sums, inout LichenGaussianSlopes slopes, inout uvec3 states,
-                           LichenCosinesVertices vertices, vec3 footprint, vec2 box, vec2 variant0,
-                           vec2 variant1, vec2 variant2) {
+void lichenAddCosineSlopes(LICHEN_INOUT(mat3) sums, LICHEN_INOUT(LichenGaussianSlopes) slopes,
+                           LICHEN_INOUT(uvec3) states, LichenCosinesVertices vertices,
+                           vec3 footprint, vec2 box, vec2 variant0, vec2 variant1, vec2 variant2) {
   vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
   vec4 amplitude0 = vec4(lichenBfloat16Pair(variant0.x), lichenBfloat16Pair(variant0.y));
   vec4 amplitude1 = vec4(lichenBfloat16Pair(variant1.x), lichenBfloat16Pair(variant1.y));
@@ -50,8 +49,8 @@ void lichenAddCosineSlopes(inout mat3 sums, inout LichenGaussianSlopes slopes, i
   vec3 retained = lichenCosineRetained(vec4(cycles, 0.0)).xyz;
   vec3 values = retained * lichenCosineOfTurns(vec4(turns, 0.0)).xyz;
   const float kRadians = 6.28318531;
-  vec3 sines = kRadians * vertices.windows * retained *
-               lichenCosineOfTurns(vec4(turns + 0.25, 0.0)).xyz;
+  vec3 sines =
+      kRadians * vertices.windows * retained * lichenCosineOfTurns(vec4(turns + 0.25, 0.0)).xyz;
   vec3 alongX = frequencyX * sines, alongY = frequencyY * sines;
   sums[0] += values.x * amplitude0.rgb;
   sums[1] += values.y * amplitude1.rgb;
@@ -63,7 +62,7 @@ void lichenAddCosineSlopes(inout mat3 sums, inout LichenGaussianSlopes slopes, i
 
 /// Derivatives of the cosines' sum.
 LichenGaussianSlopes lichenCosinesSlopes(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
-                                        LichenMaterial material, LichenNoise noise) {
+                                         LichenMaterial material, LichenNoise noise) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The lattices of local random-phase noise, one for each octave: a point on the plane of tiles ->
 // the three vertices around it, with their windows and random numbers. [LRP14] section 3.1; the
-// deviations are in docs/decisions/027-cosines.md.
+// deviations are in docs/decisions/009-local-random-phase.md.
 #ifndef LICHEN_COSINE_VERTICES_GLSL
 #define LICHEN_COSINE_VERTICES_GLSL
 
@@ -12,7 +12,7 @@
 
 /// What all maps of a noise share at one point.
 struct LichenCosinesPoint {
-  ivec2 cell;  // of octave 0 that holds the point, from the cell of the tile origin on
+  ivec2 cell;    // of octave 0 that holds the point, from the cell of the tile origin on
   vec2 inside;   // the place in it, [0, 1)
   vec2 position; // [tiles] modulo whole tiles
   uvec2 origin;  // the cell of the tile origin, modulo 2^32
@@ -47,8 +47,7 @@ uvec2 lichenCosineVertex(ivec2 vertex, int finer, uvec2 origin, LichenMaterial m
   int columns = material.periodColumns << finer;
   int rows = material.periodRows << finer;
   // The cell lies in the first period.
-  if (vertex.y >= rows)
-    vertex += ivec2(rows / 2, -rows);
+  vertex += int(vertex.y >= rows) * ivec2(rows / 2, -rows);
   vertex.x %= columns;
   return uvec2(vertex);
 }
@@ -73,7 +72,7 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
   vec2 corner = floor(place);
   place -= corner;
   ivec2 cell = (point.cell << finer) + ivec2(corner);
-  int far = place.x + place.y < 1.0 ? 0 : 1;
+  int far = int(place.x + place.y >= 1.0);
   vec3 columns = place.x - vec3(float(far), 1.0, 0.0);
   vec3 rows = place.y - vec3(float(far), 0.0, 1.0);
   vec2 perCell = 1.0 / lichenCellsPerTile(octave, material);
@@ -87,7 +86,8 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
                           lichenVertexHash(vertex2.x, vertex2.y, seed));
   // The difference wraps, and 2^32 is no multiple of 3: far from the origin.
   vertices.colors = (uvec3(vertex0.x, vertex1.x, vertex2.x) -
-                     uvec3(vertex0.y, vertex1.y, vertex2.y) + 0x80000000u) % 3u;
+                     uvec3(vertex0.y, vertex1.y, vertex2.y) + 0x80000000u) %
+                    3u;
   vertices.offsetX = (columns + 0.5 * rows) * perCell.x;
   vertices.offsetY = rows * perCell.y;
   vertices.windows = lichenCosineWindows(columns, rows);

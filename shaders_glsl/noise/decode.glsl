@@ -38,8 +38,7 @@
 LichenMap lichenMapOf(int role, LichenMap map) {
   // docs/gltf_extension/README.md, "Maps".
   bool isColor = role == LICHEN_BASE_COLOR || role == LICHEN_EMISSIVE;
-  bool isAboveOne = bool(LICHEN_VALUES_ABOVE_ONE) &&
-                    (isColor || role == LICHEN_HEIGHT) &&
+  bool isAboveOne = bool(LICHEN_VALUES_ABOVE_ONE) && (isColor || role == LICHEN_HEIGHT) &&
                     map.encoding == uint(LICHEN_ENCODING_LOG2);
   if (role == LICHEN_NORMAL)
     map.encoding = uint(LICHEN_ENCODING_SLOPE);
@@ -64,7 +63,7 @@ vec3 lichenOrm(vec3 value, vec3 absent, LichenMap map) {
   vec3 orm = absent;
   if ((map.ormChannels & 1u) != 0u) {
     orm.x = value.x;
-    value.xy = value.yz;
+    value = value.yzz;
   }
   if ((map.ormChannels & 2u) != 0u) {
     orm.y = value.x;
@@ -97,13 +96,13 @@ vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
     return vec4(gaussian, lost.x);
 #endif
   vec3 centred = gaussian - 0.5;
-  vec3 stored = vec3(map.row0.w, map.row1.w, map.row2.w) +
-                vec3(map.row0.x * centred.x, dot(map.row1.xy, centred.xy),
-                     dot(map.row2.xyz, centred));
+  vec3 stored =
+      vec3(map.row0.w, map.row1.w, map.row2.w) +
+      vec3(map.row0.x * centred.x, dot(map.row1.xy, centred.xy), dot(map.row2.xyz, centred));
   // A row is six times the root of the covariance, for Gaussian values of deviation 1/6.
-  vec3 variance = lost / 36.0 *
-                  vec3(map.row0.x * map.row0.x, dot(map.row1.xy, map.row1.xy),
-                       dot(map.row2.xyz, map.row2.xyz));
+  vec3 variance =
+      lost / 36.0 *
+      vec3(map.row0.x * map.row0.x, dot(map.row1.xy, map.row1.xy), dot(map.row2.xyz, map.row2.xyz));
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     return vec4(stored.xy, 0.5 * (variance.x + variance.y), 1.0);
   if (map.encoding == uint(LICHEN_ENCODING_LINEAR))

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // At which mip level a trilinear sampler fetches a pixel, and what a bilinear fetch loses between
-// texels: a position and its derivatives (float2, texels) -> level; share of the mean loss. The CPU
-// twin is analysis/sampling/footprint_level; decision 018 has the measurements.
+// texels: a position and its derivatives (float2, texels) -> level; share of the mean loss.
+// Decision 3 has the measurements.
 #ifndef LICHEN_FOOTPRINT_LEVEL_GLSL
 #define LICHEN_FOOTPRINT_LEVEL_GLSL
 

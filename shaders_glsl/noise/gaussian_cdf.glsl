@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The cumulative distribution of the Gaussian N(1/2, (1/6)^2) per channel: Gaussian value ->
-// uniform value, the coordinate in an inverse table. The CPU twin is
-// analysis/gaussianization/polynomial_cdf.
+// uniform value, the coordinate in an inverse table.
 #ifndef LICHEN_GAUSSIAN_CDF_GLSL
 #define LICHEN_GAUSSIAN_CDF_GLSL
 

@@ -80,7 +80,7 @@ int lichenWrapped(int value, int period) {
 
 /// The part of a frame outside of which bilinear fetches of a mip are 0: the coefficients, and half
 /// a texel of the mip around them. [texels]
-void lichenMipReach(float level, vec2 coefficients, out vec2 low, out vec2 high) {
+void lichenMipReach(float level, vec2 coefficients, LICHEN_OUT(vec2) low, LICHEN_OUT(vec2) high) {
   // Exact, as a device's exp2 need not be.
   float side = float(1 << int(ceil(level)));
   low = vec2(-0.5 * side);
@@ -96,7 +96,7 @@ float lichenAnisotropicLevel(float major, float minor, float maxAnisotropy) {
 #endif
 
 /// The levels and axes of the footprint with these derivatives [texels / pixel].
-void lichenSetFootprint(inout LichenImpacts impacts, vec2 texelsX, vec2 texelsY,
+void lichenSetFootprint(LICHEN_INOUT(LichenImpacts) impacts, vec2 texelsX, vec2 texelsY,
                         LichenMaterial material, LichenNoise noise) {
   float lastLevel = float(int(lichenTextonNoise(noise).mipCount) - 1);
 #if LICHEN_ANISOTROPIC
@@ -132,7 +132,7 @@ void lichenSetFootprint(inout LichenImpacts impacts, vec2 texelsX, vec2 texelsY,
 }
 
 /// The footprint as a square of this side [texels, a mip's].
-void lichenSetSquare(inout LichenImpacts impacts, float side) {
+void lichenSetSquare(LICHEN_INOUT(LichenImpacts) impacts, float side) {
   impacts.level = log2(side);
 #if LICHEN_ANISOTROPIC
   impacts.majorAxis = vec2(side, 0.0);
@@ -150,8 +150,8 @@ float lichenMinified(LichenImpacts impacts) {
 }
 
 /// The texels outside which a texton fetched with this footprint is 0.
-void lichenReach(LichenImpacts impacts, LichenMaterial material, LichenNoise noise, out vec2 low,
-                 out vec2 high) {
+void lichenReach(LichenImpacts impacts, LichenMaterial material, LichenNoise noise,
+                 LICHEN_OUT(vec2) low, LICHEN_OUT(vec2) high) {
   vec2 coefficients = lichenTextonCoefficients(noise);
 #if LICHEN_ANISOTROPIC
   // Fetches in a row along the major axis, each at the level of the minor one.
@@ -201,10 +201,10 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
   impacts.start = shift + (inside - first) * impacts.cellTexels;
   // Half a cell further than the last: sums of sides are rounded.
   impacts.end = impacts.start - (last - first + 0.5) * impacts.cellTexels;
-  impacts.firstCell = ivec2(
-      uvec2(ivec2(first)) +
-      uvec2(lichenCellNumber(cell.x, material.periodColumns) + uint(material.cellI),
-            lichenCellNumber(cell.y, material.periodRows) + uint(material.cellJ)));
+  impacts.firstCell =
+      ivec2(uvec2(ivec2(first)) +
+            uvec2(lichenCellNumber(cell.x, material.periodColumns) + uint(material.cellI),
+                  lichenCellNumber(cell.y, material.periodRows) + uint(material.cellJ)));
   if (bool(LICHEN_PERIODIC_LATTICE)) {
     impacts.firstCell.x = lichenWrapped(impacts.firstCell.x, material.periodColumns);
     impacts.firstCell.y = lichenWrapped(impacts.firstCell.y, material.periodRows);
@@ -216,8 +216,8 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
 }
 
 /// Those of values; see method.glsl.
-void lichenSetPoint(out LichenImpacts impacts, vec2 position, vec2 gradientX, vec2 gradientY,
-                    LichenMaterial material, LichenNoise noise) {
+void lichenSetPoint(LICHEN_OUT(LichenImpacts) impacts, vec2 position, vec2 gradientX,
+                    vec2 gradientY, LichenMaterial material, LichenNoise noise) {
   impacts = lichenImpactsWithin(0.0, position, gradientX, gradientY, material, noise);
 }
 
@@ -254,7 +254,8 @@ uint lichenNextCell(uint cell, int period) {
 }
 
 /// To the next cell of the window, row by row.
-void lichenNextCellOf(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material) {
+void lichenNextCellOf(LICHEN_INOUT(LichenWalk) walk, LichenImpacts impacts,
+                      LichenMaterial material) {
   walk.corner.x -= impacts.cellTexels.x;
   bool endsRow = walk.corner.x < impacts.end.x;
   uint first = uint(impacts.firstCell.x) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM;
@@ -265,7 +266,7 @@ void lichenNextCellOf(inout LichenWalk walk, LichenImpacts impacts, LichenMateri
 
 /// One step of a walk, to the next impact. Not to the next in reach: of pixels that are computed
 /// together, all would wait for the one that finds its own last.
-void lichenStep(inout LichenWalk walk, LichenImpacts impacts, LichenMaterial material,
+void lichenStep(LICHEN_INOUT(LichenWalk) walk, LichenImpacts impacts, LichenMaterial material,
                 LichenNoise noise) {
   bool isPoisson = bool(LICHEN_POISSON_POINTS) &&
                    lichenTextonMaterial(material).pointProcess == uint(LICHEN_POINTS_POISSON);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pattern that multiple-kernels noise perturbs: a sum of cosines that repeats with the tile, in
-// the rows below the kernels. A point and its footprint -> Gaussian values. The CPU twin is
-// analysis/multiple_kernels/kernel_pattern. [MKN12] section 5.
+// the rows below the kernels. A point and its footprint -> Gaussian values. [MKN12] section 5.
 #ifndef LICHEN_KERNEL_PATTERN_GLSL
 #define LICHEN_KERNEL_PATTERN_GLSL
 
@@ -22,8 +21,7 @@ struct LichenPattern {
 /// The pattern at `position` [tiles], from any whole number of tiles or from the period's begin.
 /// `footprint` as lichenWaveFootprint has it. Slopes are 0 unless `hasSlopes`, a constant.
 LichenPattern lichenPatternAt(LICHEN_IMAGE_2D image, vec2 position, vec3 footprint,
-                              LichenMaterial material, LichenKernelsNoise kernels,
-                              bool hasSlopes) {
+                              LichenMaterial material, LichenKernelsNoise kernels, bool hasSlopes) {
   LichenPattern pattern =
       LichenPattern(vec3(0.0), LichenGaussianSlopes(vec3(0.0), vec3(0.0)), 0.0, 0.0);
   // A period holds the pattern a whole number of times.

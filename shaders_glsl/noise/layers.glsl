@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A layered noise: Gaussian values of index maps -> weights of the layers; their values -> a blend
-// that preserves the variance. [MKN12] section 5; docs/decisions/033-layers.md. The CPU twin is
-// analysis/methods/layered_evaluator.
+// that preserves the variance. [MKN12] section 5; docs/decisions/011-layers.md.
 #ifndef LICHEN_LAYERS_GLSL
 #define LICHEN_LAYERS_GLSL
 
@@ -12,9 +11,9 @@
 /// Gaussian value, and in w what filtering lost of its variance. Its mean over all points is the
 /// same whatever is lost.
 float lichenIndexWeight(vec4 index, float threshold, float softness) {
-  // The mean of a Gaussian transition over a Gaussian footprint is a wider one. Where the polynomial
-  // is constant, beyond 2.885 deviations, it is within this of 0 or 1, which layers without a share
-  // need.
+  // The mean of a Gaussian transition over a Gaussian footprint is a wider one. Where the
+  // polynomial is constant, beyond 2.885 deviations, it is within this of 0 or 1, which layers
+  // without a share need.
   const float kLeast = 0.0022;
   float z = 6.0 * (index.x - 0.5);
   float deviation = sqrt(softness * softness + max(index.w, 0.0));
@@ -51,7 +50,7 @@ struct LichenLayerSum {
 LichenLayerSum lichenNoLayers() { return LichenLayerSum(vec4(0.0), vec4(0.0), 0.0); }
 
 /// Adds a layer's value. `mean` is that of its map, for slopes 0.
-void lichenAddLayer(inout LichenLayerSum sum, float weight, vec4 value, vec4 mean) {
+void lichenAddLayer(LICHEN_INOUT(LichenLayerSum) sum, float weight, vec4 value, vec4 mean) {
   sum.means += weight * mean;
   sum.rest += weight * (value - mean);
   sum.squares += weight * weight;

@@ -2,9 +2,8 @@
 // Local random-phase noise [LRP14], from top to bottom: a point on the plane of tiles and its
 // footprint -> for each octave the three vertices around it and their windows -> the sum of the
 // cosines of each, and of the structure, with the share of the variance that the footprint loses.
-// decode.glsl makes the material's value of it. The CPU twin is
-// analysis/local_random_phase/evaluate.
-// [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/027-cosines.md
+// decode.glsl makes the material's value of it.
+// [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/009-local-random-phase.md
 // and 028-structure.md.
 #ifndef LICHEN_LOCAL_RANDOM_PHASE_GLSL
 #define LICHEN_LOCAL_RANDOM_PHASE_GLSL
@@ -33,9 +32,9 @@ vec2 lichenBfloat16Pair(float pair) {
 /// amplitudes of all channels under the windows, and in w to what the footprint takes of it.
 /// `box`: the cosine's half of a texel of column 0, the others those of the vertices' variants.
 /// Advances the vertices' random numbers. `isFiltered`: whether the footprint exceeds a texel.
-void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
-                     LichenCosinesVertices vertices, vec3 footprint, bool isFiltered, vec2 box,
-                     vec2 variant0, vec2 variant1, vec2 variant2) {
+void lichenAddCosine(LICHEN_INOUT(vec4) sum, LICHEN_INOUT(float) squares,
+                     LICHEN_INOUT(uvec3) states, LichenCosinesVertices vertices, vec3 footprint,
+                     bool isFiltered, vec2 box, vec2 variant0, vec2 variant1, vec2 variant2) {
   vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
   vec4 amplitude0 = vec4(lichenBfloat16Pair(variant0.x), lichenBfloat16Pair(variant0.y));
   vec4 amplitude1 = vec4(lichenBfloat16Pair(variant1.x), lichenBfloat16Pair(variant1.y));
@@ -59,13 +58,14 @@ void lichenAddCosine(inout vec4 sum, inout float squares, inout uvec3 states,
     sum.w += dot(vertices.windows * vertices.windows - windows * windows, own);
   }
   vec3 values = windows * lichenCosineOfTurns(vec4(turns, 0.0)).xyz;
-  sum.rgb += values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb;
+  sum +=
+      vec4(values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb, 0.0);
 }
 
 /// The Gaussian value, and in w the share of its variance that the footprint loses, averaged over
 /// the channels.
-vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
-                           LichenMaterial material, LichenNoise noise, LichenMap map) {
+vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point, LichenMaterial material,
+                           LichenNoise noise, LichenMap map) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));
@@ -76,8 +76,7 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
   int rows = int(shape.cosines) / 2;
   for (int octave = 0; octave < LICHEN_MAX_OCTAVES && row < rows; ++octave) {
     int end = row + lichenOctaveCosines(octave, shape) / 2;
-    LichenCosinesVertices vertices =
-        lichenCosinesVertices(point, octave, uint(octave), material);
+    LichenCosinesVertices vertices = lichenCosinesVertices(point, octave, uint(octave), material);
     uvec3 states = vertices.states;
     ivec3 variants = 1 + ivec3((states >> 27u) & (shape.variants - 1u));
     for (; row < end; ++row) {
@@ -85,10 +84,10 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
       vec4 variant0 = LICHEN_FETCH_2D(image, ivec2(variants.x, row));
       vec4 variant1 = LICHEN_FETCH_2D(image, ivec2(variants.y, row));
       vec4 variant2 = LICHEN_FETCH_2D(image, ivec2(variants.z, row));
-      lichenAddCosine(sum, squares, states, vertices, footprint, isFiltered, boxes.xy,
-                      variant0.xy, variant1.xy, variant2.xy);
-      lichenAddCosine(sum, squares, states, vertices, footprint, isFiltered, boxes.zw,
-                      variant0.zw, variant1.zw, variant2.zw);
+      lichenAddCosine(sum, squares, states, vertices, footprint, isFiltered, boxes.xy, variant0.xy,
+                      variant1.xy, variant2.xy);
+      lichenAddCosine(sum, squares, states, vertices, footprint, isFiltered, boxes.zw, variant0.zw,
+                      variant1.zw, variant2.zw);
     }
   }
   lichenAddStructure(sum, squares, image, point, material, noise, map);
@@ -98,8 +97,8 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
 
 // The seam's functions; see method.glsl.
 
-void lichenSetPoint(out LichenCosinesPoint point, vec2 position, vec2 gradientX, vec2 gradientY,
-                    LichenMaterial material, LichenNoise noise) {
+void lichenSetPoint(LICHEN_OUT(LichenCosinesPoint) point, vec2 position, vec2 gradientX,
+                    vec2 gradientY, LichenMaterial material, LichenNoise noise) {
   float row = position.y * material.rowsPerTile;
   vec2 skewed = vec2(position.x * material.columnsPerTile - 0.5 * row, row);
   vec2 cell = floor(skewed);
@@ -119,7 +118,8 @@ void lichenSetPoint(out LichenCosinesPoint point, vec2 position, vec2 gradientX,
 }
 
 vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenCosinesPoint point,
-                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+                      LichenMaterial material, LichenNoise noise, LichenMap map,
+                      LICHEN_OUT(vec3) lost) {
   vec4 gaussian = lichenCosinesGaussian(image, point, material, noise, map);
   lost = vec3(gaussian.w);
   return gaussian.rgb;

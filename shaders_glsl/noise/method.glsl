@@ -41,7 +41,8 @@ LichenPoint lichenPointAt(vec2 position, vec2 gradientX, vec2 gradientY, LichenM
 /// The Gaussian value of a map: mean 1/2, deviation 1/6 where nothing is lost. `lost` is the share
 /// of each channel's variance that filtering lost. `table` is that of the map's binding.
 vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenPoint point,
-                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+                      LichenMaterial material, LichenNoise noise, LichenMap map,
+                      LICHEN_OUT(vec3) lost) {
   vec3 gaussian = vec3(0.5);
   lost = vec3(0.0);
 #define LICHEN_GAUSSIAN_AT(name, Type, number)                                                     \

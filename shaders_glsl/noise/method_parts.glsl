@@ -22,9 +22,7 @@ LichenTextonNoise lichenTextonNoise(LichenNoise noise) {
 }
 
 /// The size of a texton [coefficients], and of its image [texels].
-vec2 lichenTextonCoefficients(LichenNoise noise) {
-  return vec2(ivec2(noise.own0.xy));
-}
+vec2 lichenTextonCoefficients(LichenNoise noise) { return vec2(ivec2(noise.own0.xy)); }
 vec2 lichenTextonImageSize(LichenNoise noise) {
   LichenTextonNoise texton = lichenTextonNoise(noise);
   return vec2(ivec2(texton.frameX, texton.frameY * int(texton.steps)));
@@ -50,8 +48,8 @@ LichenQuiltingNoise lichenQuiltingNoise(LichenNoise noise) {
 }
 
 LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {
-  return LichenCosinesNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w,
-                            noise.own1.x, noise.own1.y, noise.own1.z, noise.own1.w);
+  return LichenCosinesNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w, noise.own1.x,
+                            noise.own1.y, noise.own1.z, noise.own1.w);
 }
 
 #endif

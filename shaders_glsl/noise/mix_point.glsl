@@ -7,17 +7,18 @@
 #include "method.glsl"
 
 /// From texture coordinates: a constant or a direction.
-void lichenSetMixFromUv(inout LichenPoint point, vec2 uv, LichenMaterial material,
+void lichenSetMixFromUv(LICHEN_INOUT(LichenPoint) point, vec2 uv, LichenMaterial material,
                         LichenNoise noise) {
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise) && lichenIsMix(noise))
-    lichenMixByUv(point.texton, uv, material);
+    lichenSetMix(point.texton, lichenMixWeight(uv, material), lichenMixGradient(material));
 #endif
 }
 
 /// Without texture coordinates: right for a constant. For a direction a host sets it:
 /// lichenSetMix(shading.point.texton, lichenMixWeight(uv, material), vec2(0.0)).
-void lichenSetMixFromMaterial(inout LichenPoint point, LichenMaterial material, LichenNoise noise) {
+void lichenSetMixFromMaterial(LICHEN_INOUT(LichenPoint) point, LichenMaterial material,
+                              LichenNoise noise) {
 #ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise))
     point.texton.mixWeight = lichenTextonMaterial(material).mixWeight;
@@ -25,7 +26,7 @@ void lichenSetMixFromMaterial(inout LichenPoint point, LichenMaterial material, 
 }
 
 /// From another point.
-void lichenCopyMix(inout LichenPoint point, LichenPoint other) {
+void lichenCopyMix(LICHEN_INOUT(LichenPoint) point, LichenPoint other) {
 #ifdef LICHEN_HAS_TEXTONS
   point.texton.mixWeight = other.texton.mixWeight;
 #endif

@@ -2,9 +2,9 @@
 // Multiple-kernels noise [MKN12], from top to bottom: a point on the plane of tiles and its
 // footprint -> for each kernel the cells of its grid in reach -> the sum of the kernel over their
 // impacts, with the share of the variance that the footprint loses. decode.glsl makes the
-// material's value of it. The CPU twin is analysis/multiple_kernels/evaluate.
+// material's value of it.
 // [MKN12] Gilet, Dischler and Ghazanfarpour 2012. Deviations, with reasons:
-// docs/decisions/031-kernels.md.
+// docs/decisions/010-multiple-kernels.md.
 #ifndef LICHEN_MULTIPLE_KERNELS_GLSL
 #define LICHEN_MULTIPLE_KERNELS_GLSL
 
@@ -32,9 +32,9 @@
 
 /// What all maps of a noise share at one point.
 struct LichenKernelsPoint {
-  ivec2 group; // of LICHEN_KERNEL_TILES tiles that holds the point; without a period modulo 2^32
-  vec2 inside; // the place in it, or in the period, [0, 1)
-  uint seedWord;             // of the plane
+  ivec2 group;   // of LICHEN_KERNEL_TILES tiles that holds the point; without a period modulo 2^32
+  vec2 inside;   // the place in it, or in the period, [0, 1)
+  uint seedWord; // of the plane
   vec2 gradientX, gradientY; // [tiles / pixel]
 };
 
@@ -108,7 +108,7 @@ float lichenKernelSinc(float t) {
   // By the sine, which is a cosine a quarter of a turn later.
   float quarter = lichenCosineOfTurns(vec4(t - 0.25)).x;
   const float kPerTurn = 0.159154943; // 1 / (2 pi)
-  const float kLeast = 1.0e-3; // where the quotient is the polynomial's slope there
+  const float kLeast = 1.0e-3;        // where the quotient is the polynomial's slope there
   return abs(t) < kLeast ? 1.0 : quarter * kPerTurn / t;
 }
 
@@ -187,7 +187,7 @@ struct LichenKernelSums {
 
 /// Adds one impact. `word`: its random numbers; `turns`: its direction, of a ring; `offset` from it
 /// to the point. Derivatives are 0 unless `hasSlopes`, a constant.
-void lichenAddKernelImpact(inout LichenKernelSums sums, uint word, uint turns, vec2 offset,
+void lichenAddKernelImpact(LICHEN_INOUT(LichenKernelSums) sums, uint word, uint turns, vec2 offset,
                            LichenKernel kernel, uint window, bool hasSlopes) {
   vec2 place = kernel.toWindow * offset;
   float value = lichenKernelWindow(place, window);
@@ -218,11 +218,11 @@ LichenKernelSums lichenKernelSums(LichenKernel kernel, uint seed, uint window, b
   // The offsets that the window reaches: |Q d| < 1 of a disk. In a row of cells at least as far as
   // `near` along y, the chord of the ellipse; of a square, all of it.
   mat2 q = kernel.toWindow;
-  float xx = dot(q[0], q[0]), xy = dot(q[0], q[1]), yy = dot(q[1], q[1]);
-  float determinant = xx * yy - xy * xy;
+  float xx = dot(q[0], q[0]), product = dot(q[0], q[1]), yy = dot(q[1], q[1]);
+  float determinant = xx * yy - product * product;
   bool isDisk = lichenIsOnDisk(window);
   float reachY = isDisk ? sqrt(xx / determinant) : 1.0 / abs(q[1].y);
-  float shear = isDisk ? xy / xx : 0.0;
+  float shear = isDisk ? product / xx : 0.0;
   LichenKernelSums sums = LichenKernelSums(vec4(0.0), vec4(0.0), vec4(0.0));
   int last = int(floor(kernel.place.y + reachY));
   for (int j = int(floor(kernel.place.y - reachY)); j <= last; ++j) {
@@ -324,7 +324,8 @@ vec2 lichenKernelsTiles(LichenMaterial material) {
 /// The Gaussian value, in w the share of its variance that the footprint loses, averaged over the
 /// channels. `slopes`: its derivatives along x and y [1 / tile], 0 unless `hasSlopes`, a constant.
 vec4 lichenKernelsGaussian(LICHEN_IMAGE_2D image, LichenKernelsPoint point, LichenMaterial material,
-                           LichenNoise noise, bool hasSlopes, out LichenGaussianSlopes slopes) {
+                           LichenNoise noise, bool hasSlopes,
+                           LICHEN_OUT(LichenGaussianSlopes) slopes) {
   LichenKernelsNoise kernels = lichenKernelsNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));
@@ -372,8 +373,8 @@ vec4 lichenKernelsGaussian(LICHEN_IMAGE_2D image, LichenKernelsPoint point, Lich
 
 // The seam's functions; see method.glsl.
 
-void lichenSetPoint(out LichenKernelsPoint point, vec2 position, vec2 gradientX, vec2 gradientY,
-                    LichenMaterial material, LichenNoise noise) {
+void lichenSetPoint(LICHEN_OUT(LichenKernelsPoint) point, vec2 position, vec2 gradientX,
+                    vec2 gradientY, LichenMaterial material, LichenNoise noise) {
   vec2 place = position / lichenKernelsTiles(material);
   vec2 group = floor(place);
   point.inside = place - group;
@@ -384,7 +385,8 @@ void lichenSetPoint(out LichenKernelsPoint point, vec2 position, vec2 gradientX,
 }
 
 vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenKernelsPoint point,
-                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+                      LichenMaterial material, LichenNoise noise, LichenMap map,
+                      LICHEN_OUT(vec3) lost) {
   vec4 gaussian = lichenKernelsGaussian(image, point, material, noise);
   lost = vec3(gaussian.w);
   return gaussian.rgb;

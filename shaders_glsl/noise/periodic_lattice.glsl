@@ -20,7 +20,7 @@ int lichenFloorDivide(int value, int period) {
 /// Reduces a vertex to one period and returns the whole periods taken away [tiles]; an infinite
 /// lattice is left alone. The cells of a periodic one are near the origin, which the host reduces
 /// to one period of at most 65,536 tiles: |i|, |j| < 2^20.
-vec2 lichenReduceToPeriod(inout uvec2 vertex, LichenMaterial material) {
+vec2 lichenReduceToPeriod(LICHEN_INOUT(uvec2) vertex, LichenMaterial material) {
   if (!bool(LICHEN_PERIODIC_LATTICE) || material.periodRows == 0)
     return vec2(0.0);
   ivec2 near = ivec2(vertex);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Quilting: tiles of the exemplar, cut along the outlines of what they show. A point on the plane of
-// tiles and its footprint -> two tiles and their weights, once for all maps -> the value of each
-// map. Tiles are taken where the exemplar repeats, so that its structure goes on. A tile's weight is
-// that of the centre of the cell that it shows at the point: a brick is wholly of one tile.
-// docs/decisions/039-quilting.md. The CPU twin is analysis/quilting/evaluate.
+// Quilting: tiles of the exemplar, cut along the outlines of what they show. A point on the plane
+// of tiles and its footprint -> two tiles and their weights, once for all maps -> the value of each
+// map. Tiles are taken where the exemplar repeats, so that its structure goes on. A tile's weight
+// is that of the centre of the cell that it shows at the point: a brick is wholly of one tile.
+// docs/decisions/012-quilting.md.
 #ifndef LICHEN_QUILTING_GLSL
 #define LICHEN_QUILTING_GLSL
 
@@ -17,9 +17,9 @@
 
 /// What all maps of a noise share at one point.
 struct LichenQuiltingPoint {
-  vec2 uv0, uv1; // [tiles] where two tiles are fetched
-  vec2 weights;  // about the mean; their sum is at least 1 where contrast is
-  uvec2 colors;  // lichenVertexColor() of their vertices, for debug views
+  vec2 uv0, uv1;        // [tiles] where two tiles are fetched
+  vec2 weights;         // about the mean; their sum is at least 1 where contrast is
+  uvec2 colors;         // lichenVertexColor() of their vertices, for debug views
   float footprintLevel; // [mip levels] of the widest map
 };
 
@@ -28,8 +28,8 @@ uint lichenVertexColor(uvec2 vertex) {
   return (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
 }
 
-/// Where the tile of a vertex is taken from [tiles]: a random one of a list, or a random multiple of
-/// `step`.
+/// Where the tile of a vertex is taken from [tiles]: a random one of a list, or a random multiple
+/// of `step`.
 vec2 lichenQuiltingOffset(uvec2 vertex, uint seedWord, uint offsets, vec2 step) {
   uint hash = lichenVertexHash(vertex.x, vertex.y, seedWord);
   if (offsets == 0u) // as of tiling
@@ -44,11 +44,11 @@ float lichenHat(vec2 fromVertex) {
   return 1.0 - max(max(abs(fromVertex.x), abs(fromVertex.y)), abs(fromVertex.x + fromVertex.y));
 }
 
-/// Where the tile of a vertex is fetched [tiles]. `height` is the hat of the vertex at the centre of
-/// the cell that the tile shows there, `sharpness` that of cuts at this level.
+/// Where the tile of a vertex is fetched [tiles]. `height` is the hat of the vertex at the centre
+/// of the cell that the tile shows there, `sharpness` that of cuts at this level.
 vec2 lichenQuiltingTap(uvec2 vertex, vec2 fromVertex, vec2 position, float level,
-                       LichenMaterial material, LichenNoise noise, out float height,
-                       out float sharpness) {
+                       LichenMaterial material, LichenNoise noise, LICHEN_OUT(float) height,
+                       LICHEN_OUT(float) sharpness) {
   LichenQuiltingNoise shape = lichenQuiltingNoise(noise);
   vec2 tap = position - lichenReduceToPeriod(vertex, material);
   tap += lichenQuiltingOffset(vertex, material.seedWord, shape.offsets,
@@ -60,8 +60,8 @@ vec2 lichenQuiltingTap(uvec2 vertex, vec2 fromVertex, vec2 position, float level
   return tap;
 }
 
-void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX, vec2 gradientY,
-                    LichenMaterial material, LichenNoise noise) {
+void lichenSetPoint(LICHEN_OUT(LichenQuiltingPoint) point, vec2 position, vec2 gradientX,
+                    vec2 gradientY, LichenMaterial material, LichenNoise noise) {
   const float kMostSharpness = 4.0; // log2 of the steepness of cuts
   const float kLeastHat = 1e-3, kLeastWeight = 1e-6;
   LichenQuiltingNoise shape = lichenQuiltingNoise(noise);
@@ -79,8 +79,8 @@ void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX
                                 material, noise, heights.x, sharpness);
   point.uv1 = lichenQuiltingTap(triangle.vertex1, inside - vec2(1.0, 0.0), position, level,
                                 material, noise, heights.y, sharpness);
-  vec2 uv2 = lichenQuiltingTap(triangle.vertex2, inside - vec2(0.0, 1.0), position, level,
-                               material, noise, heights.z, sharpness);
+  vec2 uv2 = lichenQuiltingTap(triangle.vertex2, inside - vec2(0.0, 1.0), position, level, material,
+                               noise, heights.z, sharpness);
   heights = max(heights, kLeastHat);
   float highest = max(heights.x, max(heights.y, heights.z));
   vec3 weights = max(highest - exp2(kMostSharpness * sharpness) * (highest - heights), 0.0);
@@ -102,8 +102,8 @@ void lichenSetPoint(out LichenQuiltingPoint point, vec2 position, vec2 gradientX
   point.weights /= point.weights.x + point.weights.y;
   // Keeps the variance: [HN18] eq. 8 for tiles that correlate, which they do where cells are seen.
   float squares = dot(point.weights, point.weights);
-  point.weights *= material.contrast *
-                   inversesqrt(mix(squares, 1.0, shape.correlation * sharpness));
+  point.weights *=
+      material.contrast * inversesqrt(mix(squares, 1.0, shape.correlation * sharpness));
 }
 
 /// What a texel stands for. Of slopes, z is the variance that the level lost.
@@ -126,7 +126,8 @@ vec3 lichenQuiltingTile(LICHEN_IMAGE_2D image, vec2 uv, float weight, float leve
 // The seam's functions; see method.glsl. A "Gaussian" value is the value about its mean.
 
 vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenQuiltingPoint point,
-                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+                      LichenMaterial material, LichenNoise noise, LichenMap map,
+                      LICHEN_OUT(vec3) lost) {
   float level = lichenSharpLevel(point.footprintLevel + map.levelOffset);
   lost = vec3(0.0);
   return 0.5 + lichenQuiltingTile(image, point.uv0, point.weights.x, level, map) +

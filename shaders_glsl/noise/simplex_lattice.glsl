@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The simplex lattice: a position in tiles -> the triangle around it. [HN18] section 3. The CPU twin
-// is analysis/sampling/lattice_vertices.
+// The simplex lattice: a position in tiles -> the triangle around it. [HN18] section 3.
 #ifndef LICHEN_SIMPLEX_LATTICE_GLSL
 #define LICHEN_SIMPLEX_LATTICE_GLSL
 
@@ -9,7 +8,7 @@
 /// The triangle of the simplex lattice that holds a point.
 struct LichenTriangle {
   uvec2 vertex0, vertex1, vertex2; // modulo 2^32
-  vec3 weights; // barycentric, in [0, 1], sum 1
+  vec3 weights;                    // barycentric, in [0, 1], sum 1
 };
 
 /// [tiles] -> [HN18] section 3's skewed coordinates, in which the triangles halve the unit squares.
@@ -27,10 +26,10 @@ LichenTriangle lichenTriangle(vec2 skewed, LichenMaterial material) {
   // Through int: float to uint of a negative is undefined.
   uvec2 corner = uvec2(ivec2(cell)) + uvec2(ivec2(material.cellI, material.cellJ));
   LichenTriangle triangle;
-  triangle.vertex0 = corner + (isUpper ? 1u : 0u);
+  triangle.vertex0 = corner + uint(isUpper);
   triangle.vertex1 = corner + uvec2(1u, 0u);
   triangle.vertex2 = corner + uvec2(0u, 1u);
-  triangle.weights = isUpper ? vec3(-third, 1.0 - inside.yx) : vec3(third, inside);
+  triangle.weights = vec3(abs(third), mix(inside, 1.0 - inside.yx, bvec2(isUpper)));
   return triangle;
 }
 

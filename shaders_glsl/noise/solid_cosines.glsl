@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Local random-phase noise in a solid: a point in space and its footprint -> for each octave the
 // four vertices around it and their windows -> the sum of the cosines of each, with the share of
-// the variance that the footprint loses -> the material's value. The CPU twin is
-// analysis/local_random_phase/solid_cosines.
+// the variance that the footprint loses -> the material's value.
 // The exemplar has a frequency (x, y); its third component is uniform up to 1.2 times the length of
 // both. Planes across z then have the spectrum of the exemplar, and others nearly that, rotated
-// about the direction in which the exemplar is smoothest: docs/decisions/030-solid.md.
+// about the direction in which the exemplar is smoothest: docs/decisions/009-local-random-phase.md.
 #ifndef LICHEN_SOLID_COSINES_GLSL
 #define LICHEN_SOLID_COSINES_GLSL
 
@@ -19,15 +18,15 @@
 
 /// Sums over cosines.
 struct LichenSolidSum {
-  vec3 gaussian; // less its mean
-  float depthSlope; // of slopes: that along z, stored
+  vec3 gaussian;       // less its mean
+  float depthSlope;    // of slopes: that along z, stored
   float squares, lost; // squared amplitudes of all channels, and what the footprint takes of them
 };
 
 /// Adds one cosine at one vertex. `frequency` is in cycles / tile width, `value` the cosine under
 /// its window.
-void lichenAddSolidVertex(inout LichenSolidSum sum, vec3 frequency, float value, float window,
-                          float retainedWindow, vec3 amplitude, LichenMap map) {
+void lichenAddSolidVertex(LICHEN_INOUT(LichenSolidSum) sum, vec3 frequency, float value,
+                          float window, float retainedWindow, vec3 amplitude, LichenMap map) {
   sum.gaussian += value * amplitude;
   float own = dot(amplitude, amplitude);
   sum.squares += window * window * own;
@@ -38,23 +37,22 @@ void lichenAddSolidVertex(inout LichenSolidSum sum, vec3 frequency, float value,
   vec2 slopes = vec2(dot(map.row0.xy, amplitude.xy), dot(map.row1.xy, amplitude.xy));
   vec2 planar = vec2(frequency.x, -frequency.y);
   const float kLeast = 1.0e-20;
-  sum.depthSlope +=
-      value * frequency.z * dot(planar, slopes) / max(dot(planar, planar), kLeast);
+  sum.depthSlope += value * frequency.z * dot(planar, slopes) / max(dot(planar, planar), kLeast);
 }
 
 /// Adds one cosine at four vertices; `box` and the amplitudes as lichenAddCosine has them. Advances
 /// the vertices' random numbers.
-void lichenAddSolidCosine(inout LichenSolidSum sum, inout uvec4 states, inout uvec4 depths,
-                          LichenSolidVertices vertices, LichenSolidCosinesPoint point, vec2 box,
-                          vec2 variant0, vec2 variant1, vec2 variant2, vec2 variant3, float aspect,
-                          LichenMap map) {
+void lichenAddSolidCosine(LICHEN_INOUT(LichenSolidSum) sum, LICHEN_INOUT(uvec4) states,
+                          LICHEN_INOUT(uvec4) depths, LichenSolidVertices vertices,
+                          LichenSolidCosinesPoint point, vec2 box, vec2 variant0, vec2 variant1,
+                          vec2 variant2, vec2 variant3, float aspect, LichenMap map) {
   vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
   vec4 amplitude0 = vec4(lichenBfloat16Pair(variant0.x), lichenBfloat16Pair(variant0.y));
   vec4 amplitude1 = vec4(lichenBfloat16Pair(variant1.x), lichenBfloat16Pair(variant1.y));
   vec4 amplitude2 = vec4(lichenBfloat16Pair(variant2.x), lichenBfloat16Pair(variant2.y));
   vec4 amplitude3 = vec4(lichenBfloat16Pair(variant3.x), lichenBfloat16Pair(variant3.y));
   states = states * 747796405u + 2891336453u; // as lichenAddCosine draws
-  const float kPerBit = 1.0 / 4294967296.0; // of signed integers: -1/2 to 1/2
+  const float kPerBit = 1.0 / 4294967296.0;   // of signed integers: -1/2 to 1/2
   vec4 x = middle.x + size.x * kPerBit * vec4(ivec4(states << 21u));
   vec4 y = middle.y + size.y * kPerBit * vec4(ivec4(states << 11u));
   vec4 inSpace = aspect * y; // [cycles / tile width]
@@ -67,11 +65,9 @@ void lichenAddSolidCosine(inout LichenSolidSum sum, inout uvec4 states, inout uv
                vec4(amplitude0.a, amplitude1.a, amplitude2.a, amplitude3.a);
   vec4 alongA = x * axes.a.x + y * axes.a.y + z * axes.a.z;
   vec4 alongB = x * axes.b.x + y * axes.b.y + z * axes.b.z;
-  float ofWindow = dot(vertices.spread, axes.a * axes.a +
-                                            axes.b * axes.b);
+  float ofWindow = dot(vertices.spread, axes.a * axes.a + axes.b * axes.b);
   vec4 retained =
-      vertices.windows *
-      lichenCosineRetained(ofWindow + alongA * alongA + alongB * alongB);
+      vertices.windows * lichenCosineRetained(ofWindow + alongA * alongA + alongB * alongB);
   vec4 values = retained * lichenCosineOfTurns(turns);
   lichenAddSolidVertex(sum, vec3(x.x, inSpace.x, z.x), values.x, vertices.windows.x, retained.x,
                        amplitude0.rgb, map);
@@ -102,10 +98,10 @@ LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenSolidCosinesPoint poi
       vec4 variant1 = LICHEN_FETCH_2D(image, ivec2(variants.y, row));
       vec4 variant2 = LICHEN_FETCH_2D(image, ivec2(variants.z, row));
       vec4 variant3 = LICHEN_FETCH_2D(image, ivec2(variants.w, row));
-      lichenAddSolidCosine(sum, states, depths, vertices, point, boxes.xy, variant0.xy,
-                           variant1.xy, variant2.xy, variant3.xy, noise.tileAspect, map);
-      lichenAddSolidCosine(sum, states, depths, vertices, point, boxes.zw, variant0.zw,
-                           variant1.zw, variant2.zw, variant3.zw, noise.tileAspect, map);
+      lichenAddSolidCosine(sum, states, depths, vertices, point, boxes.xy, variant0.xy, variant1.xy,
+                           variant2.xy, variant3.xy, noise.tileAspect, map);
+      lichenAddSolidCosine(sum, states, depths, vertices, point, boxes.zw, variant0.zw, variant1.zw,
+                           variant2.zw, variant3.zw, noise.tileAspect, map);
     }
   }
   return sum;
@@ -113,12 +109,11 @@ LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenSolidCosinesPoint poi
 
 // The seam's functions; see solid_method.glsl.
 
-void lichenSetSolidPoint(out LichenSolidCosinesPoint point, vec3 position,
+void lichenSetSolidPoint(LICHEN_OUT(LichenSolidCosinesPoint) point, vec3 position,
                          LichenSolidFootprint footprint, LichenMaterial material) {
   vec3 cubesPerTile = vec3(material.columnsPerTile, material.rowsPerTile, material.columnsPerTile);
-  vec3 skewed =
-      lichenSkewed((position + vec3(0.0, 0.0, lichenCosinesMaterial(material).offsetZ)) *
-                   cubesPerTile);
+  vec3 skewed = lichenSkewed((position + vec3(0.0, 0.0, lichenCosinesMaterial(material).offsetZ)) *
+                             cubesPerTile);
   vec3 cell = floor(skewed);
   point.cell = ivec3(cell);
   point.inside = skewed - cell;
@@ -127,7 +122,7 @@ void lichenSetSolidPoint(out LichenSolidCosinesPoint point, vec3 position,
 
 vec4 lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenSolidCosinesPoint point,
                            LichenMaterial material, LichenNoise noise, LichenMap map,
-                           out float depthSlope) {
+                           LICHEN_OUT(float) depthSlope) {
   LichenSolidSum sum = lichenSolidSum(image, point, material, noise, map);
   depthSlope = material.contrast * sum.depthSlope;
   const float kLeast = 1.0e-20; // of a map that does not vary

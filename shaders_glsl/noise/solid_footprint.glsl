@@ -20,9 +20,9 @@ LichenSolidFootprint lichenSolidFootprint(vec3 gradientX, vec3 gradientY, Lichen
   // The axes of the pixel in texels are those of the matrix of its gradients' products.
   vec3 texels = vec3(noise.tileTexelsX, noise.tileTexelsY, noise.tileTexelsX);
   vec3 texelsX = texels * gradientX, texelsY = texels * gradientY;
-  float xx = dot(texelsX, texelsX), yy = dot(texelsY, texelsY), xy = dot(texelsX, texelsY);
+  float xx = dot(texelsX, texelsX), yy = dot(texelsY, texelsY), product = dot(texelsX, texelsY);
   float mean = 0.5 * (xx + yy), halfDifference = 0.5 * (xx - yy);
-  float apart = sqrt(halfDifference * halfDifference + xy * xy);
+  float apart = sqrt(halfDifference * halfDifference + product * product);
   const float kLeast = 1.0e-20; // of a circle, whose axes are the same
   float longer = sqrt(lichenBeyondTexel(mean + apart) / max(mean + apart, kLeast));
   float shorter = sqrt(lichenBeyondTexel(mean - apart) / max(mean - apart, kLeast));
@@ -30,8 +30,8 @@ LichenSolidFootprint lichenSolidFootprint(vec3 gradientX, vec3 gradientY, Lichen
   float slope = 0.5 * (longer - shorter) / max(apart, kLeast);
   float middle = 0.5 * (longer + shorter);
   return LichenSolidFootprint(
-      (middle + slope * halfDifference) * gradientX + slope * xy * gradientY,
-      slope * xy * gradientX + (middle - slope * halfDifference) * gradientY);
+      (middle + slope * halfDifference) * gradientX + slope * product * gradientY,
+      slope * product * gradientX + (middle - slope * halfDifference) * gradientY);
 }
 
 #endif

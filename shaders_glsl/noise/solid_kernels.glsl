@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Multiple-kernels noise in a solid: a point in space and its footprint -> for each kernel the sum
 // over the impacts around it -> the Gaussian value and the share of its variance that the footprint
-// loses. Kernels of the plane become ellipsoids with waves in space; the image stays the same. The
-// CPU twin is analysis/multiple_kernels/solid_kernels. docs/decisions/030-solid.md
+// loses. Kernels of the plane become ellipsoids with waves in space; the image stays the same.
+// docs/decisions/009-local-random-phase.md
 #ifndef LICHEN_SOLID_KERNELS_GLSL
 #define LICHEN_SOLID_KERNELS_GLSL
 
@@ -97,18 +97,16 @@ vec2 lichenSolidRetainedSquare(LichenSolidKernel kernel) {
   float most = kLichenMostDepth * length(kernel.frequency);
   // By three of Gauss's points.
   const float kNode = 0.774596669;
-  vec3 at = vec3(lichenSolidRetained(-kNode * most, kernel),
-                 lichenSolidRetained(0.0, kernel),
+  vec3 at = vec3(lichenSolidRetained(-kNode * most, kernel), lichenSolidRetained(0.0, kernel),
                  lichenSolidRetained(kNode * most, kernel));
   float least = clamp(-0.5 * kernel.cycles.y / max(kernel.cycles.z, 1.0e-20), -most, most);
-  return vec2(dot(at * at, vec3(5.0, 8.0, 5.0) / 18.0),
-              lichenSolidRetained(least, kernel));
+  return vec2(dot(at * at, vec3(5.0, 8.0, 5.0) / 18.0), lichenSolidRetained(least, kernel));
 }
 
 /// Adds one impact. `word`: its random numbers, `turns`: its direction, of a ring; `depth` in
 /// [-1, 1) its share of the largest third frequency; `offset` from it to the point [cells, layers].
-void lichenAddSolidImpact(inout LichenSolidKernelSums sums, uint word, uint turns, float depth,
-                          vec3 offset, LichenSolidKernel kernel, bool isSlope) {
+void lichenAddSolidImpact(LICHEN_INOUT(LichenSolidKernelSums) sums, uint word, uint turns,
+                          float depth, vec3 offset, LichenSolidKernel kernel, bool isSlope) {
   vec3 place = vec3(kernel.plane.toWindow * offset.xy, kernel.toWindowZ * offset.z);
   float left = max(1.0 - dot(place, place), 0.0);
   vec3 distance = offset * vec3(kernel.plane.perCell, kernel.perLayer);
@@ -117,8 +115,8 @@ void lichenAddSolidImpact(inout LichenSolidKernelSums sums, uint word, uint turn
     planar = kernel.frequency.x * lichenRingDirection(turns) * vec2(1.0, kernel.aspect);
   float square = dot(planar, planar);
   float z = kLichenMostDepth * depth * sqrt(square);
-  float phase = planar.x * distance.x + planar.y * distance.y / kernel.aspect +
-                z * distance.z + lichenKernelPhase(word);
+  float phase = planar.x * distance.x + planar.y * distance.y / kernel.aspect + z * distance.z +
+                lichenKernelPhase(word);
   float value = left * left * left * lichenSolidRetained(z, kernel);
   vec4 waves = lichenKernelWaves(value * lichenCosineOfTurns(vec4(phase)).x, word);
   sums.waves += waves;
@@ -126,8 +124,7 @@ void lichenAddSolidImpact(inout LichenSolidKernelSums sums, uint word, uint turn
     // As lichenAddSolidVertex has it, with what the window adds to both frequencies.
     // That of a kernel without a wave lies along x.
     float ratio = sqrt((z * z + kernel.depthSpread) / (square + kernel.planarSpread));
-    vec2 slope = (depth < 0.0 ? -ratio : ratio) *
-                 normalize(vec2(planar.x + 1.0e-6, -planar.y));
+    vec2 slope = (depth < 0.0 ? -ratio : ratio) * normalize(vec2(planar.x + 1.0e-6, -planar.y));
     sums.depthX += slope.x * waves;
     sums.depthY += slope.y * waves;
   }
@@ -137,12 +134,11 @@ void lichenAddSolidImpact(inout LichenSolidKernelSums sums, uint word, uint turn
 LichenSolidKernelSums lichenSolidKernelSums(LichenSolidKernel kernel, uint seed, bool isSlope) {
   // As lichenKernelSums, in each layer with the chords of an ellipse that is smaller there.
   mat2 q = kernel.plane.toWindow;
-  float xx = dot(q[0], q[0]), xy = dot(q[0], q[1]), yy = dot(q[1], q[1]);
-  float perY = yy - xy * xy / xx, perZ = kernel.toWindowZ * kernel.toWindowZ;
+  float xx = dot(q[0], q[0]), product = dot(q[0], q[1]), yy = dot(q[1], q[1]);
+  float perY = yy - product * product / xx, perZ = kernel.toWindowZ * kernel.toWindowZ;
   float reachY = inversesqrt(perY), reachZ = 1.0 / kernel.toWindowZ;
-  float shear = xy / xx;
-  LichenSolidKernelSums sums =
-      LichenSolidKernelSums(vec4(0.0), vec4(0.0), vec4(0.0));
+  float shear = product / xx;
+  LichenSolidKernelSums sums = LichenSolidKernelSums(vec4(0.0), vec4(0.0), vec4(0.0));
   int first = int(floor(kernel.plane.place.y - reachY));
   int last = int(floor(kernel.plane.place.y + reachY));
   int lastLayer = int(floor(kernel.place + reachZ));
@@ -188,7 +184,7 @@ LichenSolidKernelSums lichenSolidKernelSums(LichenSolidKernel kernel, uint seed,
 
 // The seam's functions; see solid_method.glsl.
 
-void lichenSetSolidPoint(out LichenSolidKernelsPoint point, vec3 position,
+void lichenSetSolidPoint(LICHEN_OUT(LichenSolidKernelsPoint) point, vec3 position,
                          LichenSolidFootprint footprint, LichenMaterial material) {
   LichenKernelsMaterial own = lichenKernelsMaterial(material);
   vec3 place = (position + vec3(0.0, 0.0, own.offsetZ)) / float(LICHEN_KERNEL_TILES);
@@ -205,7 +201,7 @@ void lichenSetSolidPoint(out LichenSolidKernelsPoint point, vec3 position,
 
 vec4 lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenSolidKernelsPoint point,
                            LichenMaterial material, LichenNoise noise, LichenMap map,
-                           out float depthSlope) {
+                           LICHEN_OUT(float) depthSlope) {
   bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
   vec3 sum = vec3(0.0);
   float squares = 0.0, lost = 0.0;

@@ -40,7 +40,7 @@ LichenSolidPoint lichenSolidPointAt(vec3 position, vec3 gradientX, vec3 gradient
 /// The Gaussian value of a map, and in w the share of its variance that filtering loses.
 /// `depthSlope`: of slopes, that along z, stored.
 vec4 lichenSolidGaussian(LICHEN_IMAGE_2D image, LichenSolidPoint point, LichenMaterial material,
-                         LichenNoise noise, LichenMap map, out float depthSlope) {
+                         LichenNoise noise, LichenMap map, LICHEN_OUT(float) depthSlope) {
   vec4 gaussian = vec4(0.5, 0.5, 0.5, 0.0);
   depthSlope = 0.0;
 #define LICHEN_SOLID_GAUSSIAN(name, Type, number)                                                  \

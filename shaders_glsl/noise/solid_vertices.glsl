@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The lattices of solid local random-phase noise, one for each octave: a point in the space of
 // tiles -> the four vertices of the tetrahedron around it, with their windows and random numbers.
-// They are body-centred cubic, each of half the edges of the octave before. The CPU twin is
-// analysis/local_random_phase/solid_vertices. docs/decisions/030-solid.md
+// They are body-centred cubic, each of half the edges of the octave before.
+// docs/decisions/009-local-random-phase.md
 #ifndef LICHEN_SOLID_VERTICES_GLSL
 #define LICHEN_SOLID_VERTICES_GLSL
 
@@ -13,8 +13,8 @@
 
 /// What all maps of a solid noise share at one point. Along z a tile is as long as it is wide.
 struct LichenSolidCosinesPoint {
-  ivec3 cell;     // of octave 0 that holds the point, from that of the tile origin on
-  vec3 inside;    // the place in it, [0, 1)
+  ivec3 cell;  // of octave 0 that holds the point, from that of the tile origin on
+  vec3 inside; // the place in it, [0, 1)
   LichenSolidFootprint footprint;
 };
 
@@ -61,14 +61,14 @@ LichenSolidVertices lichenSolidVertices(LichenSolidCosinesPoint point, int octav
   vec3 offset2 = lichenUnskewed(place - step2);
   vec3 offset3 = lichenUnskewed(place - 1.0);
   LichenSolidVertices vertices;
-  vertices.states = uvec4(lichenSolidHash(first, seed), lichenSolidHash(first + uvec3(step1), seed),
-                          lichenSolidHash(first + uvec3(step2), seed),
-                          lichenSolidHash(first + 1u, seed));
+  vertices.states =
+      uvec4(lichenSolidHash(first, seed), lichenSolidHash(first + uvec3(step1), seed),
+            lichenSolidHash(first + uvec3(step2), seed), lichenSolidHash(first + 1u, seed));
   vec4 windows = lichenSolidWindows(vec4(dot(offset0, offset0), dot(offset1, offset1),
                                          dot(offset2, offset2), dot(offset3, offset3)));
   vertices.windows = windows * inversesqrt(dot(windows, windows));
-  vec3 cubesPerTile = scale * vec3(material.columnsPerTile, material.rowsPerTile,
-                                   material.columnsPerTile);
+  vec3 cubesPerTile =
+      scale * vec3(material.columnsPerTile, material.rowsPerTile, material.columnsPerTile);
   vertices.offsetX = vec4(offset0.x, offset1.x, offset2.x, offset3.x) / cubesPerTile.x;
   vertices.offsetY = vec4(offset0.y, offset1.y, offset2.y, offset3.y) / cubesPerTile.y;
   vertices.offsetZ = vec4(offset0.z, offset1.z, offset2.z, offset3.z) / cubesPerTile.z;

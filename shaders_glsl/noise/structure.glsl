@@ -2,8 +2,7 @@
 // The structure of local random-phase noise: an image with the phases of the exemplar. A point and
 // its footprint -> tiles of the image at the three vertices around it, magnified by cubic B-splines
 // and blended so that the variance is the same everywhere, with a list of offsets nearly so.
-// [LRP14] section 5.1, eq. 4; docs/decisions/028-structure.md. The CPU twin is
-// analysis/local_random_phase/structure_tiles.
+// [LRP14] section 5.1, eq. 4; docs/decisions/009-local-random-phase.md.
 #ifndef LICHEN_STRUCTURE_GLSL
 #define LICHEN_STRUCTURE_GLSL
 
@@ -21,10 +20,10 @@
 
 /// Where an image of cosines has the structure; its sides are powers of two.
 struct LichenStructureImage {
-  ivec2 size;    // [texels of the structure] of level 0
-  int levels;    // beyond the last the mean alone is left
-  int offsets;   // of the list, 0: none
-  int offsetRow; // of the list
+  ivec2 size;       // [texels of the structure] of level 0
+  int levels;       // beyond the last the mean alone is left
+  int offsets;      // of the list, 0: none
+  int offsetRow;    // of the list
   float turbulence; // [tiles]
 };
 
@@ -84,8 +83,8 @@ vec3 lichenStructureAt(LICHEN_IMAGE_2D image, ivec2 corner, ivec2 size, vec2 tex
   for (int row = 0; row < 3; ++row) {
     float even = lichenChosen(evenY, row), odd = lichenChosen(oddY, row);
     for (int column = 0; column < 3; ++column) {
-      uvec4 bits = floatBitsToUint(
-          LICHEN_FETCH_2D(image, corner + ((pair + ivec2(column, row)) & last)));
+      uvec4 bits =
+          floatBitsToUint(LICHEN_FETCH_2D(image, corner + ((pair + ivec2(column, row)) & last)));
       float left = lichenChosen(evenX, column), right = lichenChosen(oddX, column);
       sum += even * (left * lichenStructureTexel(bits.x) + right * lichenStructureTexel(bits.y)) +
              odd * (left * lichenStructureTexel(bits.z) + right * lichenStructureTexel(bits.w));
@@ -122,7 +121,7 @@ ivec2 lichenLevelCorner(LichenStructureImage structure, int level) {
 
 /// Adds the structure to `sum.rgb`. Adds twice its variance to `squares`, and to `sum.w` twice the
 /// variance that the footprint takes, like the squared amplitudes of cosines.
-void lichenAddStructure(inout vec4 sum, inout float squares, LICHEN_IMAGE_2D image,
+void lichenAddStructure(LICHEN_INOUT(vec4) sum, LICHEN_INOUT(float) squares, LICHEN_IMAGE_2D image,
                         LichenCosinesPoint point, LichenMaterial material, LichenNoise noise,
                         LichenMap map) {
   const int kPlacementOctave = 2; // edges of a quarter of a tile
@@ -136,8 +135,8 @@ void lichenAddStructure(inout vec4 sum, inout float squares, LICHEN_IMAGE_2D ima
   int finer = int(level);
   float coarserShare = level - float(finer);
   int end = min(coarserShare > 0.0 ? finer + 2 : finer + 1, structure.levels);
-  LichenCosinesVertices vertices = lichenCosinesVertices(
-      point, kPlacementOctave, uint(LICHEN_MAX_OCTAVES), material);
+  LichenCosinesVertices vertices =
+      lichenCosinesVertices(point, kPlacementOctave, uint(LICHEN_MAX_OCTAVES), material);
   vec2 displacement = structure.turbulence * lichenTurbulence(vertices);
   // With a list, tiles are blended about their mean over it, which is the fourth.
   bool isGuided = structure.offsets > 0 && lichenCosinesMaterial(material).guided != 0u;
@@ -148,8 +147,8 @@ void lichenAddStructure(inout vec4 sum, inout float squares, LICHEN_IMAGE_2D ima
     vec2 position = displacement + point.position;
     uint state = lichenChosen(vertices.states, tile);
     if (tile < 3 && isGuided)
-      position += lichenListedOffset(image, structure, state >> 16u,
-                                     lichenChosen(vertices.colors, tile));
+      position +=
+          lichenListedOffset(image, structure, state >> 16u, lichenChosen(vertices.colors, tile));
     else if (tile < 3)
       position = displacement +
                  vec2(lichenChosen(vertices.offsetX, tile), lichenChosen(vertices.offsetY, tile)) +
@@ -164,7 +163,7 @@ void lichenAddStructure(inout vec4 sum, inout float squares, LICHEN_IMAGE_2D ima
                                     position * vec2(levelSize));
     }
   }
-  sum.rgb += map.sumFactor.rgb * integers;
+  sum += vec4(map.sumFactor.rgb * integers, 0.0);
   // Deviations of the structure over that of the noise, 1/6 in each channel.
   float whole = lichenMipRetained(0, map.mipRetained0);
   float retained = mix(lichenMipRetained(finer, map.mipRetained0),

@@ -75,7 +75,7 @@ LichenSurfaceCubes lichenSurfaceCubesAt(vec3 inside, uvec3 cell, mat3 axes, vec3
 }
 
 /// Sets what a walk knows of its column.
-void lichenEnterColumn(inout LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
+void lichenEnterColumn(LICHEN_INOUT(LichenSurfaceWalk) walk, LichenSurfaceCubes cubes) {
   vec3 middle =
       cubes.columnMiddle + walk.column.x * cubes.columnStepX + walk.column.y * cubes.columnStepY;
   vec3 low = middle - cubes.columnReach;
@@ -102,7 +102,7 @@ LichenSurfaceWalk lichenFirstSurfaceImpact(LichenSurfaceCubes cubes) {
 }
 
 /// To the next column, row by row.
-void lichenNextColumn(inout LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
+void lichenNextColumn(LICHEN_INOUT(LichenSurfaceWalk) walk, LichenSurfaceCubes cubes) {
   walk.column.x += 1.0;
   if (walk.column.x > cubes.lastColumn.x)
     walk.column = vec2(cubes.firstColumn.x, walk.column.y + 1.0);
@@ -119,7 +119,7 @@ vec3 lichenImpactInCube(uint word) {
 }
 
 /// One step of a walk, to the next impact; see lichenStep.
-void lichenSurfaceStep(inout LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
+void lichenSurfaceStep(LICHEN_INOUT(LichenSurfaceWalk) walk, LichenSurfaceCubes cubes) {
   uint cell = cubes.cell.z + uint(int(walk.cube));
   walk.cell = uvec3(cubes.cell.xy + uvec2(ivec2(walk.column)), cell);
   uint word = lichenPcg(walk.columnHash.x + cell);

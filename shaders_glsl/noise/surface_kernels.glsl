@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Multiple-kernels noise on a surface: a point in space and the frame of its tangent plane -> for
 // each kernel the sum over impacts around the point, projected onto that plane -> the Gaussian
-// value and the share of its variance that the footprint loses. The image is that of the plane. The
-// CPU twin is analysis/multiple_kernels/surface_kernels. docs/decisions/031-kernels.md
+// value and the share of its variance that the footprint loses. The image is that of the plane.
+// docs/decisions/010-multiple-kernels.md
 #ifndef LICHEN_SURFACE_KERNELS_GLSL
 #define LICHEN_SURFACE_KERNELS_GLSL
 
@@ -69,7 +69,7 @@ vec4 lichenSurfaceKernelSums(LichenKernelRow row, LichenSurfaceKernelsPoint poin
 
 // The seam's functions; see surface_method.glsl.
 
-void lichenSetSurfacePoint(out LichenSurfaceKernelsPoint surface, vec3 position, mat3 frame,
+void lichenSetSurfacePoint(LICHEN_OUT(LichenSurfaceKernelsPoint) surface, vec3 position, mat3 frame,
                            LichenKernelsPoint point, LichenMaterial material, LichenNoise noise) {
   LichenKernelsMaterial own = lichenKernelsMaterial(material);
   vec3 offset = vec3(material.offsetX, material.offsetY, own.offsetZ);
@@ -83,7 +83,7 @@ void lichenSetSurfacePoint(out LichenSurfaceKernelsPoint surface, vec3 position,
 vec3 lichenSurfaceGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
                              LichenSurfaceKernelsPoint surface, LichenKernelsPoint point,
                              LichenMaterial material, LichenNoise noise, LichenMap map,
-                             out vec3 lost) {
+                             LICHEN_OUT(vec3) lost) {
   LichenKernelsNoise kernels = lichenKernelsNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));

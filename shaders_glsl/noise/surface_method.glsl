@@ -39,7 +39,7 @@ LichenSurfacePoint lichenSurfacePointAt(vec3 position, mat3 frame, LichenPoint p
 /// The Gaussian value of a map, as lichenGaussianAt returns it.
 vec3 lichenSurfaceGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenSurfacePoint surface,
                            LichenPoint point, LichenMaterial material, LichenNoise noise,
-                           LichenMap map, out vec3 lost) {
+                           LichenMap map, LICHEN_OUT(vec3) lost) {
   vec3 gaussian = vec3(0.5);
   lost = vec3(0.0);
 #define LICHEN_SURFACE_GAUSSIAN_AT(name, Type, number)                                             \

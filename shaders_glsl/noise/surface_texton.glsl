@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Texton noise on a surface: a point in space and the frame of its tangent plane -> the cubes
-// around it -> the material's value. The CPU twin is analysis/texton/evaluate.
+// around it -> the material's value.
 // N(y) = mean + (lambda r / 3)^-1/2 sum_i e_i (1 - 2 |t_i| / r)+ h(y - x_i), lambda points in a
 // unit of space, signs e_i, t_i the height of point i over the tangent plane at y, in which h lies.
 // [GLM17] Galerne, Leclaire and Moisan 2017, section 6 and proposition 3.
@@ -56,7 +56,7 @@ vec3 lichenSurfaceTextonGaussian(LICHEN_IMAGE_2D image, LichenSurfaceCubes cubes
 // The seam's functions; see surface_method.glsl. Offsets are in texels, from the middle of the
 // reach of an impact's texton.
 
-void lichenSetSurfacePoint(out LichenSurfaceCubes cubes, vec3 position, mat3 frame,
+void lichenSetSurfacePoint(LICHEN_OUT(LichenSurfaceCubes) cubes, vec3 position, mat3 frame,
                            LichenImpacts impacts, LichenMaterial material, LichenNoise noise) {
   LichenTextonMaterial own = lichenTextonMaterial(material);
   float side = own.surfaceCubeTexels;
@@ -77,7 +77,7 @@ void lichenSetSurfacePoint(out LichenSurfaceCubes cubes, vec3 position, mat3 fra
 
 vec3 lichenSurfaceGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenSurfaceCubes cubes,
                              LichenImpacts impacts, LichenMaterial material, LichenNoise noise,
-                             LichenMap map, out vec3 lost) {
+                             LichenMap map, LICHEN_OUT(vec3) lost) {
   LichenRetained retained = lichenTextonRetained(table, impacts, noise, map);
   lost = 1.0 - retained.footprint;
   return lichenSurfaceTextonGaussian(image, cubes, impacts, retained, material, noise,

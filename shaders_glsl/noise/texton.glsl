@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texton noise: impacts around a point -> the material's value. The CPU twin is
-// analysis/texton/evaluate.
+// Texton noise: impacts around a point -> the material's value.
 // N(x) = mean + lambda^-1/2 sum_i e_i h(x - x_i), signs e_i, h the B-spline of the coefficients.
 // [GLM17] Galerne, Leclaire and Moisan 2017, sections 3.2 and 5; [SH05] Sigg and Hadwiger 2005,
 // for order 3. Deviations, with reasons: docs/decisions/.
@@ -112,7 +111,7 @@ int lichenImpactCount(LichenImpacts impacts, LichenMaterial material, LichenNois
 /// The share of each channel's variance that textons fetched at a level >= 0 keep: of a trilinear
 /// blend of a mip and the next.
 vec3 lichenTextonLevelRetained(LICHEN_IMAGE_3D table, float level, LichenImpacts impacts,
-                           LichenNoise noise, LichenMap map) {
+                               LichenNoise noise, LichenMap map) {
   // docs/theory.md, Filtering: the covariance of the two.
   int mip = int(level);
   vec3 fine = lichenTextonMipRetained(table, mip, impacts, noise, map);
@@ -127,15 +126,15 @@ vec3 lichenTextonLevelRetained(LICHEN_IMAGE_3D table, float level, LichenImpacts
 
 /// The shares of each channel's variance that filtering leaves at a point.
 struct LichenRetained {
-  vec3 fetched; // left by the mips that are fetched
-  vec3 footprint;    // left by averages over the footprint, which may be larger
+  vec3 fetched;   // left by the mips that are fetched
+  vec3 footprint; // left by averages over the footprint, which may be larger
 };
 
 LichenRetained lichenTextonRetained(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
-                            LichenMap map) {
+                                    LichenMap map) {
   float level = min(impacts.footprintLevel, float(LICHEN_MAX_MIPS - 1));
   return LichenRetained(lichenTextonLevelRetained(table, impacts.level, impacts, noise, map),
-                    lichenTextonLevelRetained(table, level, impacts, noise, map));
+                        lichenTextonLevelRetained(table, level, impacts, noise, map));
 }
 
 /// The factor on a sum over impacts. Beyond the last mip textons stay the same, and the factor
@@ -166,7 +165,8 @@ vec4 lichenTextonDecode(vec3 gaussian, LichenRetained retained, LichenMaterial m
 // The seam's functions; see method.glsl. `table` is fetched of mixes only.
 
 vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
-                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+                      LichenMaterial material, LichenNoise noise, LichenMap map,
+                      LICHEN_OUT(vec3) lost) {
   LichenRetained retained = lichenTextonRetained(table, impacts, noise, map);
   lost = 1.0 - retained.footprint;
   return lichenTextonGaussian(image, impacts, retained, material, noise,

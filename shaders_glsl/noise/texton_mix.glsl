@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Mixes of textons: weight of a mix -> the step of an impact, and the map's constants at a point.
 // Each impact takes the texton of its own weight; mean, deviation and what mips retain are
-// interpolated between the two nearest steps, from a table of them. The CPU twin is
-// analysis/texton/mixed_map. [GLM17] Galerne, Leclaire and Moisan 2017, section 7.
+// interpolated between the two nearest steps, from a table of them. [GLM17] Galerne, Leclaire and
+// Moisan 2017, section 7.
 #ifndef LICHEN_TEXTON_MIX_GLSL
 #define LICHEN_TEXTON_MIX_GLSL
 
@@ -28,15 +28,22 @@ float lichenMixWeight(vec2 uv, LichenMaterial material) {
   return own.mixWeight + dot(vec2(own.mixPerU, own.mixPerV), uv);
 }
 
-/// The weight of a mix at `uv` where it is a constant or a direction; 0 of other sources, which
-/// lichenSetMix and lichenMixByMask are for.
-void lichenMixByUv(inout LichenImpacts impacts, vec2 uv, LichenMaterial material) {
+/// Its derivative along x and y of tile space [1 / tile].
+vec2 lichenMixGradient(LichenMaterial material) {
   LichenTextonMaterial own = lichenTextonMaterial(material);
-  impacts.mixWeight = lichenMixWeight(uv, material);
-  // By tile coordinates: the transposed inverse of a rotation with a scale is itself over the
-  // scale's square.
+  // The transposed inverse of a rotation with a scale is itself over the scale's square.
   vec2 row = vec2(material.uvToTileXX, material.uvToTileXY);
-  impacts.mixGradient = lichenUvToTile(vec2(own.mixPerU, own.mixPerV), material) / dot(row, row);
+  return lichenUvToTile(vec2(own.mixPerU, own.mixPerV), material) / dot(row, row);
+}
+
+/// Sets the weight of a mix: 0 is the first step, 1 the last. `gradient` is its derivative along x
+/// and y of tile space [1 / tile], which gives the weight at the impacts around. Where the weight
+/// is continuous, the gradient must be too. Pass 0 where it is not, as for vertex colours, which
+/// bend at every edge: all impacts then have the point's own weight, and neighbouring steps differ
+/// little.
+void lichenSetMix(LICHEN_INOUT(LichenImpacts) impacts, float weight, vec2 gradient) {
+  impacts.mixWeight = weight;
+  impacts.mixGradient = gradient;
 }
 
 /// The top of an impact's frame in the image: of a mix, that of its own weight. [texels]
@@ -53,7 +60,7 @@ float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenNoise noise) {
 /// A row of a mix's table at a step, [0, steps - 1], linear between whole ones.
 vec4 lichenMixRow(LICHEN_IMAGE_3D table, float atStep, int row, LichenNoise noise) {
   vec3 coordinate = vec3((atStep + 0.5) / float(int(lichenTextonNoise(noise).steps)), 0.5,
-                    (float(row) + 0.5) / float(LICHEN_MIX_ROWS));
+                         (float(row) + 0.5) / float(LICHEN_MIX_ROWS));
   return LICHEN_SAMPLE_3D(table, coordinate, 0.0);
 }
 
@@ -84,7 +91,7 @@ LichenMap lichenMixedMap(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoi
 
 /// The amplitudes that the texels of a mip retain of each channel, at the point's weight of a mix.
 vec3 lichenTextonMipRetained(LICHEN_IMAGE_3D table, int mip, LichenImpacts impacts,
-                             LichenNoise noise,LichenMap map) {
+                             LichenNoise noise, LichenMap map) {
   if (!lichenIsMix(noise))
     return vec3(lichenMipRetained(mip, map.mipRetained0), lichenMipRetained(mip, map.mipRetained1),
                 lichenMipRetained(mip, map.mipRetained2));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rotated tiles: vertex -> (cosine, sine) of its tile's angle, a multiple of a quarter turn, so
 // that texels lie on texels; positions and slopes -> the same, rotated.
-// The CPU twin is analysis/tiling/tile_rotation; docs/decisions/024-tile-rotation.md has what it is
-// good for and what it costs.
+// docs/decisions/019-tile-rotation.md has what it is good for and what it costs.
 #ifndef LICHEN_TILE_ROTATION_GLSL
 #define LICHEN_TILE_ROTATION_GLSL
 
@@ -32,8 +31,8 @@ vec2 lichenTileRotationAt(uvec2 vertex, uint tileRotation, uint seedWord) {
 
 /// A position on the plane [tiles] -> the position in the exemplar of a tile that is rotated.
 /// Slopes in that exemplar, whose y points up, against v -> slopes on the plane.
-vec2 lichenRotated(vec2 xy, vec2 rotation) {
-  return vec2(rotation.x * xy.x - rotation.y * xy.y, rotation.x * xy.y + rotation.y * xy.x);
+vec2 lichenRotated(vec2 v, vec2 rotation) {
+  return vec2(rotation.x * v.x - rotation.y * v.y, rotation.x * v.y + rotation.y * v.x);
 }
 
 #endif

@@ -2,7 +2,7 @@
 // Histogram-preserving tiling and blending [HN18], from top to bottom: a point on the plane of
 // tiles and its footprint -> three taps and their weights, once for all maps -> the Gaussian value
 // of each map, with the share of its variance that fetches lose. tiling_decode.glsl makes the
-// material's value of it. The CPU twin is analysis/tiling/evaluate.
+// material's value of it.
 // [HN18] Heitz and Neyret 2018, Algorithm 1. Deviations, with reasons: docs/decisions/.
 #ifndef LICHEN_TILING_GLSL
 #define LICHEN_TILING_GLSL
@@ -18,8 +18,8 @@ struct LichenTilingPoint {
   vec2 uv0, uv1, uv2; // [tiles] where the tile of each vertex is fetched
   vec3 weights;
   float footprintLevel; // [mip levels] of the widest map
-  float lossShare; // what a fetch loses at this position, over its mean; of the widest map
-  float contrast;  // the material's
+  float lossShare;      // what a fetch loses at this position, over its mean; of the widest map
+  float contrast;       // the material's
 };
 
 /// The random offset of a vertex's tile, a whole number of texels; images repeat. [tiles]
@@ -32,7 +32,7 @@ vec2 lichenTileOffset(uvec2 vertex, LichenMaterial material, LichenNoise noise) 
 
 /// Sets what depends on the footprint, by the gradients [tiles / pixel] of `position` [tiles]:
 /// those of the taps jump between triangles.
-void lichenSetTilingFootprint(inout LichenTilingPoint point, vec2 position, vec2 gradientX,
+void lichenSetTilingFootprint(LICHEN_INOUT(LichenTilingPoint) point, vec2 position, vec2 gradientX,
                               vec2 gradientY, LichenNoise noise) {
   vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
   point.footprintLevel = lichenFootprintLevel(gradientX * texels, gradientY * texels);

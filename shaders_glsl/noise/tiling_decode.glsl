@@ -10,7 +10,8 @@
 /// positions. Interpolation loses interpolationLoss of it even where the view is magnified. Without
 /// that part, the variance that is drawn and the variance that is lost have a constant sum.
 float lichenFootprintShare(float loss, LichenMap map) {
-  return loss > map.interpolationLoss ? 1.0 - map.interpolationLoss / loss : 0.0;
+  const float kLeast = 1.0e-20;
+  return max(loss - map.interpolationLoss, 0.0) / max(loss, kLeast);
 }
 
 /// The value for `gaussian`, a result of lichenTilingGaussian, at a point with this lossShare.

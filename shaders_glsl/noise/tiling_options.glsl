@@ -2,7 +2,7 @@
 // Tiling with everything that a material or a host may ask of it, in place of tiling.glsl's point
 // and value: blend sharpness, lattices that are periodic or stretched along a grain, rotated tiles,
 // anisotropic samplers.
-// Each costs nothing where its switch leaves it out. The CPU twin is analysis/tiling/evaluate.
+// Each costs nothing where its switch leaves it out.
 #ifndef LICHEN_TILING_OPTIONS_GLSL
 #define LICHEN_TILING_OPTIONS_GLSL
 
@@ -43,7 +43,7 @@ struct LichenTilingTaps {
 
 /// Where the tile of a vertex is fetched [tiles]; its rotation.
 vec2 lichenTilingTap(uvec2 vertex, vec2 position, LichenMaterial material, LichenNoise noise,
-                     out vec2 rotation) {
+                     LICHEN_OUT(vec2) rotation) {
   uint tileRotation = lichenTileRotation(material);
   vec2 tap = position - lichenReduceToPeriod(vertex, material);
   rotation = vec2(1.0, 0.0);
@@ -55,8 +55,8 @@ vec2 lichenTilingTap(uvec2 vertex, vec2 position, LichenMaterial material, Liche
 }
 
 /// As lichenTilingPoint.
-void lichenSetPoint(out LichenTilingTaps taps, vec2 position, vec2 gradientX, vec2 gradientY,
-                    LichenMaterial material, LichenNoise noise) {
+void lichenSetPoint(LICHEN_OUT(LichenTilingTaps) taps, vec2 position, vec2 gradientX,
+                    vec2 gradientY, LichenMaterial material, LichenNoise noise) {
   LichenTriangle triangle = lichenTriangle(lichenSkewedFor(position, material), material);
   float sharpness = lichenTilingMaterial(material).blendSharpness;
   if (bool(LICHEN_BLEND_SHARPNESS) && sharpness != 1.0) {
@@ -153,8 +153,8 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
   vec4 blend = lichenTilesBlend(tiles, taps);
   // The slopes of rotated tiles are decoded one by one, rotated back and blended about 0, where
   // rotation leaves their mean: a joint table knows slopes as they lie in the exemplar. One loop
-  // for both, tested at both ends, as lichenTriplanarGaussian has it: devices that run both sides of a
-  // branch leave a loop when no pixel has more.
+  // for both, tested at both ends, as lichenTriplanarGaussian has it: devices that run both sides
+  // of a branch leave a loop when no pixel has more.
   bool isEach = map.encoding == uint(LICHEN_ENCODING_SLOPE) && taps.isRotated;
   vec3 shares = weights * inversesqrt(dot(weights, weights));
   int count = isEach ? 3 : 1;
@@ -163,7 +163,7 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
   while (tile < count) {
     vec4 each = tile == 0 ? tiles.tile0 : (tile == 1 ? tiles.tile1 : tiles.tile2);
     if (isEach)
-      each.rgb = 0.5 + contrast * (each.rgb - 128.0 / 255.0);
+      each = vec4(0.5 + contrast * (each.rgb - 128.0 / 255.0), each.a);
     else
       each = blend;
     vec4 value = lichenTilingDecode(table, each, tiles.lossShare, contrast, map);
@@ -183,7 +183,8 @@ vec4 lichenTilesValue(LICHEN_IMAGE_3D table, LichenTiles tiles, LichenTilingTaps
 // The seam's functions; see method.glsl.
 
 vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTilingTaps taps,
-                      LichenMaterial material, LichenNoise noise, LichenMap map, out vec3 lost) {
+                      LichenMaterial material, LichenNoise noise, LichenMap map,
+                      LICHEN_OUT(vec3) lost) {
   vec4 gaussian = lichenTilingGaussian(image, taps, map);
   lost = vec3(gaussian.a * lichenTilingLossShare(taps.point, map));
   return gaussian.rgb;

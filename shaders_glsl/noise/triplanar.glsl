@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A noise in three planes, blended as one: a point in space and the weights of the planes -> the
 // material's value. The planes are blended before they are decoded, with the variance of one, so
-// that one inverse table gives the exemplar's histogram everywhere. The CPU twin is
-// analysis/triplanar/.
+// that one inverse table gives the exemplar's histogram everywhere.
 // [HN18] Heitz and Neyret 2018, section 4.3 and figure 16; slopes as volume gradients, [M20]
 // Mikkelsen 2020. Specified in docs/gltf_extension/README.md.
 #ifndef LICHEN_TRIPLANAR_GLSL
@@ -17,9 +16,9 @@ struct LichenTriplanar {
   vec3 position;             // [metres]
   vec3 gradientX, gradientY; // [metres / pixel]
   vec3 normal;               // of unit length
-  vec3 weights; // of the planes that look along x, y, z; their squares sum to 1
-  ivec3 order;  // axes of the planes, the greatest weight first
-  int count;    // of planes whose weight is above 0, [1, 3]
+  vec3 weights;              // of the planes that look along x, y, z; their squares sum to 1
+  ivec3 order;               // axes of the planes, the greatest weight first
+  int count;                 // of planes whose weight is above 0, [1, 3]
   LichenTriplanarMaterial planes;
 };
 
@@ -89,7 +88,8 @@ vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePoint plane, vec3 normal, LichenM
 /// lost. `lost` is the share of each channel's variance that filtering lost, `point` what the
 /// planes share.
 vec3 lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
-                             LichenPoint point, LichenNoise noise, LichenMap map, out vec3 lost) {
+                             LichenPoint point, LichenNoise noise, LichenMap map,
+                             LICHEN_OUT(vec3) lost) {
   vec3 sum = vec3(0.0);
   lost = vec3(0.0);
   // Pixels of different planes share the steps of the loop, and devices that run both sides of a
@@ -102,8 +102,8 @@ vec3 lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, Liche
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
     vec3 planeLost;
-    vec3 gaussian = lichenGaussianAt(image, table, plane.point, at.planes.material, noise, map,
-                                     planeLost);
+    vec3 gaussian =
+        lichenGaussianAt(image, table, plane.point, at.planes.material, noise, map, planeLost);
     sum += plane.weight * (gaussian - 0.5);
     lost += plane.weight * plane.weight * planeLost;
     ++rank;

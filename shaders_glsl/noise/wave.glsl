@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A wave, and what a pixel leaves of it. The CPU twin is analysis/sampling/wave.h.
+// A wave, and what a pixel leaves of it.
 #ifndef LICHEN_WAVE_GLSL
 #define LICHEN_WAVE_GLSL
 
@@ -18,19 +18,21 @@ float lichenBeyondTexel(float squared) {
 }
 
 /// The squared cycles that a pixel with these gradients [tiles / pixel] averages of a frequency f:
-/// x f.x^2 + y f.y^2 + z f.x f.y. Of the footprint's ellipse, what lies beyond a texel along each of
-/// its axes.
+/// x f.x^2 + y f.y^2 + z f.x f.y. Of the footprint's ellipse, what lies beyond a texel along each
+/// of its axes.
 vec3 lichenWaveFootprint(vec2 gradientX, vec2 gradientY, vec2 tileTexels) {
   vec2 columns = vec2(gradientX.x, gradientY.x) * tileTexels.x; // [texels / pixel]
   vec2 rows = vec2(gradientX.y, gradientY.y) * tileTexels.y;
-  float xx = dot(columns, columns), yy = dot(rows, rows), xy = dot(columns, rows);
+  float xx = dot(columns, columns), yy = dot(rows, rows), product = dot(columns, rows);
   float mean = 0.5 * (xx + yy), halfDifference = 0.5 * (xx - yy);
-  float apart = sqrt(halfDifference * halfDifference + xy * xy); // the axes, from the mean
+  float apart =
+      sqrt(halfDifference * halfDifference + product * product); // the axes, from the mean
   float longer = lichenBeyondTexel(mean + apart), shorter = lichenBeyondTexel(mean - apart);
   const float kLeast = 1.0e-20; // of a circle, whose axes are the same
   float slope = 0.5 * (longer - shorter) / max(apart, kLeast);
   return vec3(0.5 * (longer + shorter) + slope * vec2(halfDifference, -halfDifference),
-              2.0 * slope * xy) / vec3(tileTexels * tileTexels, tileTexels.x * tileTexels.y);
+              2.0 * slope * product) /
+         vec3(tileTexels * tileTexels, tileTexels.x * tileTexels.y);
 }
 
 /// The amplitudes that a footprint leaves of cosines, for the squares of the cycles that it spans.

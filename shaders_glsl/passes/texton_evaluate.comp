@@ -29,13 +29,17 @@ layout(std430, set = 1, binding = 0) readonly buffer Points { Point points[]; };
 layout(std430, set = 1, binding = 1) writeonly buffer Values { vec4 values[]; };
 
 vec4 gradientAt(texture2D image, texture3D table, Point point) {
-  LichenImpacts impacts =
-      lichenGradientPointUvGrad(point.uvAndGradientX.xy, point.uvAndGradientX.zw,
-                                point.gradientY.xy, lichenMaterial, lichenNoise);
-  if (point.mixWeight.w != 0.0)
-    lichenSetMix(impacts, point.mixWeight.x, point.mixWeight.yz);
-  return vec4(lichenTextonGradient(image, table, impacts, lichenMaterial, lichenNoise,
-                                   lichenMaps[kRole]),
+  vec2 uv = point.uvAndGradientX.xy;
+  bool hasOwn = point.mixWeight.w != 0.0;
+  return vec4(lichenGradientAt(
+                  image, table,
+                  vec2(lichenMaterial.offsetX, lichenMaterial.offsetY) +
+                      lichenUvToTile(uv, lichenMaterial),
+                  lichenUvToTile(point.uvAndGradientX.zw, lichenMaterial),
+                  lichenUvToTile(point.gradientY.xy, lichenMaterial),
+                  hasOwn ? point.mixWeight.x : lichenMixWeight(uv, lichenMaterial),
+                  hasOwn ? point.mixWeight.yz : lichenMixGradient(lichenMaterial), lichenMaterial,
+                  lichenNoise, lichenMaps[kRole]),
               0.0);
 }
 

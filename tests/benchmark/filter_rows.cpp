@@ -2,9 +2,9 @@
 // Mean colour of views, from magnification to one pixel per 100 tiles, against supersampling.
 #include "exemplars.h"
 #include "rows.h"
+#include "synthesized.h"
 
-#include <lichen/texton_evaluate.h>
-#include <lichen/tiling_evaluate.h>
+#include <lichen/noise_evaluator.h>
 
 #include <tbb/parallel_for.h>
 
@@ -12,8 +12,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 
 namespace lichen::bench {
 namespace {
@@ -65,8 +63,7 @@ double texelMiddle(int cell, double cellTiles, std::uint32_t random) {
 }
 
 /// The largest channel difference between a view's mean and the mean of its texels.
-double meanColourError(const TilingEvaluator& evaluator, const shader::LichenMaterial& material,
-                       double pixelTiles) {
+double meanColourError(const NoiseEvaluator& noise, double pixelTiles) {
   // Centred on the origin, so that floats resolve half a texel at 25,600 tiles.
   const Colour filtered = gridMean(kViewSide, [&](int x, int y) {
     TileFootprint at;
@@ -74,7 +71,7 @@ double meanColourError(const TilingEvaluator& evaluator, const shader::LichenMat
                    float((y + 0.5 - kViewSide / 2) * pixelTiles)};
     at.dx = {float(pixelTiles), 0.0f};
     at.dy = {0.0f, float(pixelTiles)};
-    return evaluator.evaluate(0, material, at);
+    return noise.evaluate(0, at);
   });
   const double cell = pixelTiles * kViewSide / kReferenceSide;
   const Colour reference = gridMean(kReferenceSide, [&](int x, int y) {
@@ -84,20 +81,19 @@ double meanColourError(const TilingEvaluator& evaluator, const shader::LichenMat
                    float(texelMiddle(y - kReferenceSide / 2, cell, random[1]))};
     at.dx = {1.0f / kExemplarSide, 0.0f};
     at.dy = {0.0f, 1.0f / kExemplarSide};
-    return evaluator.evaluate(0, material, at);
+    return noise.evaluate(0, at);
   });
   return largestDifference(filtered, reference);
 }
 
 /// Likewise for textons, which are exact at any point.
-double meanColourError(const TextonEvaluator& evaluator, const Bundle& bundle, double pixelTiles) {
-  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise{}, {}).material;
+double textonColourError(const NoiseEvaluator& noise, double pixelTiles) {
   const auto seen = [&](double x, double y, double side) {
     TileFootprint at;
     at.position = {float(x), float(y)};
     at.dx = {float(side), 0.0f};
     at.dy = {0.0f, float(side)};
-    return evaluator.evaluate(0, material, at);
+    return noise.evaluate(0, at);
   };
   const Colour filtered = gridMean(kTextonViewSide, [&](int x, int y) {
     return seen((x + 0.5 - kTextonViewSide / 2) * pixelTiles,
@@ -110,16 +106,6 @@ double meanColourError(const TextonEvaluator& evaluator, const Bundle& bundle, d
                 (y + double(random[1]) * 0x1p-32 - kTextonReferenceSide / 2) * cell, 0.0);
   });
   return largestDifference(filtered, reference);
-}
-
-template <class Evaluator>
-Evaluator created(const Bundle& bundle) {
-  Result<Evaluator> evaluator = Evaluator::create(bundle, 0);
-  if (!evaluator) {
-    std::fprintf(stderr, "lichen-bench: %s\n", evaluator.error().message.c_str());
-    std::exit(int(evaluator.error().kind));
-  }
-  return std::move(evaluator).value();
 }
 
 /// The errors of views of the exemplars.
@@ -145,16 +131,13 @@ std::vector<Row> filterRows() {
   WorstViews tiling, textons;
   for (const Exemplar& exemplar : exemplars256()) {
     std::array<double, kFootprints.size()> errors{};
-    const Bundle tiled = bakedBundle(exemplar.image);
-    const auto tiles = created<TilingEvaluator>(tiled);
-    const shader::LichenMaterial material = shaderMaterial(tiled, MaterialNoise{}, {}).material;
+    const auto tiles = require(NoiseEvaluator::create(bakedBundle(exemplar.image), {}));
     for (std::size_t k = 0; k < errors.size(); ++k)
-      errors[k] = meanColourError(tiles, material, kFootprints[k]);
+      errors[k] = meanColourError(*tiles, kFootprints[k]);
     tiling.note(exemplar, errors);
-    const Bundle spotted = textonBundle(exemplar.image);
-    const auto impacts = created<TextonEvaluator>(spotted);
+    const auto impacts = require(NoiseEvaluator::create(textonBundle(exemplar.image), {}));
     for (std::size_t k = 0; k < errors.size(); ++k)
-      errors[k] = meanColourError(impacts, spotted, kFootprints[k]);
+      errors[k] = textonColourError(*impacts, kFootprints[k]);
     textons.note(exemplar, errors);
   }
   return {{"mean colour of any view, per channel of light, median exemplar", median(tiling.ofEach),

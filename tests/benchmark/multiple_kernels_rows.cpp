@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Multiple-kernels noise: the time of its fit, its results compared with the Gaussian version of
-// each exemplar, how nearly its values are Gaussian, and how many cells a pixel visits.
+// each exemplar, and how nearly its values are Gaussian.
 #include "exemplars.h"
 #include "gaussian_versions.h"
 #include "rows.h"
 #include "synthesized.h"
 
-#include <lichen/multiple_kernels_evaluate.h>
 #include <lichen/quality.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 
 namespace lichen::bench {
 namespace {
@@ -24,15 +24,14 @@ constexpr std::uint32_t kSeeds = 3;
 struct Moments {
   double excessKurtosis = 0.0; ///< mean over channels
   double covariance = 0.0;     ///< largest difference from that of independent channels
-  double cells = 0.0;          ///< visited at a point
 };
 
 Moments momentsOf(const Bundle& bundle) {
   constexpr std::uint32_t kMany = 16;
-  constexpr int kPoints = 160; // a side, far enough apart to be nearly independent
+  constexpr int kPoints = 160;   // a side, far enough apart to be nearly independent
   constexpr float kStep = 7.13f; // tiles
   constexpr double kDeviation = 1.0 / 6.0;
-  const MultipleKernelsEvaluator evaluator = require(MultipleKernelsEvaluator::create(bundle, 0));
+  const auto evaluator = methodEvaluator(bundle, 0);
   const auto dimensions =
       Eigen::Index(bundle.noises[0].maps[0].as<MultipleKernelsMap>().dimensions);
   Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(dimensions, dimensions);
@@ -42,17 +41,16 @@ Moments momentsOf(const Bundle& bundle) {
   for (std::uint32_t seed = 1; seed <= kMany; ++seed) {
     MaterialNoise use;
     use.seed = seed;
-    const shader::LichenMaterial material = shaderMaterial(bundle, use, {}).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, use, {});
     for (int y = 0; y < kPoints; ++y)
       for (int x = 0; x < kPoints; ++x) {
         const TileFootprint at{{kStep * float(x), kStep * float(y)}, {}, {}};
-        const auto value = evaluator.gaussian(0, material, at);
+        const auto value = evaluator->gaussian(0, material, at).value;
         Eigen::VectorXd own(dimensions);
         for (Eigen::Index c = 0; c < dimensions; ++c)
           own[c] = (double(value[std::size_t(c)]) - 0.5) / kDeviation;
         covariance += kShare * own * own.transpose();
         fourth += kShare * own.array().pow(4.0).matrix();
-        moments.cells += kShare * evaluator.visited(material, at).cells;
       }
   }
   const Eigen::VectorXd variances = covariance.diagonal();
@@ -66,7 +64,7 @@ Moments momentsOf(const Bundle& bundle) {
 
 std::vector<Row> multipleKernelsRows() {
   constexpr int kRuns = 3;
-  Measured beyond, spectrum, color, kurtosis, covariance, cells;
+  Measured beyond, spectrum, color, kurtosis, covariance;
   for (const Exemplar& exemplar : exemplars256()) {
     beyond.note(medianSecondsBeyond(
                     kRuns, [&] { return multipleKernelsBundle(exemplar.image); },
@@ -88,7 +86,6 @@ std::vector<Row> multipleKernelsRows() {
     const Moments moments = momentsOf(noise);
     kurtosis.note(std::abs(moments.excessKurtosis), exemplar.name);
     covariance.note(moments.covariance, exemplar.name);
-    cells.note(moments.cells, exemplar.name);
   }
   const std::string of = "against the Gaussian version, 256 x 256 -> 1024 x 1024, 3 seeds";
   return {{"multiple kernels, fit beyond tiling's bake of 256 x 256, median", median(beyond.values),
@@ -97,8 +94,7 @@ std::vector<Row> multipleKernelsRows() {
           {"the same, worst", spectrum.largest(), 1.5, "dB", spectrum.worst},
           {"color_distance, worst", color.largest(), 0.005, "", color.worst},
           {"excess kurtosis, worst", kurtosis.largest(), 0.05, "", kurtosis.worst},
-          {"covariance over 16 seeds, worst", covariance.largest(), 0.01, "", covariance.worst},
-          {"cells visited, worst", cells.largest(), 80.0, "", cells.worst}};
+          {"covariance over 16 seeds, worst", covariance.largest(), 0.01, "", covariance.worst}};
 }
 
 } // namespace lichen::bench

@@ -55,7 +55,7 @@ template <class Work, class Base>
 std::vector<Row> bakeRows();      ///< time and memory of bakes, time of the table's mip levels
 std::vector<Row> growthRows();    ///< time and memory of larger bakes
 std::vector<Row> transportRows(); ///< cost relative to the certified bound, speckle
-std::vector<Row> synthRows();     ///< speed of the CPU twin
+std::vector<Row> synthRows();     ///< speed of a synthesis
 std::vector<Row> resultRows();    ///< the quality measures
 std::vector<Row> filterRows();    ///< mean colour from magnification to far away
 std::vector<Row> viewRows();      ///< contrast, features and shimmer at all distances

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Speed of the CPU twin.
+// Speed of a synthesis.
 #include "exemplars.h"
 #include "rows.h"
 

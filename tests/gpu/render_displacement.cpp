@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Displaced surfaces: their outlines against points that the CPU twins of the noise displace, the
+// Displaced surfaces: their outlines against points that the noise displaces in C++, the
 // tessellator against refined meshes, finer vertices, cracks, and which surfaces are displaced.
 #include "../unit/bundle_example.h"
 #include "rendered.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Rendered noise on surfaces without texture coordinates: each pixel against the CPU twin at the
-// world position of the pixel.
+// Rendered noise on surfaces without texture coordinates: each pixel against C++ at the world
+// position of the pixel.
 #include "rendered.h"
 #include "synthetic_texton.h"
 
-#include <lichen/texton_evaluate.h>
+#include <lichen/noise_evaluator.h>
 
 #include <array>
 #include <cmath>
@@ -68,25 +68,24 @@ struct Square {
     return at;
   }
 
-  [[nodiscard]] TextonEvaluator::Value twinAt(int x, int y) const {
-    return twin.evaluate(0, shaderMaterial(file.bundle, *file.bundle.materials[0], {}).material,
-                         footprint(x, y));
-  }
-
   static constexpr float kTurn = 0.7f, kHeight = 0.1f;
   BundleFile file;
-  TextonEvaluator twin = TextonEvaluator::create(file.bundle, 0).value();
 };
+
+std::unique_ptr<const NoiseEvaluator> noiseOf(const Square& square) {
+  return NoiseEvaluator::create(square.file.bundle, *square.file.bundle.materials[0]).value();
+}
 
 } // namespace
 
 TEST_CASE("colours on a surface follow the world position, and are the same from behind") {
   const Square square({.wholeFloats = true});
   const LinearImage picture = square.picture("base-color", true);
+  const auto noise = noiseOf(square);
   double spread = 0.0;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const auto expected = square.twinAt(x, y);
+      const auto expected = noise->evaluate(0, square.footprint(x, y));
       for (std::size_t c = 0; c < 3; ++c) // half floats, and positions through two matrices
         REQUIRE(picture.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
       spread += std::pow(double(expected[0]) - 0.222, 2) / (kSide * kSide);
@@ -97,10 +96,11 @@ TEST_CASE("colours on a surface follow the world position, and are the same from
 TEST_CASE("slopes on a surface tilt the normal along its tangent and bitangent") {
   const Square square({.channels = 2, .wholeFloats = true});
   const LinearImage picture = square.picture("normals");
+  const auto noise = noiseOf(square);
   const double turn = square.file.bundle.materials[0]->rotation;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const auto slopes = square.twinAt(x, y);
+      const auto slopes = noise->evaluate(0, square.footprint(x, y));
       const auto tangent = square.footprint(x, y).tangent;
       // From the exemplar's frame, with y up, to the tangent's frame.
       const double along = std::cos(turn) * double(slopes[0]) + std::sin(turn) * double(slopes[1]);

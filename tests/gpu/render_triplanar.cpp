@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Rendered triplanar noise: each pixel against the CPU twin at its position, in world or object
+// Rendered triplanar noise: each pixel against C++ at its position, in world or object
 // space, for normals along all axes and oblique ones, on meshes with different transforms.
 #include "rendered.h"
 #include "synthetic_noise.h"
 #include "synthetic_texton.h"
 
-#include <lichen/texton_evaluate.h>
-#include <lichen/tiling_evaluate.h>
+#include <lichen/noise_evaluator.h>
 
 #include <array>
 #include <cmath>
@@ -304,16 +303,14 @@ TEST_CASE("colours in object space follow the object's transform") {
   const SyntheticMap map{3, 64, 48};
   BundleFile file = syntheticBundle(std::span(&map, 1));
   setParameters(file);
-  const TilingEvaluator twin = TilingEvaluator::create(file.bundle, 0).value();
-  const shader::LichenTriplanarMaterial use =
-      shaderMaterial(file.bundle, *file.bundle.materials[0], {});
+  const auto noise = NoiseEvaluator::create(file.bundle, *file.bundle.materials[0]).value();
   for (const Mover mover : {Mover::node, Mover::skin, Mover::morphTarget})
     for (std::size_t i = mover == Mover::node ? 0 : 3; i < kStands.size(); ++i) {
       const LinearImage drawn = onObject(file, kStands[i], mover, "base-color");
       double spread = 0.0;
       for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
-          const auto expected = twin.evaluate(0, use, onObject(kStands[i], x, y));
+          const auto expected = noise->evaluate(0, onObject(kStands[i], x, y));
           INFO("mover " << int(mover) << ", transform " << i << ", pixel " << x << ", " << y);
           for (std::size_t c = 0; c < 3; ++c)
             REQUIRE(drawn.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
@@ -326,9 +323,7 @@ TEST_CASE("colours in object space follow the object's transform") {
 TEST_CASE("relief in object space rotates, stretches and mirrors with the object") {
   BundleFile file = syntheticTextonBundle({.channels = 2, .wholeFloats = true});
   setParameters(file);
-  const TextonEvaluator twin = TextonEvaluator::create(file.bundle, 0).value();
-  const shader::LichenTriplanarMaterial use =
-      shaderMaterial(file.bundle, *file.bundle.materials[0], {});
+  const auto noise = NoiseEvaluator::create(file.bundle, *file.bundle.materials[0]).value();
   for (const Mover mover : {Mover::node, Mover::skin})
     for (std::size_t i = mover == Mover::node ? 0 : 2; i < kStands.size(); ++i) {
       const LinearImage drawn = onObject(file, kStands[i], mover, "normals");
@@ -336,7 +331,7 @@ TEST_CASE("relief in object space rotates, stretches and mirrors with the object
       for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
           const TriplanarFootprint at = onObject(kStands[i], x, y);
-          const auto gradient = twin.evaluate(0, use, at);
+          const auto gradient = noise->evaluate(0, at);
           const Vec3 expected = reliefNormal(kStands[i], at.normal, gradient);
           // A vertex stores how far its skin stretches its normal, but not a sideways component.
           const bool isSkewed = mover == Mover::skin && i >= 3;
@@ -391,13 +386,11 @@ TEST_CASE("triplanar colours follow the world position, whatever the mesh") {
   BundleFile file = syntheticBundle(std::span(&map, 1));
   setParameters(file);
   const LinearImage drawn = picture(file, "base-color");
-  const TilingEvaluator twin = TilingEvaluator::create(file.bundle, 0).value();
-  const shader::LichenTriplanarMaterial use =
-      shaderMaterial(file.bundle, *file.bundle.materials[0], {});
+  const auto noise = NoiseEvaluator::create(file.bundle, *file.bundle.materials[0]).value();
   double spread = 0.0;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
-      const auto expected = twin.evaluate(0, use, footprint(x, y));
+      const auto expected = noise->evaluate(0, footprint(x, y));
       INFO("pixel " << x << ", " << y);
       for (std::size_t c = 0; c < 3; ++c) // half floats, and positions through two matrices
         REQUIRE(drawn.pixel(x, y)[c] == Approx(expected[c]).margin(1.0 / 255.0));
@@ -410,13 +403,11 @@ TEST_CASE("triplanar slopes tilt the normals of all six faces, and oblique ones,
   BundleFile file = syntheticTextonBundle({.channels = 2, .wholeFloats = true});
   setParameters(file);
   const LinearImage drawn = picture(file, "normals");
-  const TextonEvaluator twin = TextonEvaluator::create(file.bundle, 0).value();
-  const shader::LichenTriplanarMaterial use =
-      shaderMaterial(file.bundle, *file.bundle.materials[0], {});
+  const auto noise = NoiseEvaluator::create(file.bundle, *file.bundle.materials[0]).value();
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
       const TriplanarFootprint at = footprint(x, y);
-      const auto gradient = twin.evaluate(0, use, at);
+      const auto gradient = noise->evaluate(0, at);
       // The gradient of a height over the surface, derived from the normal.
       double outward = 0.0, squares = 0.0;
       for (std::size_t k = 0; k < 3; ++k)

@@ -11,13 +11,7 @@
 namespace lichen::test {
 namespace {
 
-/// The derivative of the centred B-spline of an order.
-double splineSlope(int order, double x) {
-  return order == 0 ? 0.0 : centredSpline(order - 1, x + 0.5) - centredSpline(order - 1, x - 0.5);
-}
-
-} // namespace
-
+/// The centred B-spline of an order by the Cox-de Boor recursion, on half-open intervals.
 double centredSpline(int order, double x) {
   if (order == 0)
     return x >= -0.5 && x < 0.5 ? 1.0 : 0.0;
@@ -27,6 +21,11 @@ double centredSpline(int order, double x) {
          order;
 }
 
+double splineSlope(int order, double x) {
+  return order == 0 ? 0.0 : centredSpline(order - 1, x + 0.5) - centredSpline(order - 1, x - 0.5);
+}
+
+/// Inverts the distribution function of a Poisson variable of mean 1.
 int poissonQuantile(double quantile) {
   int count = 0;
   double probability = std::exp(-1.0);
@@ -35,104 +34,145 @@ int poissonQuantile(double quantile) {
   return count;
 }
 
-double deviationAt(const NoiseMap& map, double weight, std::size_t channel) {
-  const std::size_t diagonal = channel * (map.channels.size() + 1);
-  const auto ofStep = [&](std::size_t step) {
-    return std::sqrt((step == 0 ? map.covariance
-                                : map.as<TextonMap>().laterSteps[step - 1].covariance)[diagonal]);
-  };
-  const double at = std::clamp(weight, 0.0, 1.0) * double(map.as<TextonMap>().laterSteps.size());
-  const auto below = std::size_t(at);
-  return below == map.as<TextonMap>().laterSteps.size()
-             ? ofStep(below)
-             : ofStep(below) + (at - double(below)) * (ofStep(below + 1) - ofStep(below));
-}
+double signOf(std::uint32_t word) { return (word >> 31) != 0 ? -1.0 : 1.0; }
+
+} // namespace
 
 TextonReference::TextonReference(const Bundle& bundle, const shader::LichenMaterial& material)
-    : bundle_(bundle), material_(material), part_(textonPart(material)),
+    : map_(bundle.noises[0].maps[0]), textonMap_(map_.as<TextonMap>()),
+      image_(bundle.tables[textonMap_.image]), material_(material), part_(textonPart(material)),
       noise_(shaderNoise(bundle, 0)), texton_(textonPart(noise_)) {
   const double cellX = double(noise_.tileTexelsX) / double(material_.columnsPerTile);
+  const double cellY = double(noise_.tileTexelsY) / double(material_.rowsPerTile);
   const double offsetX = double(material_.offsetX) * double(noise_.tileTexelsX);
   const double offsetY = double(material_.offsetY) * double(noise_.tileTexelsY);
-  const double cellY = double(noise_.tileTexelsY) / double(material_.rowsPerTile);
   for (std::int32_t j = 0; j < material_.periodRows; ++j)
     for (std::int32_t i = 0; i < material_.periodColumns; ++i) {
       const auto hash = pcg3d({std::uint32_t(i), std::uint32_t(j), material_.seedWord});
-      const bool poisson = part_.pointProcess == LICHEN_POINTS_POISSON;
-      const int count = poisson ? poissonQuantile(double(hash[1]) / std::exp2(32.0)) : 1;
-      for (int k = 0; k < count; ++k) {
-        const std::uint32_t word = poisson ? pcg(hash[0] + std::uint32_t(k)) : hash[0];
+      for (const std::uint32_t word : wordsOf(hash[0], hash[1])) {
         const double x = i - material_.cellI + ((word >> 16 & 32767) + 0.5) / 32768.0;
         const double y = j - material_.cellJ + ((word >> 1 & 32767) + 0.5) / 32768.0;
-        impacts_.push_back(
-            {x * cellX - offsetX, y * cellY - offsetY, (word >> 31) != 0 ? -1.0 : 1.0});
+        impacts_.push_back({x * cellX - offsetX, y * cellY - offsetY, signOf(word)});
       }
     }
-  const Table& image = bundle.tables[bundle.noises[0].maps[0].as<TextonMap>().image];
-  for (std::uint32_t level = 0; level < image.mipLevels; ++level)
-    mips_.push_back(decodeLevel(image, level));
+  for (std::uint32_t level = 0; level < image_.mipLevels; ++level)
+    mips_.push_back(decodeLevel(image_, level));
 }
 
-TextonReference::Sum TextonReference::at(double tileX, double tileY, std::uint32_t mip,
-                                         double mixWeight,
-                                         std::array<double, 2> mixGradient) const {
-  const NoiseMap& map = bundle_.noises[0].maps[0];
-  const Table& image = bundle_.tables[map.as<TextonMap>().image];
-  const auto stored = std::size_t(channelCount(image.format));
+std::vector<std::uint32_t> TextonReference::wordsOf(std::uint32_t word, std::uint32_t count) const {
+  if (part_.pointProcess != LICHEN_POINTS_POISSON)
+    return {word};
+  std::vector<std::uint32_t> words;
+  for (int k = 0; k < poissonQuantile(double(count) / std::exp2(32.0)); ++k)
+    words.push_back(pcg(word + std::uint32_t(k)));
+  return words;
+}
+
+void TextonReference::addTexton(Sum& sum, double x, double y, std::uint32_t mip,
+                                const MixPlace& mix, double factor) const {
+  const auto stored = std::size_t(channelCount(image_.format));
   const int order = mip == 0 ? int(texton_.order) : 1;
   const double side = std::exp2(double(mip));
-  const int width = int(image.width >> mip);
-  const int columns = int(std::ceil(texton_.coefficientsX / side));
-  const int rows = int(std::ceil(texton_.coefficientsY / side));
+  const double weight = double(mix.weight) +
+                        double(mix.gradient[0]) * x / double(noise_.tileTexelsX) +
+                        double(mix.gradient[1]) * y / double(noise_.tileTexelsY);
+  const int step =
+      int(std::floor(std::clamp(weight, 0.0, 1.0) * (double(texton_.steps) - 1.0) + 0.5));
+  const int top = step * (texton_.frameY >> mip);
+  for (int row = 0; row * side < texton_.coefficientsY; ++row) {
+    const double y0 = (0.5 * texton_.coefficientsY - y) / side - row - 0.5;
+    if (std::abs(y0) > 2.0) // the reach of order 3
+      continue;
+    for (int column = 0; column * side < texton_.coefficientsX; ++column) {
+      const double x0 = (0.5 * texton_.coefficientsX - x) / side - column - 0.5;
+      if (std::abs(x0) > 2.0)
+        continue;
+      const float* texel =
+          &mips_[mip][std::size_t((top + row) * int(image_.width >> mip) + column) * stored];
+      const double splineX = centredSpline(order, x0), splineY = centredSpline(order, y0);
+      for (std::size_t c = 0; c < map_.channels.size(); ++c)
+        sum.value[c] += factor * splineX * splineY * textonMap_.scale[c] * double(texel[c]);
+      const double first = factor * textonMap_.scale[0] * double(texel[0]) / side;
+      sum.gradient[0] += first * splineSlope(order, x0) * splineY * double(noise_.tileTexelsX);
+      sum.gradient[1] += first * splineX * splineSlope(order, y0) * double(noise_.tileTexelsY);
+    }
+  }
+}
+
+TextonReference::Sum TextonReference::inPlane(double tileX, double tileY, std::uint32_t mip,
+                                              const MixPlace& mix) const {
   const double pointX = tileX * double(noise_.tileTexelsX);
   const double pointY = tileY * double(noise_.tileTexelsY);
   const double periodX = double(material_.periodTilesX) * double(noise_.tileTexelsX);
   const double periodY = double(material_.periodTilesY) * double(noise_.tileTexelsY);
+  // Twice the reach of the texton and its mips.
+  const double farX = 2.0 * texton_.coefficientsX + 4.0 * std::exp2(double(mip)) + 8.0;
+  const double farY = 2.0 * texton_.coefficientsY + 4.0 * std::exp2(double(mip)) + 8.0;
+  const double root = std::sqrt(double(noise_.tileTexelsX) / double(material_.columnsPerTile) *
+                                double(noise_.tileTexelsY) / double(material_.rowsPerTile));
   Sum sum;
-  for (const Impact& impact : impacts_) {
-    // Includes all copies within twice the reach of the texton and its mips.
-    const double farX = 2.0 * texton_.coefficientsX + 4.0 * side + 8.0;
-    const double farY = 2.0 * texton_.coefficientsY + 4.0 * side + 8.0;
+  for (const Impact& impact : impacts_)
     for (double y = impact.y + periodY * std::ceil((pointY - farY - impact.y) / periodY);
          y < pointY + farY; y += periodY)
       for (double x = impact.x + periodX * std::ceil((pointX - farX - impact.x) / periodX);
-           x < pointX + farX; x += periodX) {
-        const double atX = pointX - x + 0.5 * texton_.coefficientsX;
-        const double atY = pointY - y + 0.5 * texton_.coefficientsY;
-        const double weight =
-            std::clamp(mixWeight + mixGradient[0] * (x - pointX) / double(noise_.tileTexelsX) +
-                           mixGradient[1] * (y - pointY) / double(noise_.tileTexelsY),
-                       0.0, 1.0);
-        const int step = int(std::floor(weight * (double(texton_.steps) - 1.0) + 0.5));
-        const int top = step * (texton_.frameY >> mip);
-        for (int row = 0; row < rows; ++row) {
-          const double y0 = atY / side - row - 0.5;
-          if (std::abs(y0) > 2.0)
-            continue;
-          for (int column = 0; column < columns; ++column) {
-            const double x0 = atX / side - column - 0.5;
-            if (std::abs(x0) > 2.0)
-              continue;
-            const float* texel =
-                &mips_[mip][(std::size_t(top + row) * std::size_t(width) + std::size_t(column)) *
-                            stored];
-            const double h = impact.sign * centredSpline(order, x0) * centredSpline(order, y0);
-            for (std::size_t c = 0; c < map.channels.size(); ++c)
-              sum.value[c] += h * map.as<TextonMap>().scale[c] * double(texel[c]);
-            const double first = impact.sign * map.as<TextonMap>().scale[0] * double(texel[0]);
-            sum.gradient[0] += first * splineSlope(order, x0) * centredSpline(order, y0);
-            sum.gradient[1] += first * centredSpline(order, x0) * splineSlope(order, y0);
+           x < pointX + farX; x += periodX)
+        addTexton(sum, x - pointX, y - pointY, mip, mix, impact.sign * root);
+  return sum;
+}
+
+TextonReference::Sum TextonReference::onSurface(const Vec& point, const SurfaceFrame& frame,
+                                                std::uint32_t mip, const MixPlace& mix) const {
+  const double tileTexels = double(noise_.tileTexelsX);
+  const double scale = 1.0 / std::hypot(double(material_.uvToTileXX), double(material_.uvToTileXY));
+  const double texelsPerMetre = tileTexels / (scale * double(noise_.tileSizeMetres));
+  const double cube = tileTexels / double(material_.columnsPerTile);
+  const double thickness = std::sqrt(double(texton_.coefficientsX + int(texton_.order)) *
+                                     double(texton_.coefficientsY + int(texton_.order)));
+  const double root = std::sqrt(cube * cube * cube * 3.0 / thickness); // [GLM17] proposition 3
+  const std::array<std::int32_t, 3> origin{material_.cellI, material_.cellJ, part_.cellK};
+  const double far = 1.5 * std::max(texton_.coefficientsX, texton_.coefficientsY) +
+                     4.0 * std::exp2(double(mip)) + 4.0;
+  std::array<std::int64_t, 3> first{}, last{}, at{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    first[k] = std::int64_t(std::floor((point[k] * texelsPerMetre - far) / cube));
+    last[k] = std::int64_t(std::floor((point[k] * texelsPerMetre + far) / cube));
+  }
+  Sum sum;
+  for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
+    for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
+      for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) {
+        std::array<std::uint32_t, 3> cell{};
+        for (std::size_t k = 0; k < 3; ++k)
+          cell[k] = std::uint32_t(at[k] + origin[k]);
+        const auto column = pcg3d({cell[0], cell[1], material_.seedWord});
+        for (const std::uint32_t word :
+             wordsOf(pcg(column[0] + cell[2]), pcg(column[1] + cell[2]))) {
+          Vec way{};
+          for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t bits = word >> (21 - 10 * k) & 1023u;
+            way[k] = (double(at[k]) + (bits + 0.5) / 1024.0) * cube - point[k] * texelsPerMetre;
           }
+          const double height = std::abs(dot(way, frame.outward)) / (0.5 * thickness);
+          if (height < 1.0)
+            addTexton(sum, dot(way, frame.right), dot(way, frame.down), mip, mix,
+                      signOf(word) * (1.0 - height) * root);
         }
       }
-  }
-  const double cellArea = double(noise_.tileTexelsX) / double(material_.columnsPerTile) *
-                          double(noise_.tileTexelsY) / double(material_.rowsPerTile);
-  for (double& value : sum.value)
-    value *= std::sqrt(cellArea);
-  sum.gradient[0] *= std::sqrt(cellArea) * double(noise_.tileTexelsX) / side;
-  sum.gradient[1] *= std::sqrt(cellArea) * double(noise_.tileTexelsY) / side;
   return sum;
+}
+
+double TextonReference::gaussian(const Sum& sum, double mixWeight, std::size_t channel) const {
+  const std::size_t diagonal = channel * (map_.channels.size() + 1);
+  const auto ofStep = [&](std::size_t step) {
+    return std::sqrt(
+        (step == 0 ? map_.covariance : textonMap_.laterSteps[step - 1].covariance)[diagonal]);
+  };
+  const double at = std::clamp(mixWeight, 0.0, 1.0) * double(textonMap_.laterSteps.size());
+  const auto below = std::size_t(at);
+  double deviation = ofStep(below);
+  if (below < textonMap_.laterSteps.size())
+    deviation += (at - double(below)) * (ofStep(below + 1) - deviation);
+  return 0.5 + sum.value[channel] / (6.0 * deviation);
 }
 
 } // namespace lichen::test

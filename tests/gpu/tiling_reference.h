@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A second, slow and simple evaluation of tiling revision 1 in double precision, written from the
-// format's specification: the oracle for the shader. It shares only the integer hash with the code
-// under test; other tests check that hash.
+// format's specification: the oracle for the shader library. It shares only the integer hash with
+// the code under test; other tests check that hash.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -37,9 +37,8 @@ enum class FetchedBy {
 /// One map of a bundle's first noise, decoded.
 class TilingReference {
 public:
-  /// `tableLevelError` is added to the level of the inverse table, to show that a test notices it.
   explicit TilingReference(const Bundle& bundle, std::size_t map = 0,
-                           FetchedBy fetchedBy = FetchedBy::level, double tableLevelError = 0.0);
+                           FetchedBy fetchedBy = FetchedBy::level);
 
   /// The map's value, and the blended Gaussian value with the lost variance as its last component.
   struct Sample {
@@ -64,9 +63,7 @@ private:
   const shader::LichenNoise noise_;
   const shader::LichenMap shaderMap_;
   const NoiseMap map_;
-  const TilingMap tiling_;
   const FetchedBy fetchedBy_;
-  const double tableLevelError_;
 };
 
 } // namespace lichen::test

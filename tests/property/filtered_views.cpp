@@ -2,12 +2,7 @@
 #include "filtered_views.h"
 
 #include <lichen/lattice.h>
-#include <lichen/local_random_phase_evaluate.h>
-#include <lichen/multiple_kernels_evaluate.h>
 #include <lichen/noise_evaluator.h>
-#include <lichen/quilting_evaluate.h>
-#include <lichen/texton_evaluate.h>
-#include <lichen/tiling_evaluate.h>
 
 #include <tbb/parallel_for.h>
 
@@ -104,42 +99,13 @@ Plane noisePlane(const Bundle& bundle, Mapping mapping, const Placement& placeme
   MaterialNoise material;
   material.contrast = contrast;
   material.mapping = mapping;
-  if (bundle.noises[0].layers) { // on texture coordinates
-    const std::shared_ptr<const NoiseEvaluator> noise =
-        NoiseEvaluator::create(bundle, material, placement).value();
-    return [noise](const TileFootprint& at) { return lightOf(noise->evaluate(0, at)); };
-  }
-  const shader::LichenTriplanarMaterial planes = shaderMaterial(bundle, material, placement);
-  const auto withEvaluator = [&](const auto& evaluate) -> Plane {
-    if (mapping != Mapping::triplanar)
-      return [evaluate, material = planes.material](const TileFootprint& at) {
-        return lightOf(evaluate(material, at));
-      };
-    const auto metres = float(bundle.noises[0].tileSizeMetres);
-    return [evaluate, planes, metres](const TileFootprint& at) {
-      return lightOf(evaluate(planes, askew(at, metres)));
-    };
+  const std::shared_ptr<const NoiseEvaluator> noise =
+      NoiseEvaluator::create(bundle, material, placement, {nearestTableLevel}).value();
+  const auto metres = float(bundle.noises[0].tileSizeMetres);
+  return [=](const TileFootprint& at) {
+    return lightOf(mapping == Mapping::triplanar ? noise->evaluate(0, askew(at, metres))
+                                                 : noise->evaluate(0, at));
   };
-  if (bundle.noises[0].method() == Method::texton)
-    return withEvaluator(
-        [twin = TextonEvaluator::create(bundle, 0).value()](const auto& use, const auto& at) {
-          return twin.evaluate(0, use, at);
-        });
-  if (bundle.noises[0].method() == Method::localRandomPhase)
-    return withEvaluator(
-        [twin = LocalRandomPhaseEvaluator::create(bundle, 0).value()](
-            const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
-  if (bundle.noises[0].method() == Method::multipleKernels)
-    return withEvaluator(
-        [twin = MultipleKernelsEvaluator::create(bundle, 0).value()](
-            const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
-  if (bundle.noises[0].method() == Method::quilting)
-    return withEvaluator(
-        [twin = QuiltingEvaluator::create(bundle, 0).value()](const auto& use, const auto& at) {
-          return twin.evaluate(0, use, at);
-        });
-  return withEvaluator([twin = TilingEvaluator::create(bundle, 0, nearestTableLevel).value()](
-                           const auto& use, const auto& at) { return twin.evaluate(0, use, at); });
 }
 
 FilteredView filteredView(const Plane& plane, double width, double height, int pixels,

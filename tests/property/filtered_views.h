@@ -5,8 +5,8 @@
 #pragma once
 
 #include <lichen/bundle.h>
+#include <lichen/footprint.h>
 #include <lichen/shader_parameters.h>
-#include <lichen/tile_footprint.h>
 
 #include <array>
 #include <functional>

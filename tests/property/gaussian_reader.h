@@ -16,7 +16,7 @@ struct GaussianReading {
   Eigen::Vector3d lost{0.0, 0.0, 0.0}; ///< share of the variance, times the squared contrast
 };
 
-/// Reads the first map of noise 0, of textons, cosines or kernels. Two maps decode to (1 + z)^2 + s
+/// Reads the first map of noise 0, of every method but quilting. Two maps decode to (1 + z)^2 + s
 /// and (1 - z)^2 + s, as the format has it for the encoding root: exact but for rounding.
 class GaussianReader {
 public:
@@ -50,6 +50,8 @@ private:
     map.covariance.assign(n * n, 0.0);
     for (std::size_t c = 0; c < n; ++c)
       map.covariance[c * (n + 1)] = 1.0;
+    if (auto* const tiling = std::get_if<TilingMap>(&map.data))
+      tiling->inverseTable.reset();
     if (auto* const cosines = std::get_if<LocalRandomPhaseMap>(&map.data))
       cosines->inverseTable.reset();
     if (auto* const kernels = std::get_if<MultipleKernelsMap>(&map.data))

@@ -5,7 +5,6 @@
 #include "example_exemplar.h"
 
 #include <lichen/local_random_phase.h>
-#include <lichen/local_random_phase_evaluate.h>
 #include <lichen/quality.h>
 #include <lichen/spectrum.h>
 #include <lichen/tiling.h>
@@ -17,7 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <local_random_phase/cosine.h>
+#include <evaluation/method_evaluator.h>
 #include <local_random_phase/cosine_fit.h>
 #include <local_random_phase/cosine_vectors.h>
 #include <local_random_phase/octave_lattice.h>
@@ -42,17 +41,16 @@ const Bundle& example() {
 
 /// The Gaussian channels of a square of `side` texels.
 std::vector<std::vector<float>> gaussianPlanes(const Bundle& bundle, std::uint32_t seed, int side) {
-  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   MaterialNoise material;
   material.seed = seed;
-  const shader::LichenMaterial constants = shaderMaterial(bundle, material, {}).material;
+  const shader::LichenTriplanarMaterial constants = shaderMaterial(bundle, material, {});
   std::vector<std::vector<float>> planes(3);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
-      const auto value = evaluator.gaussian(
-          0, constants,
-          TileFootprint{
-              {(float(x) + 0.5f) / float(kTexels), (float(y) + 0.5f) / float(kTexels)}, {}, {}});
+      const TileFootprint at{
+          {(float(x) + 0.5f) / float(kTexels), (float(y) + 0.5f) / float(kTexels)}, {}, {}};
+      const auto value = evaluator->gaussian(0, constants, at).value;
       for (std::size_t c = 0; c < 3; ++c)
         planes[c].push_back(6.0f * (value[c] - 0.5f));
     }
@@ -132,26 +130,6 @@ TEST_CASE(
         slopeBefore = k > 0 ? slope : 0.0;
       }
     }
-}
-
-TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near as they state") {
-  double cosine = 0.0;
-  for (int k = -30000; k <= 30000; ++k) {
-    const float turns = float(k) * 1e-4f;
-    cosine = std::max(cosine, std::abs(double(cosineOfTurns(turns)) -
-                                       std::cos(2.0 * std::numbers::pi * double(turns))));
-  }
-  CHECK(cosine <= 1.1e-4);
-  // Of sinc, up to its first zero.
-  double loss = 0.0;
-  for (double cycles = 1e-3; cycles <= 1.0; cycles += 1e-3) {
-    const double phase = std::numbers::pi * cycles;
-    loss = std::max(loss,
-                    std::abs(double(retainedAt(float(cycles * cycles))) - std::sin(phase) / phase));
-  }
-  CHECK(loss < 0.093);              // (1 - pi^2 / 18)^3, where sinc is 0
-  CHECK(retainedAt(-1.0f) == 1.0f); // a long footprint, by rounding
-  CHECK(retainedAt(2.0f) == 0.0f);
 }
 
 TEST_CASE("the spectrum of the windows is that of random samples") {
@@ -457,9 +435,9 @@ TEST_CASE("constant, grey and tiny exemplars have local random-phase noises too"
   MapExemplar constant = test::threeMaterials(32, 32, 1);
   std::fill(constant.values.begin(), constant.values.end(), 0.25f);
   const Bundle flat = test::bundleOf(bakeLocalRandomPhase("flat", {&constant, 1}, {}));
-  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(flat, 0).value();
-  const shader::LichenMaterial material = shaderMaterial(flat, MaterialNoise(), {}).material;
-  const auto value = evaluator.evaluate(0, material, TileFootprint{{0.3f, 0.7f}, {}, {}});
+  const auto evaluator = methodEvaluator(flat, 0);
+  const shader::LichenTriplanarMaterial material = shaderMaterial(flat, MaterialNoise(), {});
+  const auto value = evaluator->evaluate(0, material, TileFootprint{{0.3f, 0.7f}, {}, {}});
   for (std::size_t c = 0; c < 3; ++c) // 0.25 of sRGB
     CHECK(value[c] == Approx(0.0508761).margin(2e-3));
 
@@ -467,9 +445,9 @@ TEST_CASE("constant, grey and tiny exemplars have local random-phase noises too"
        {std::array{1, 1}, std::array{1, 5}, std::array{2, 2}, std::array{7, 3}}) {
     const MapExemplar tiny = test::threeMaterials(size[0], size[1], 1);
     const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("tiny", {&tiny, 1}, {}));
-    const LocalRandomPhaseEvaluator noise = LocalRandomPhaseEvaluator::create(bundle, 0).value();
-    const shader::LichenMaterial constants = shaderMaterial(bundle, MaterialNoise(), {}).material;
-    for (const float component : noise.evaluate(0, constants, TileFootprint{{0.3f, 0.7f}, {}, {}}))
+    const auto noise = methodEvaluator(bundle, 0);
+    const shader::LichenTriplanarMaterial constants = shaderMaterial(bundle, MaterialNoise(), {});
+    for (const float component : noise->evaluate(0, constants, TileFootprint{{0.3f, 0.7f}, {}, {}}))
       CHECK(std::isfinite(component));
   }
   LocalRandomPhaseOptions options;

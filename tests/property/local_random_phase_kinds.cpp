@@ -7,7 +7,6 @@
 
 #include <lichen/image.h>
 #include <lichen/local_random_phase.h>
-#include <lichen/local_random_phase_evaluate.h>
 #include <lichen/quality.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
@@ -15,11 +14,10 @@
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
-#include <gaussianization/value_decoder.h>
+#include <evaluation/method_evaluator.h>
 #include <local_random_phase/cosine_table.h>
 #include <local_random_phase/octave_lattice.h>
 #include <local_random_phase/window_spectrum.h>
@@ -67,21 +65,20 @@ Bundle noiseOf(const std::vector<Cosine>& cosines, int columns, int rows) {
 /// The first Gaussian channel of a seed, in standard deviations.
 class Field {
 public:
-  Field(const Bundle& bundle, std::uint32_t seed)
-      : evaluator_(LocalRandomPhaseEvaluator::create(bundle, 0).value()) {
+  Field(const Bundle& bundle, std::uint32_t seed) : evaluator_(methodEvaluator(bundle, 0)) {
     MaterialNoise material;
     material.seed = seed;
-    material_ = shaderMaterial(bundle, material, {}).material;
+    material_ = shaderMaterial(bundle, material, {});
   }
   [[nodiscard]] double at(double x, double y) const {
     const TileFootprint footprint{{float(x), float(y)}, {}, {}};
-    return 6.0 * (double(evaluator_.gaussian(0, material_, footprint)[0]) - 0.5);
+    return 6.0 * (double(evaluator_->gaussian(0, material_, footprint).value[0]) - 0.5);
   }
-  [[nodiscard]] const shader::LichenMaterial& material() const { return material_; }
+  [[nodiscard]] const shader::LichenMaterial& material() const { return material_.material; }
 
 private:
-  LocalRandomPhaseEvaluator evaluator_;
-  shader::LichenMaterial material_{};
+  std::shared_ptr<const MethodEvaluator> evaluator_;
+  shader::LichenTriplanarMaterial material_{};
 };
 
 /// A cosine as the shader reads it.
@@ -306,10 +303,7 @@ TEST_CASE("maps of a set correlate as Gaussian values with their covariance do, 
   const Eigen::MatrixXd centred = gaussian.colwise() - gaussian.rowwise().mean();
   const Eigen::Matrix4d covariance = centred * centred.transpose() / double(kSmall * kSmall);
   const Eigen::Matrix4d root = covariance.llt().matrixL();
-  std::vector<gaussianization::ValueDecoder> decoders;
-  for (std::size_t m = 0; m < 2; ++m)
-    decoders.emplace_back(bundle, shaderMap(bundle, bundle.noises[0], m),
-                          bundle.noises[0].maps[m].as<LocalRandomPhaseMap>().inverseTable);
+  const auto evaluator = methodEvaluator(bundle, 0);
   std::mt19937 generator(7u);
   std::normal_distribution<double> normal;
   std::vector<float> color, height;
@@ -317,9 +311,9 @@ TEST_CASE("maps of a set correlate as Gaussian values with their covariance do, 
     const Eigen::Vector4d white(normal(generator), normal(generator), normal(generator),
                                 normal(generator));
     const Eigen::Vector4f value = (root * white).cast<float>().array() + 0.5f;
-    const auto light = decoders[0].decode({value[0], value[1], value[2], 0.0f}, 1.0f);
+    const auto light = evaluator->decoded(0, {value[0], value[1], value[2]});
     color.insert(color.end(), light.begin(), light.begin() + 3);
-    height.push_back(decoders[1].decode({value[3], 0.5f, 0.5f, 0.0f}, 1.0f)[0]);
+    height.push_back(evaluator->decoded(1, {value[3], 0.5f, 0.5f})[0]);
   }
   const std::array<double, 3> wanted = correlationsWithHeight(color, height);
   const std::array<double, 3> ofExemplar =

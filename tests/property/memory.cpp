@@ -10,13 +10,13 @@
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
 #include <lichen/measures.h>
+#include <lichen/noise_evaluator.h>
 #include <lichen/noise_report.h>
 #include <lichen/outliers.h>
 #include <lichen/quality.h>
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
-#include <lichen/tiling_evaluate.h>
 #include <lichen/tiling_precision.h>
 
 #include <catch2/catch.hpp>
@@ -222,7 +222,8 @@ TEST_CASE("reading a set reports exhausted memory, whichever allocation fails") 
 
 TEST_CASE("an evaluation reports exhausted memory, whichever allocation fails") {
   const Bundle bundle = bakedBundle(oneChannel(test::threeMaterials(64, 64, 1, 1)));
-  CHECK(exhaustMemory(First::each, [&] { return TilingEvaluator::create(bundle, 0); }) > 2);
+  CHECK(exhaustMemory(First::each,
+                      [&] { return NoiseEvaluator::create(bundle, MaterialNoise()); }) > 2);
   SynthesisOptions options;
   options.width = options.height = 64;
   CHECK(exhaustMemory(First::each, [&] { return synthesize(bundle, options); }) > 3);
@@ -385,7 +386,9 @@ TEST_CASE("returning an error reports exhausted memory, whichever allocation fai
   CHECK(exhaustRefusal([&] { return synthesize(bundle, options); }) > 0);
   constexpr auto kMap = MapTarget::baseColor;
   CHECK(exhaustRefusal([&] { return synthesizePreview(bundle, MaterialNoise(), kMap, 0); }) > 0);
-  CHECK(exhaustRefusal([&] { return TilingEvaluator::create(bundle, 1); }) > 0);
+  MaterialNoise absent;
+  absent.noise = 1;
+  CHECK(exhaustRefusal([&] { return NoiseEvaluator::create(bundle, absent); }) > 0);
 
   const SrgbImage empty;
   const SrgbImage grey(80, 72, 1);

@@ -6,17 +6,17 @@
 
 #include <lichen/fft.h>
 #include <lichen/multiple_kernels.h>
-#include <lichen/multiple_kernels_evaluate.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <multiple_kernels/frequency_blocks.h>
+#include <multiple_kernels/kernel.h>
 #include <multiple_kernels/kernel_colors.h>
 #include <multiple_kernels/kernel_fit.h>
-#include <multiple_kernels/kernel_impacts.h>
 #include <multiple_kernels/kernel_spectrum.h>
 #include <numbers>
 
@@ -267,7 +267,7 @@ TEST_CASE("the noise has the spectrum of its kernels, variance 1 and no mean") {
   // Kernels in three channels that share no sign: 3 x 16 independent pictures of the spectrum.
   const std::vector<Kernel> kernels = someKernels();
   const Bundle bundle = bundleWith(kernels, 30.0);
-  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   constexpr int kTiles = 2, kSide = 128;
   constexpr std::uint32_t kSeeds = 16;
   Placement placement;
@@ -278,13 +278,13 @@ TEST_CASE("the noise has the spectrum of its kernels, variance 1 and no mean") {
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     MaterialNoise use;
     use.seed = seed;
-    const shader::LichenMaterial material = shaderMaterial(bundle, use, placement).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, use, placement);
     std::array<std::vector<float>, 3> planes;
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
         const float scale = float(kTiles) / kSide;
-        const auto value = evaluator.gaussian(
-            0, material, TileFootprint{{float(x) * scale, float(y) * scale}, {}, {}});
+        const TileFootprint at{{float(x) * scale, float(y) * scale}, {}, {}};
+        const auto value = evaluator->gaussian(0, material, at).value;
         for (std::size_t c = 0; c < 3; ++c) {
           planes[c].push_back((value[c] - 0.5f) / float(kDeviation));
           sum += double(planes[c].back());
@@ -390,18 +390,18 @@ TEST_CASE("lobes of equal power have kernels of equal energy, whatever the windo
 }
 
 TEST_CASE("the noise of an exemplar has the covariance of its Gaussian values") {
-  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(example(), 0).value();
+  const auto evaluator = methodEvaluator(example(), 0);
   constexpr std::uint32_t kSeeds = 8;
   constexpr int kSide = 160;
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
     MaterialNoise use;
     use.seed = seed;
-    const shader::LichenMaterial material = shaderMaterial(example(), use, {}).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(example(), use, {});
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
-        const auto value = evaluator.gaussian(
-            0, material, TileFootprint{{0.1f * float(x), 0.1f * float(y)}, {}, {}});
+        const TileFootprint at{{0.1f * float(x), 0.1f * float(y)}, {}, {}};
+        const auto value = evaluator->gaussian(0, material, at).value;
         const Eigen::Vector3d own(value[0] - 0.5, value[1] - 0.5, value[2] - 0.5);
         covariance += own * own.transpose() / (kDeviation * kDeviation);
       }
@@ -445,39 +445,35 @@ TEST_CASE("kernels have the covariance of what their spectra lack") {
   CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.005);
 }
 
-TEST_CASE("at most 80 cells are visited for the default of 30 impacts") {
-  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(example(), 0).value();
-  const shader::LichenMaterial material = shaderMaterial(example(), MaterialNoise(), {}).material;
-  double cells = 0.0, impacts = 0.0;
-  constexpr int kPoints = 2000;
-  for (int k = 0; k < kPoints; ++k) {
-    const float x = float(k) * 0.618034f, y = float(k) * 0.754878f;
-    const auto visited = evaluator.visited(material, TileFootprint{{x, y}, {}, {}});
-    cells += visited.cells;
-    impacts += visited.impacts;
-  }
-  CHECK(impacts / kPoints == Approx(30.0).epsilon(0.1));
-  CHECK(cells / kPoints < 80.0);
+TEST_CASE("by default 30 impacts of kernels reach a point") {
+  const Noise& noise = example().noises[0];
+  double impacts = 0.0;
+  for (const KernelRow& row :
+       kernelRows(example().tables[noise.maps[0].as<MultipleKernelsMap>().kernels],
+                  noise.as<MultipleKernelsNoise>()))
+    impacts += kernelOf(row, false).area(KernelWindow::gabor) * row.columns * row.rows /
+               (kKernelTiles * kKernelTiles);
+  CHECK(impacts == Approx(30.0).epsilon(0.1)); // whole cells
 }
 
 TEST_CASE("the noise repeats after its period, and does not depend on where its origin lies") {
-  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(example(), 0).value();
+  const auto evaluator = methodEvaluator(example(), 0);
   Placement periodic;
   periodic.periodic = true;
   periodic.periodTilesX = 1.5;
   periodic.periodTilesY = 2.25;
-  const shader::LichenMaterial repeating =
-      shaderMaterial(example(), MaterialNoise(), periodic).material;
+  const shader::LichenTriplanarMaterial repeating =
+      shaderMaterial(example(), MaterialNoise(), periodic);
   Placement far;
   far.tileOriginX = 24;
   far.tileOriginY = -13;
-  const shader::LichenMaterial there = shaderMaterial(example(), MaterialNoise(), far).material;
-  const shader::LichenMaterial here = shaderMaterial(example(), MaterialNoise(), {}).material;
+  const shader::LichenTriplanarMaterial there = shaderMaterial(example(), MaterialNoise(), far);
+  const shader::LichenTriplanarMaterial here = shaderMaterial(example(), MaterialNoise(), {});
   for (int k = 0; k < 200; ++k) {
     const float x = std::fmod(float(k) * 0.618034f, 3.0f),
                 y = std::fmod(float(k) * 0.754878f, 3.0f);
-    const auto at = [&](const shader::LichenMaterial& material, float dx, float dy) {
-      return evaluator.gaussian(0, material, TileFootprint{{x + dx, y + dy}, {}, {}});
+    const auto at = [&](const shader::LichenTriplanarMaterial& material, float dx, float dy) {
+      return evaluator->gaussian(0, material, TileFootprint{{x + dx, y + dy}, {}, {}}).value;
     };
     for (std::size_t c = 0; c < 3; ++c) {
       CHECK(at(repeating, 1.5f, 0.0f)[c] == Approx(at(repeating, 0.0f, 0.0f)[c]).margin(2e-4));

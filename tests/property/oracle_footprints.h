@@ -2,8 +2,7 @@
 // Footprints at which oracles are compared.
 #pragma once
 
-#include <lichen/tile_footprint.h>
-#include <lichen/triplanar_footprint.h>
+#include <lichen/footprint.h>
 
 #include <cmath>
 #include <random>

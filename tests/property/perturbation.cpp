@@ -5,13 +5,13 @@
 #include "example_exemplar.h"
 
 #include <lichen/multiple_kernels.h>
-#include <lichen/multiple_kernels_evaluate.h>
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -181,16 +181,16 @@ TEST_CASE("without noise a pattern of the exemplar's waves is the exemplar") {
   for (const PatternCosine& cosine : patternCosines(imageOf(bundle), sharedOf(bundle)))
     found.insert({cosine.frequency[0], cosine.frequency[1]});
   CHECK(found == std::set<std::pair<float, float>>{{3.0f, 2.0f}, {0.0f, 5.0f}, {7.0f, -4.0f}});
-  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   Placement placement;
   placement.tileOriginX = 1000000007; // the pattern repeats with the tile
-  const shader::LichenMaterial material =
-      shaderMaterial(bundle, MaterialNoise(), placement).material;
+  const shader::LichenTriplanarMaterial material =
+      shaderMaterial(bundle, MaterialNoise(), placement);
   for (int y = 0; y < 48; y += 5)
     for (int x = 0; x < 64; x += 3) {
       // Transforms take the place of a pixel for its corner.
       const TileFootprint at{{float(x) / 64.0f, float(y) / 48.0f}, {}, {}};
-      CHECK(double(evaluator.evaluate(0, material, at)[0]) ==
+      CHECK(double(evaluator->evaluate(0, material, at)[0]) ==
             Approx(double(map.values[std::size_t(64 * y + x)])).margin(2e-3));
     }
 }
@@ -233,8 +233,8 @@ TEST_CASE("a given pattern shows in the luminance of the noise, as strong as the
   Perturbation perturbation;
   perturbation.pattern = {{4, 0, 1.0, 0.25}};
   const Bundle bundle = perturbed(map, perturbation, GaussianOnly::no);
-  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(bundle, 0).value();
-  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  const auto evaluator = methodEvaluator(bundle, 0);
+  const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, MaterialNoise(), {});
   std::mt19937 generator(2u);
   std::uniform_real_distribution<float> tiles(-30.0f, 30.0f);
   double sum = 0.0, squares = 0.0, product = 0.0, waves = 0.0;
@@ -242,7 +242,7 @@ TEST_CASE("a given pattern shows in the luminance of the noise, as strong as the
   for (int sample = 0; sample < kSamples; ++sample) {
     const float x = tiles(generator);
     const auto value =
-        evaluator.evaluate(0, material, TileFootprint{{x, tiles(generator)}, {}, {}});
+        evaluator->evaluate(0, material, TileFootprint{{x, tiles(generator)}, {}, {}});
     const double luminance =
         0.2126 * double(value[0]) + 0.7152 * double(value[1]) + 0.0722 * double(value[2]);
     const double wave = std::sqrt(2.0) * std::cos(kTurn * (4.0 * double(x) + 0.25));
@@ -264,13 +264,13 @@ TEST_CASE("a period holds a pattern a whole number of times") {
   perturbation.amount = 0.5;
   perturbation.cosines = 20;
   const Bundle bundle = perturbed(map, perturbation, GaussianOnly::no);
-  const MultipleKernelsEvaluator evaluator = MultipleKernelsEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   Placement placement;
   placement.periodic = true;
   placement.periodTilesX = 2.5;
   placement.periodTilesY = 0.75;
-  const shader::LichenMaterial material =
-      shaderMaterial(bundle, MaterialNoise(), placement).material;
+  const shader::LichenTriplanarMaterial material =
+      shaderMaterial(bundle, MaterialNoise(), placement);
   std::mt19937 generator(5u);
   std::uniform_real_distribution<float> tiles(-3.0f, 3.0f);
   for (int sample = 0; sample < 50; ++sample) {
@@ -278,8 +278,8 @@ TEST_CASE("a period holds a pattern a whole number of times") {
     TileFootprint next = at;
     next.position[0] += 2.5f;
     next.position[1] -= 0.75f;
-    const auto value = evaluator.gaussian(0, material, at);
-    const auto again = evaluator.gaussian(0, material, next);
+    const auto value = evaluator->gaussian(0, material, at).value;
+    const auto again = evaluator->gaussian(0, material, next).value;
     for (std::size_t c = 0; c < 3; ++c)
       CHECK(double(value[c]) == Approx(double(again[c])).margin(1e-3));
   }

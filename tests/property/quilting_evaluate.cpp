@@ -3,13 +3,13 @@
 #include "example_exemplar.h"
 
 #include <lichen/quilting.h>
-#include <lichen/quilting_evaluate.h>
 #include <lichen/synthesize.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <random>
 
 using namespace lichen;
@@ -70,9 +70,9 @@ TEST_CASE("quilting a billion tiles away is that of an origin there, or in a per
   periodic.periodTilesX = periodic.periodTilesY = 2.0;
   for (const Kind& kind : kKinds) {
     const Bundle bundle = quiltingOf(kind);
-    const QuiltingEvaluator twin = QuiltingEvaluator::create(bundle, 0).value();
+    const auto evaluator = methodEvaluator(bundle, 0);
     const auto block = [&](const MaterialNoise& material, const Placement& placement) {
-      return shaderMaterial(bundle, material, placement).material;
+      return shaderMaterial(bundle, material, placement);
     };
     int others = 0;
     for (int k = 0; k < 64; ++k) {
@@ -80,8 +80,8 @@ TEST_CASE("quilting a billion tiles away is that of an origin there, or in a per
       at.dx = {1.0f / kSide, 0.0f};
       at.dy = {0.0f, 1.0f / kSide};
       at.position = {float(k % 8) / 8.0f, float(k / 8) / 8.0f};
-      const auto value = [&](const shader::LichenMaterial& use) {
-        return twin.evaluate(0, use, at);
+      const auto value = [&](const shader::LichenTriplanarMaterial& use) {
+        return evaluator->evaluate(0, use, at);
       };
       REQUIRE(value(block(far, {})) == value(block(near, origin)));
       REQUIRE(value(block(far, periodic)) == value(block(near, periodic)));
@@ -112,14 +112,14 @@ TEST_CASE("crossing an integer tile origin changes no pixel of quilting, near or
 TEST_CASE("quilting in a period of whole exemplars, or of others, repeats after it") {
   for (const Kind& kind : kKinds) {
     const Bundle bundle = quiltingOf(kind);
-    const QuiltingEvaluator twin = QuiltingEvaluator::create(bundle, 0).value();
+    const auto evaluator = methodEvaluator(bundle, 0);
     for (const auto& [periodX, periodY] : {std::pair{2.0, 3.0}, {1.0, 1.0}, {1.375, 2.25}}) {
       Placement placement;
       placement.periodic = true;
       placement.periodTilesX = periodX;
       placement.periodTilesY = periodY;
-      const shader::LichenMaterial material = shaderMaterial(bundle, {}, placement).material;
-      const shader::LichenMaterial open = shaderMaterial(bundle, {}, {}).material;
+      const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, {}, placement);
+      const shader::LichenTriplanarMaterial open = shaderMaterial(bundle, {}, {});
       std::mt19937 generator(3u);
       std::uniform_real_distribution<float> tiles(0.0f, 1.0f);
       double most = 0.0, mostOpen = 0.0;
@@ -133,8 +133,9 @@ TEST_CASE("quilting in a period of whole exemplars, or of others, repeats after 
         TileFootprint right = at, down = at;
         right.position[0] += float(periodX);
         down.position[1] += float(periodY);
-        const auto differ = [&](const shader::LichenMaterial& use, const TileFootprint& there) {
-          const auto a = twin.evaluate(0, use, at), b = twin.evaluate(0, use, there);
+        const auto differ = [&](const shader::LichenTriplanarMaterial& use,
+                                const TileFootprint& there) {
+          const auto a = evaluator->evaluate(0, use, at), b = evaluator->evaluate(0, use, there);
           double difference = 0.0;
           for (std::size_t c = 0; c < 3; ++c)
             difference = std::max(difference, std::abs(double(a[c]) - double(b[c])));

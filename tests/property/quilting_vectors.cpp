@@ -4,12 +4,12 @@
 #include "bundle_example.h"
 #include "checkout_paths.h"
 
-#include <lichen/quilting_evaluate.h>
 #include <lichen/shader_parameters.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include <evaluation/method_evaluator.h>
 #include <fstream>
 
 using namespace lichen;
@@ -24,7 +24,7 @@ TEST_CASE("values of quilting are those of the published test vectors") {
     INFO(v.dump());
     bundle.noises[0].as<QuiltingNoise>().offsets =
         v["hasOffsets"].get<bool>() ? noise.offsets : std::vector<std::array<double, 2>>();
-    const QuiltingEvaluator evaluator = QuiltingEvaluator::create(bundle, 0).value();
+    const auto evaluator = methodEvaluator(bundle, 0);
     MaterialNoise use;
     use.seed = v["seed"];
     use.contrast = v["contrast"];
@@ -32,15 +32,15 @@ TEST_CASE("values of quilting are those of the published test vectors") {
     placement.periodTilesX = v["periodTiles"][0];
     placement.periodTilesY = v["periodTiles"][1];
     placement.periodic = placement.periodTilesX > 0.0;
-    const shader::LichenMaterial material = shaderMaterial(bundle, use, placement).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, use, placement);
     TileFootprint at;
     at.position = v["position"].get<std::array<float, 2>>();
     at.dx = v["dpdx"].get<std::array<float, 2>>();
     at.dy = v["dpdy"].get<std::array<float, 2>>();
     constexpr double kRounding = 2e-4; // of floats in powers of up to 24, and of half floats
-    const auto height = evaluator.evaluate(0, material, at);
+    const auto height = evaluator->evaluate(0, material, at);
     CHECK(double(height[0]) == Approx(v["height"][0].get<double>()).margin(kRounding));
-    const auto normal = evaluator.evaluate(1, material, at);
+    const auto normal = evaluator->evaluate(1, material, at);
     for (std::size_t c = 0; c < 3; ++c)
       CHECK(double(normal[c]) == Approx(v["normal"][c].get<double>()).margin(kRounding));
   }

@@ -3,12 +3,9 @@
 // in space, and its filter, against the exemplar and against averages.
 #include "bundle_of.h"
 #include "example_exemplar.h"
-#include "solid_twin.h"
 
 #include <lichen/local_random_phase.h>
-#include <lichen/local_random_phase_evaluate.h>
 #include <lichen/multiple_kernels.h>
-#include <lichen/multiple_kernels_evaluate.h>
 #include <lichen/noise_evaluator.h>
 #include <lichen/quality.h>
 #include <lichen/spectrum.h>
@@ -16,17 +13,15 @@
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <local_random_phase/solid_vertices.h>
+#include <evaluation/method_evaluator.h>
 #include <random>
 #include <span>
 #include <string>
 #include <utility>
 
 using namespace lichen;
-using namespace lichen::local_random_phase;
 
 namespace {
 
@@ -62,32 +57,32 @@ const Bundle& example(Method method) {
   return bundles[method == kMethods[0] ? 0 : 1];
 }
 
-shader::LichenMaterial solidMaterial(const Bundle& bundle, std::uint32_t seed) {
+shader::LichenTriplanarMaterial solidMaterial(const Bundle& bundle, std::uint32_t seed) {
   MaterialNoise material;
   material.mapping = Mapping::solid;
   material.seed = seed;
-  return shaderMaterial(bundle, material, {}).material;
+  return shaderMaterial(bundle, material, {});
 }
 
 /// The first channel on a plane of `side` texels, spanned by two unit vectors [standard
 /// deviations].
 std::vector<float> planeOf(const Bundle& bundle, std::uint32_t seed, int side, const Vec3& right,
                            const Vec3& down) {
-  const test::SolidTwin evaluator(bundle);
-  const shader::LichenMaterial constants = solidMaterial(bundle, seed);
+  const auto evaluator = methodEvaluator(bundle, 0);
+  const shader::LichenTriplanarMaterial constants = solidMaterial(bundle, seed);
   std::vector<float> plane;
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x) {
       SolidFootprint at{{0.37f, 1.21f, -0.83f}, {}, {}};
       for (std::size_t k = 0; k < 3; ++k)
         at.position[k] += (float(x) * right[k] + float(y) * down[k]) / float(kTexels);
-      plane.push_back(6.0f * (evaluator.gaussian(constants, at)[0] - 0.5f));
+      plane.push_back(6.0f * (evaluator->gaussian(0, constants, at).value[0] - 0.5f));
     }
   return plane;
 }
 
 /// Of the three channels of a Gaussian value, in standard deviations.
-Eigen::Vector3d deviations(const std::array<float, 4>& value) {
+Eigen::Vector3d deviations(const std::array<float, 3>& value) {
   return 6.0 *
          (Eigen::Vector3d(double(value[0]), double(value[1]), double(value[2])).array() - 0.5);
 }
@@ -102,55 +97,18 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
 
 } // namespace
 
-TEST_CASE("the four vertices around a point of a solid are those in reach, and the squares of "
-          "their windows sum to 1") {
-  const shader::LichenMaterial material = solidMaterial(example(Method::localRandomPhase), 1);
-  const std::array<float, 3> perTile = cubesPerTile(material);
-  std::mt19937 generator(1u);
-  std::uniform_real_distribution<float> place(-2.0f, 2.0f);
-  for (int sample = 0; sample < 2000; ++sample) {
-    const Vec3 position{place(generator), place(generator), place(generator)};
-    const auto vertices = solidVerticesAt(solidCellAt(material, position), 0, material);
-    double squares = 0.0;
-    for (const SolidVertex& vertex : vertices)
-      squares += double(vertex.weight) * double(vertex.weight);
-    CHECK(std::abs(squares - 1.0) < 1e-6);
-    // Of all vertices around, those within half the diagonal of a cube's face, where windows end.
-    const Eigen::Vector3f cubes(position[0] * perTile[0], position[1] * perTile[1],
-                                position[2] * perTile[2]);
-    const Eigen::Vector3f near = (cubes.array() + cubes.sum() / 3.0f).floor();
-    for (int n = 0; n < 7 * 7 * 7; ++n) {
-      const Eigen::Vector3f vertex =
-          near + Eigen::Vector3f(float(n % 7 - 3), float(n / 7 % 7 - 3), float(n / 49 - 3));
-      const Eigen::Vector3f offset = cubes.array() - vertex.array() + vertex.sum() / 6.0f;
-      if (offset.squaredNorm() > 0.5f - 1e-5f)
-        continue;
-      const bool isFound = std::any_of(vertices.begin(), vertices.end(), [&](const SolidVertex& v) {
-        const Eigen::Vector3f own(v.offset[0] * perTile[0], v.offset[1] * perTile[1],
-                                  v.offset[2] * perTile[2]);
-        return v.weight > 0.0f && (own - offset).norm() < 1e-5f;
-      });
-      CHECK(isFound);
-    }
-  }
-}
-
 TEST_CASE("solid noise has the covariance of Gaussian values") {
   const Bundle& bundle = example(GENERATE(from_range(kMethods)));
   constexpr int kSeeds = 16, kSamples = 20000;
-  const test::SolidTwin evaluator(bundle);
+  const auto evaluator = methodEvaluator(bundle, 0);
   std::mt19937 generator(2u);
   std::uniform_real_distribution<float> place(-20.0f, 20.0f);
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
-    const shader::LichenMaterial constants = solidMaterial(bundle, seed);
+    const shader::LichenTriplanarMaterial constants = solidMaterial(bundle, seed);
     for (int sample = 0; sample < kSamples; ++sample) {
-      const auto value = evaluator.gaussian(
-          constants,
-          SolidFootprint{{place(generator), place(generator), place(generator)}, {}, {}});
-      const Eigen::Vector3d deviation(6.0 * (double(value[0]) - 0.5),
-                                      6.0 * (double(value[1]) - 0.5),
-                                      6.0 * (double(value[2]) - 0.5));
+      const SolidFootprint at{{place(generator), place(generator), place(generator)}, {}, {}};
+      const Eigen::Vector3d deviation = deviations(evaluator->gaussian(0, constants, at).value);
       covariance += deviation * deviation.transpose() / double(kSeeds * kSamples);
     }
   }
@@ -162,16 +120,14 @@ TEST_CASE("solid noise has the covariance of Gaussian values") {
 TEST_CASE("planes across z have the spectrum of the noise in the plane, and others nearly") {
   constexpr int kCrop = 32, kSide = 384;
   const Bundle& bundle = example(GENERATE(from_range(kMethods)));
-  const test::SolidTwin evaluator(bundle);
-  const shader::LichenMaterial flat = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  const auto evaluator = methodEvaluator(bundle, 0);
+  const shader::LichenTriplanarMaterial flat = shaderMaterial(bundle, MaterialNoise(), {});
   std::vector<float> plane;
   for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
-      plane.push_back(6.0f * (evaluator.gaussian(flat, TileFootprint{{float(x) / float(kTexels),
-                                                                      float(y) / float(kTexels)},
-                                                                     {},
-                                                                     {}})[0] -
-                              0.5f));
+    for (int x = 0; x < kSide; ++x) {
+      const TileFootprint at{{float(x) / float(kTexels), float(y) / float(kTexels)}, {}, {}};
+      plane.push_back(6.0f * (evaluator->gaussian(0, flat, at).value[0] - 0.5f));
+    }
   const std::vector<double> wanted = radialPowerSpectrum(plane, kSide, kSide, kCrop);
   const auto found = [&](const Vec3& right, const Vec3& down) {
     return distance(
@@ -266,8 +222,8 @@ TEST_CASE("the slopes of a solid are the gradient of its height, along z too") {
 
 TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
   const Bundle& bundle = example(GENERATE(from_range(kMethods)));
-  const test::SolidTwin evaluator(bundle);
-  const shader::LichenMaterial constants = solidMaterial(bundle, 9);
+  const auto evaluator = methodEvaluator(bundle, 0);
+  const shader::LichenTriplanarMaterial constants = solidMaterial(bundle, 9);
   std::mt19937 generator(6u);
   std::uniform_real_distribution<float> place(-20.0f, 20.0f);
   std::normal_distribution<float> gaussian;
@@ -295,14 +251,15 @@ TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
         SolidFootprint there{at.position, {}, {}};
         for (std::size_t k = 0; k < 3; ++k)
           there.position[k] += u * at.dx[k] + v * at.dy[k];
-        mean += deviations(evaluator.gaussian(constants, there)) / double(kInner * kInner);
+        mean +=
+            deviations(evaluator->gaussian(0, constants, there).value) / double(kInner * kInner);
       }
-      const auto value = evaluator.gaussian(constants, at);
-      const Eigen::Vector3d own = deviations(value);
+      const MethodEvaluator::Gaussian pixel = evaluator->gaussian(0, constants, at);
+      const Eigen::Vector3d own = deviations(pixel.value);
       averages += mean.squaredNorm() / (3.0 * kSamples);
       filtered += own.squaredNorm() / (3.0 * kSamples);
       product += own.dot(mean) / (3.0 * kSamples);
-      lost += double(value[3]) / kSamples;
+      lost += double(pixel.lost[0]) / kSamples;
     }
     INFO(texels << " texels: average " << averages << ", filtered " << filtered << ", lost "
                 << lost);
@@ -320,7 +277,7 @@ TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
 TEST_CASE("a solid does not depend on the tile origin, and scale and offset move it") {
   const MapExemplar map = test::threeMaterials(64, 48, 3); // no square
   const Bundle bundle = baked(GENERATE(from_range(kMethods)), {&map, 1});
-  const test::SolidTwin evaluator(bundle);
+  const auto evaluator = methodEvaluator(bundle, 0);
   std::mt19937 generator(6u);
   std::uniform_real_distribution<float> metres(-0.5f, 0.5f);
   for (const double rotation : {0.0, 0.7}) {
@@ -340,13 +297,14 @@ TEST_CASE("a solid does not depend on the tile origin, and scale and offset move
     shifted.offset = {0.25, -31.5};
     atTwice.scale = 1.0;
     const auto constants = [&](const MaterialNoise& material, const Placement& placement) {
-      return shaderMaterial(bundle, material, placement).material;
+      return shaderMaterial(bundle, material, placement);
     };
     for (int k = 0; k < 100; ++k) {
       const SolidFootprint at{{metres(generator), metres(generator), metres(generator)}, {}, {}};
-      const auto same = [&](const shader::LichenMaterial& a, const SolidFootprint& atA,
-                            const shader::LichenMaterial& b, const SolidFootprint& atB) {
-        const auto first = evaluator.gaussian(a, atA), second = evaluator.gaussian(b, atB);
+      const auto same = [&](const shader::LichenTriplanarMaterial& a, const SolidFootprint& atA,
+                            const shader::LichenTriplanarMaterial& b, const SolidFootprint& atB) {
+        const auto first = evaluator->gaussian(0, a, atA).value;
+        const auto second = evaluator->gaussian(0, b, atB).value;
         for (std::size_t c = 0; c < 3; ++c)
           CHECK(double(first[c]) == Approx(double(second[c])).margin(4e-3));
       };

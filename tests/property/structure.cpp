@@ -6,18 +6,16 @@
 
 #include <lichen/lattice.h>
 #include <lichen/local_random_phase.h>
-#include <lichen/local_random_phase_evaluate.h>
 #include <lichen/structure_texel.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <local_random_phase/cosine.h>
+#include <evaluation/method_evaluator.h>
 #include <local_random_phase/cosine_table.h>
 #include <local_random_phase/octave_lattice.h>
 #include <local_random_phase/structure.h>
-#include <local_random_phase/structure_tiles.h>
 #include <numbers>
 #include <placement/near_periods.h>
 #include <random>
@@ -66,7 +64,13 @@ MapSpectrum spectrumOfWaves() {
 
 using Offsets = std::vector<std::array<double, 2>>;
 
-/// Evaluates the structure of all waves.
+/// The amplitude that a pixel leaves of a wave of so many squared cycles.
+double amplitudeLeft(double squaredCycles) {
+  return std::pow(std::max(1.0 - std::numbers::pi * std::numbers::pi / 18.0 * squaredCycles, 0.0),
+                  3.0);
+}
+
+/// Evaluates the structure of all waves, with cosines that have no energy.
 class WaveStructure {
 public:
   /// With the offset 0 only, tiles and their mean agree.
@@ -100,10 +104,8 @@ public:
     noise.data = shared_;
     noise.maps = {map};
     bundle.noises = {noise};
-    material_ = shaderMaterial(bundle, MaterialNoise(), {}).material;
-    tiles_ = std::make_unique<StructureTiles>(shared_.structure, CosineImageLayout(shared_),
-                                              decodeLevel(bundle.tables[0], 0), own,
-                                              shaderMap(bundle, noise, 0));
+    material_ = shaderMaterial(bundle, MaterialNoise(), {});
+    evaluator_ = methodEvaluator(bundle, 0);
     largest_ = 6.0 * own.structureAmplitudes[0];
   }
 
@@ -112,20 +114,19 @@ public:
     const float dx = float(texels / shared_.structure.columns);
     const float dy = float(texels / shared_.structure.rows);
     const TileFootprint footprint{{float(x), float(y)}, {dx, 0.0f}, {0.0f, dy}};
-    const CosineCell cell = cosineCellAt(material_, footprint.position);
-    return 6.0 * double(tiles_->at(cell, material_, footprint).gaussian[0]);
+    return 6.0 * (double(evaluator_->gaussian(0, material_, footprint).value[0]) - 0.5);
   }
   /// Rounding of the texels.
   [[nodiscard]] double quantum() const { return largest_ / kMostStructureInteger; }
   [[nodiscard]] const CosineStructure& structure() const { return shared_.structure; }
 
   [[nodiscard]] const LocalRandomPhaseNoise& shared() const { return shared_; }
-  [[nodiscard]] const shader::LichenMaterial& material() const { return material_; }
+  [[nodiscard]] std::uint32_t seedWord() const { return material_.material.seedWord; }
 
 private:
   LocalRandomPhaseNoise shared_;
-  shader::LichenMaterial material_{};
-  std::unique_ptr<StructureTiles> tiles_;
+  shader::LichenTriplanarMaterial material_{};
+  std::shared_ptr<const MethodEvaluator> evaluator_;
   double largest_ = 0.0;
 };
 
@@ -188,7 +189,7 @@ TEST_CASE("a structure is the sum of its waves at every point, and fades with th
     const auto retained = [&](const Wave& wave) {
       const double u = double(wave.u) / structure.structure().columns;
       const double v = double(wave.v) / structure.structure().rows;
-      return double(retainedAt(float(squared * (u * u + v * v))));
+      return amplitudeLeft(squared * (u * u + v * v));
     };
     double wanted = 0.0, found = 0.0, errors = 0.0;
     for (const Wave& wave : kWaves)
@@ -215,7 +216,7 @@ TEST_CASE("tiles with offsets of a list are blended about their mean over it") {
   };
   const double columns = 4.0 * structure.shared().columns / 8.0; // of octave 2 in a tile
   const double rows = 4.0 * structure.shared().rows / 8.0;
-  const std::uint32_t seed = pcg(structure.material().seedWord + 12u);
+  const std::uint32_t seed = pcg(structure.seedWord() + 12u);
   std::mt19937 generator(8u);
   std::uniform_real_distribution<double> tiles(-3.0, 3.0);
   for (int k = 0; k < 2000; ++k) {
@@ -302,21 +303,20 @@ TEST_CASE("structure and random part share the variance, and their sum has it ev
             random += 36.0 * std::pow(double(cosine[c]), 2.0) / (2.0 * shared.variants);
     // The highest frequencies of an even size, which have no mirror, are in neither.
     CHECK(random / 3.0 + std::pow(own.structureDeviations[0], 2.0) == Approx(1.0).margin(0.02));
-    const LocalRandomPhaseEvaluator evaluator =
-        LocalRandomPhaseEvaluator::create(bundle, 0).value();
+    const auto evaluator = methodEvaluator(bundle, 0);
     // Of each seed, the mean square of its field. Their spread gives the standard error of the
     // mean.
     std::vector<double> squares;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
       MaterialNoise material;
       material.seed = seed;
-      const shader::LichenMaterial constants = shaderMaterial(bundle, material, {}).material;
+      const shader::LichenTriplanarMaterial constants = shaderMaterial(bundle, material, {});
       double sum = 0.0;
       for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
-          const auto value = evaluator.gaussian(
-              0, constants,
-              TileFootprint{{(float(x) + 0.5f) / kTexels, (float(y) + 0.5f) / kTexels}, {}, {}});
+          const TileFootprint at{
+              {(float(x) + 0.5f) / kTexels, (float(y) + 0.5f) / kTexels}, {}, {}};
+          const auto value = evaluator->gaussian(0, constants, at).value;
           for (std::size_t c = 0; c < 3; ++c)
             sum += 36.0 * std::pow(double(value[c]) - 0.5, 2.0) / (3.0 * kSide * kSide);
         }

@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Multiple-kernels noise on surfaces, from the CPU twin: its covariance in tangent planes and the
-// number of its impacts, against closed forms.
+// Multiple-kernels noise on surfaces: its covariance in tangent planes and the number of its
+// impacts, against closed forms.
 #include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/multiple_kernels.h>
-#include <lichen/multiple_kernels_evaluate.h>
 
+#include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
 #include <array>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <multiple_kernels/kernel.h>
-#include <multiple_kernels/kernel_impacts.h>
 #include <numbers>
 #include <random>
-#include <sampling/surface_cubes.h>
 
 using namespace lichen;
 using namespace lichen::multiple_kernels;
 
 namespace {
-
-using Vec = std::array<float, 3>;
 
 constexpr int kWidth = 96, kHeight = 64;
 constexpr double kAspect = double(kWidth) / kHeight;
@@ -79,9 +76,9 @@ double expectedCovariance(const Bundle& bundle, double dx, double dy) {
 TEST_CASE("on any tangent plane the covariance of kernels is that of the plane") {
   for (const KernelWindow window : {KernelWindow::gabor, KernelWindow::gaussianSinc}) {
     const Bundle bundle = bundleOf(window);
-    const MultipleKernelsEvaluator twin = MultipleKernelsEvaluator::create(bundle, 0).value();
-    const shader::LichenMaterial material =
-        shaderMaterial(bundle, *bundle.materials[0], {}).material;
+    const auto evaluator = methodEvaluator(bundle, 0);
+    const shader::LichenTriplanarMaterial material =
+        shaderMaterial(bundle, *bundle.materials[0], {});
     // In texels. The exemplar's features are several texels wide.
     const std::array<std::array<double, 2>, 4> distances{
         {{0.0, 0.0}, {3.0, 0.0}, {0.0, 4.0}, {-5.0, 7.0}}};
@@ -98,14 +95,19 @@ TEST_CASE("on any tangent plane the covariance of kernels is that of the plane")
         at.tangent[k] = gaussian(generator);
       }
       at.tangent[3] = 1.0f;
-      const surface::Point frame = surface::pointAt(at, material, shaderNoise(bundle, 0));
-      const double here = double(twin.gaussian(0, material, at)[0]) - 0.5;
+      // Of a right-handed tangent frame, whose bitangent points up.
+      const Eigen::Vector3f outward = Eigen::Vector3f(at.normal.data()).normalized();
+      const Eigen::Vector3f tangent(at.tangent.data());
+      const Eigen::Vector3f right = (tangent - outward.dot(tangent) * outward).normalized();
+      const Eigen::Vector3f down = right.cross(outward);
+      const double here = double(evaluator->gaussian(0, material, at).value[0]) - 0.5;
       for (std::size_t d = 0; d < distances.size(); ++d) {
         SurfaceFootprint there = at;
         for (std::size_t k = 0; k < 3; ++k)
-          there.position[k] += float(distances[d][0] / kWidth * double(frame.right[k]) +
-                                     distances[d][1] / kWidth * double(frame.down[k]));
-        const double value = here * (double(twin.gaussian(0, material, there)[0]) - 0.5);
+          there.position[k] += float(distances[d][0] / kWidth * double(right[Eigen::Index(k)]) +
+                                     distances[d][1] / kWidth * double(down[Eigen::Index(k)]));
+        const double value =
+            here * (double(evaluator->gaussian(0, material, there).value[0]) - 0.5);
         sums[d] += value / kPlaces;
         squares[d] += value * value / kPlaces;
       }
@@ -132,12 +134,4 @@ TEST_CASE("twice as many impacts of a baked kernel lie about a point of a surfac
           std::pow(ofWidths, 1.5) * std::pow(double(row.cubes) / kKernelTiles, 3.0);
       CHECK(onSurface == Approx(kSurfaceImpacts * inPlane).epsilon(0.15)); // whole cells
     }
-}
-
-TEST_CASE("the spreads of windows that shaders have are those of the quadrature") {
-  for (const KernelWindow window :
-       {KernelWindow::gabor, KernelWindow::sinc, KernelWindow::gaussianSinc}) {
-    INFO(nameOf(window));
-    CHECK(double(kernelSpread(window)) == Approx(windowSpread(window)).epsilon(3e-4));
-  }
 }

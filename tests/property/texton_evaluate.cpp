@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Statistics of texton noise, from the CPU twin, against closed forms; its impacts against the
-// specification's test vectors; whole images of it.
-#include "checkout_paths.h"
-#include "texton/impacts.h"
+// Statistics of texton noise against closed forms; whole images of it.
 #include "texton_evaluation.h"
 
 #include <lichen/synthesize.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 #include <random>
 
@@ -36,6 +31,11 @@ struct Evaluation : TextonEvaluation {
     place.dx = {pixelX, 0.0f};
     place.dy = {0.0f, pixelY};
     return storedAt(place);
+  }
+  /// Sides of the cells of impacts.
+  [[nodiscard]] std::array<double, 2> cellTexels() const {
+    return {double(constants.tileTexelsX) / double(material.material.columnsPerTile),
+            double(constants.tileTexelsY) / double(material.material.rowsPerTile)};
   }
 };
 
@@ -91,8 +91,7 @@ private:
 double excessKurtosis(const Evaluation& noise, PointProcess process) {
   const SampledTexton h(kHeight);
   const double area = 1.0 / (SampledTexton::kPerTexel * SampledTexton::kPerTexel);
-  const double cellX = double(noise.constants.tileTexelsX) / double(noise.material.columnsPerTile);
-  const double cellY = double(noise.constants.tileTexelsY) / double(noise.material.rowsPerTile);
+  const std::array<double, 2> cell = noise.cellTexels();
   double squares = 0.0, fourths = 0.0;
   for (int row = 0; row < h.height(); ++row)
     for (int column = 0; column < h.width(); ++column) {
@@ -106,15 +105,15 @@ double excessKurtosis(const Evaluation& noise, PointProcess process) {
     for (int row = 0; row < h.height(); ++row)
       for (int column = 0; column < h.width(); ++column) {
         const double x =
-            (column + 0.5) / SampledTexton::kPerTexel / cellX + double(place % kPlaces) / kPlaces;
+            (column + 0.5) / SampledTexton::kPerTexel / cell[0] + double(place % kPlaces) / kPlaces;
         const double y =
-            (row + 0.5) / SampledTexton::kPerTexel / cellY + double(place / kPlaces) / kPlaces;
+            (row + 0.5) / SampledTexton::kPerTexel / cell[1] + double(place / kPlaces) / kPlaces;
         inCell[{int(x), int(y)}] += std::pow(h.at(column, row), 2) * area;
       }
-    for (const auto& [cell, sum] : inCell)
+    for (const auto& [index, sum] : inCell)
       cells += sum * sum / (kPlaces * kPlaces);
   }
-  const double lambda = 1.0 / (cellX * cellY);
+  const double lambda = 1.0 / (cell[0] * cell[1]);
   const double poisson = fourths / (lambda * squares * squares);
   return process == PointProcess::poisson ? poisson : poisson - 3.0 * cells / (squares * squares);
 }
@@ -163,9 +162,7 @@ TEST_CASE("the kurtosis of each process matches its closed form, and the varianc
   const double variance = covarianceAt(kHeight, syntheticCoefficients(kHeight, 0), 0, 0)[0];
   for (const PointProcess process : kProcesses) {
     const Evaluation noise(kHeight, process, 4.0, 9);
-    const double cellX =
-        double(noise.constants.tileTexelsX) / double(noise.material.columnsPerTile);
-    const double cellY = double(noise.constants.tileTexelsY) / double(noise.material.rowsPerTile);
+    const std::array<double, 2> cell = noise.cellTexels();
     constexpr int kSide = 260, kBins = 6;
     constexpr double kCount = double(kSide) * kSide;
     double fourth = 0.0, eighth = 0.0;
@@ -177,7 +174,7 @@ TEST_CASE("the kurtosis of each process matches its closed form, and the varianc
       const auto bin = [](double place) {
         return std::size_t(std::min(kBins - 1, int((place - std::floor(place)) * kBins)));
       };
-      const std::size_t at = bin(y / cellY) * kBins + bin(x / cellX);
+      const std::size_t at = bin(y / cell[1]) * kBins + bin(x / cell[0]);
       squares[at] += square;
       counts[at] += 1.0;
     });
@@ -252,39 +249,6 @@ TEST_CASE("minified noise has the variance of mipLoss, also beyond the last mip,
   }
 }
 
-TEST_CASE("impacts and their grid match the specification's test vectors") {
-  std::ifstream file(sourcePath("docs/gltf_extension/test_vectors.json"));
-  const nlohmann::json vectors = nlohmann::json::parse(file);
-  for (const nlohmann::json& v : vectors["poissonCount"])
-    CHECK(poissonCount(v["word"]) == int(v["count"]));
-  std::size_t count = 0;
-  for (const nlohmann::json& v : vectors["impacts"]) {
-    shader::LichenMaterial material{};
-    material.seedWord = latticeSeed(v["seed"], v["plane"]);
-    shader::LichenTextonMaterial part{};
-    part.pointProcess =
-        v["process"] == "poisson" ? LICHEN_POINTS_POISSON : LICHEN_POINTS_STRATIFIED;
-    setPart(material, part);
-    texton::Impacts one; // the window of one cell, with every position in reach
-    one.firstCell = {std::uint32_t(std::int64_t(v["cell"][0])),
-                     std::uint32_t(std::int64_t(v["cell"][1]))};
-    one.cellTexels = {1.0f, 1.0f};
-    one.end = {-0.5f, -0.5f};
-    one.radius = {2.0f, 2.0f};
-    std::size_t k = 0;
-    texton::forEachImpact(one, material, [&](const texton::Vec2& place, float sign) {
-      REQUIRE(k < v["impacts"].size());
-      const nlohmann::json& expected = v["impacts"][k++];
-      CHECK(-place[0] == float(expected["place"][0]));
-      CHECK(-place[1] == float(expected["place"][1]));
-      CHECK(sign == float(expected["sign"]));
-      ++count;
-    });
-    CHECK(k == v["impacts"].size());
-  }
-  CHECK(count > 10);
-}
-
 namespace {
 
 LinearImage synthesized(const Bundle& bundle, const SynthesisOptions& options) {
@@ -329,13 +293,4 @@ TEST_CASE("integer parts of the origin are exact for texton noise") {
   for (int y = 24; y < 48; ++y)
     for (int x = 16; x < 48; ++x)
       REQUIRE(second.pixel(x - 16, y - 24)[0] == Approx(first.pixel(x, y)[0]).margin(1e-3));
-}
-
-TEST_CASE("the error of a texton evaluator for another noise names that noise") {
-  Bundle bundle = syntheticTextonBundle(kColour).bundle;
-  CHECK_FALSE(TextonEvaluator::create(bundle, 1));
-  bundle.noises[0].data = TilingNoise();
-  const Result<TextonEvaluator> other = TextonEvaluator::create(bundle, 0);
-  REQUIRE_FALSE(other);
-  CHECK(other.error().message.find("tiling, not texton") != std::string::npos);
 }

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A synthetic texton noise with its parameters and its CPU twin.
+// A synthetic texton noise with its parameters and its evaluator.
 #pragma once
 
 #include "synthetic_texton.h"
 
-#include <lichen/texton_evaluate.h>
-
 #include <array>
+#include <evaluation/method_evaluator.h>
 
 namespace lichen::test {
 
@@ -22,15 +21,13 @@ namespace lichen::test {
 struct TextonEvaluation {
   TextonEvaluation(const SyntheticTexton& source, const MaterialNoise& materialNoise,
                    const Placement& placement = {})
-      : bundle(syntheticTextonBundle(source).bundle),
-        twin(TextonEvaluator::create(bundle, 0).value()),
-        material(shaderMaterial(bundle, materialNoise, placement).material),
-        part(textonPart(material)), constants(shaderNoise(bundle, 0)) {}
+      : bundle(syntheticTextonBundle(source).bundle), evaluator(methodEvaluator(bundle, 0)),
+        material(shaderMaterial(bundle, materialNoise, placement)),
+        part(textonPart(material.material)), constants(shaderNoise(bundle, 0)) {}
 
   /// Stored values minus their mean at a position in the plane or on a surface.
-  template <class Footprint>
   [[nodiscard]] std::array<double, 3> storedAt(const Footprint& place) const {
-    const TextonEvaluator::Value gaussian = twin.gaussian(0, material, place);
+    const std::array<float, 3> gaussian = evaluator->gaussian(0, material, place).value;
     const std::vector<double>& scale = bundle.noises[0].maps[0].as<TextonMap>().scale;
     std::array<double, 3> stored{};
     for (std::size_t c = 0; c < scale.size(); ++c)
@@ -39,8 +36,8 @@ struct TextonEvaluation {
   }
 
   Bundle bundle;
-  TextonEvaluator twin;
-  shader::LichenMaterial material;
+  std::shared_ptr<const MethodEvaluator> evaluator;
+  shader::LichenTriplanarMaterial material;
   shader::LichenTextonMaterial part;
   shader::LichenNoise constants;
 };

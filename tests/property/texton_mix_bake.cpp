@@ -3,7 +3,6 @@
 #include "example_exemplar.h"
 #include "synthetic_texton.h"
 
-#include <lichen/texton_evaluate.h>
 #include <lichen/texton_mix.h>
 
 #include <Eigen/Dense>
@@ -11,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <exemplar/value_encoding.h>
 
 using namespace lichen;
@@ -71,20 +71,20 @@ void checkStatistics(const std::vector<double>& mean, const std::vector<double>&
             1e-4 * std::sqrt(expected.covariance(c, c) * expected.covariance(d, d)));
 }
 
-/// The noise of a bake, its twin and its parameters.
+/// The noise of a bake, its evaluator and its parameters.
 struct Evaluation {
   Evaluation(Noise noise, std::vector<Table> tables, std::uint32_t seed = 1)
       : bundle{std::move(tables), {std::move(noise)}, {}, {}, {}},
-        twin(TextonEvaluator::create(bundle, 0).value()) {
+        evaluator(methodEvaluator(bundle, 0)) {
     MaterialNoise materialNoise;
     materialNoise.seed = seed;
-    material = shaderMaterial(bundle, materialNoise, {}).material;
+    material = shaderMaterial(bundle, materialNoise, {});
     constants = shaderNoise(bundle, 0);
   }
 
   Bundle bundle;
-  TextonEvaluator twin;
-  shader::LichenMaterial material{};
+  std::shared_ptr<const MethodEvaluator> evaluator;
+  shader::LichenTriplanarMaterial material{};
   shader::LichenNoise constants{};
 };
 
@@ -178,10 +178,11 @@ TEST_CASE("the variance of filtered noise at each step of a mix is that of its l
                        (float(k / kSide) * 40.0f + 0.5f) / noise.constants.tileTexelsY};
         at.dx = {side / noise.constants.tileTexelsX, 0.0f};
         at.dy = {0.0f, side / noise.constants.tileTexelsY};
-        const auto value = noise.twin.gaussian(0, noise.material, at, {float(step) / 2.0f, {}});
-        sum += double(value[0]) - 0.5;
-        squares += std::pow(double(value[0]) - 0.5, 2);
-        lost = double(noise.twin.lostVariance(0, noise.material, at, {float(step) / 2.0f, {}})[0]);
+        const MethodEvaluator::Gaussian gaussian =
+            noise.evaluator->gaussian(0, noise.material, at, {float(step) / 2.0f, {}});
+        sum += double(gaussian.value[0]) - 0.5;
+        squares += std::pow(double(gaussian.value[0]) - 0.5, 2);
+        lost = double(gaussian.lost[0]);
       }
       INFO("step " << step << ", level " << level);
       const double count = kSide * kSide;
@@ -214,7 +215,7 @@ TEST_CASE("along a ramp local mean and variance interpolate between the steps") 
         at.dx = {1.0f / kTexels, 0.0f};
         at.dy = {0.0f, 1.0f / kTexels};
         const MixPlace mix{(float(x) + 0.5f) / float(kColumns), {kTexels / float(kColumns), 0.0f}};
-        const auto value = noise.twin.gaussian(0, noise.material, at, mix);
+        const auto value = noise.evaluator->gaussian(0, noise.material, at, mix).value;
         const auto window = std::size_t(x / kWindow);
         for (std::size_t c = 0; c < 3; ++c) {
           sums[window] += double(value[c]) - 0.5;

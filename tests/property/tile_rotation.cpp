@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Tiling with rotated tiles, tested through the CPU twin: evenly hashed rotations, the exemplar's
+// Tiling with rotated tiles: evenly hashed rotations, the exemplar's
 // histogram, slopes that match the rotated height, isotropic results, and the same pattern from any
 // origin, in any period and across the borders of triangles.
 #include "example_exemplar.h"
 
 #include <lichen/lattice.h>
 #include <lichen/tiling.h>
-#include <lichen/tiling_evaluate.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <evaluation/method_evaluator.h>
 #include <numbers>
 #include <vector>
 
@@ -219,11 +219,11 @@ TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {
   constexpr double kNear = 0.7;
   for (const auto& [width, height] : {std::pair{256u, 256u}, {256u, 128u}, {128u, 256u}}) {
     const Bundle bundle = waveBundle(slanted, width, height);
-    const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
+    const auto evaluator = methodEvaluator(bundle, 0);
     for (const std::uint32_t angles : anglesOf(width, height)) {
       MaterialNoise sharp = rotatedBy(angles);
       sharp.blendSharpness = kBlendSharpnessRange.most;
-      const shader::LichenMaterial material = shaderMaterial(bundle, sharp, {}).material;
+      const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, sharp, {});
       int compared = 0;
       double largest = 0.0;
       for (std::uint32_t k = 0; k < 6000; ++k) {
@@ -239,8 +239,8 @@ TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {
         const std::array neighbours{moved(2, 0), moved(-2, 0), moved(0, 2), moved(0, -2)};
         std::array<double, 4> heights{};
         for (std::size_t n = 0; n < 4; ++n)
-          heights[n] = kHeightPerValue * double(twin.evaluate(1, material, neighbours[n])[0]);
-        const auto slopes = twin.evaluate(0, material, at);
+          heights[n] = kHeightPerValue * double(evaluator->evaluate(1, material, neighbours[n])[0]);
+        const auto slopes = evaluator->evaluate(0, material, at);
         const double alongX = (heights[0] - heights[1]) / 4.0;
         const double alongDown = (heights[2] - heights[3]) / 4.0;
         largest = std::max(largest, std::hypot(double(slopes[0]) - alongX,
@@ -260,10 +260,10 @@ TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {
 TEST_CASE("rotated colours have the same mean, variance and histogram everywhere in a triangle",
           "[large]") {
   const Bundle& bundle = colorBundle();
-  const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   constexpr double kTexels = 128.0;
   const auto samples = [&](std::uint32_t angles, double f, double g) {
-    const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(angles), {}).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, rotatedBy(angles), {});
     std::vector<double> values;
     for (int j = 0; j < 90; ++j)
       for (int i = 0; i < 90; ++i) {
@@ -271,7 +271,7 @@ TEST_CASE("rotated colours have the same mean, variance and histogram everywhere
                                    (j + g) / kLatticeRowsPerTile, 1.0 / kTexels);
         for (float& coordinate : at.position) // at texel centres, where a fetch loses nothing
           coordinate = float((std::floor(double(coordinate) * kTexels) + 0.5) / kTexels);
-        values.push_back(double(twin.evaluate(0, material, at)[0]));
+        values.push_back(double(evaluator->evaluate(0, material, at)[0]));
       }
     return values;
   };
@@ -295,10 +295,10 @@ TEST_CASE("rotated colours have the same mean, variance and histogram everywhere
 TEST_CASE(
     "rotation makes the correlations of stripes equal along both axes, and half rotations do not") {
   const Bundle bundle = waveBundle(stripes, 256, 256);
-  const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   constexpr double kHalfWave = 1.0 / 16.0; // tiles
   const auto differenceOf = [&](std::uint32_t angles) {
-    const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(angles), {}).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, rotatedBy(angles), {});
     double alongX = 0.0, alongY = 0.0, squares = 0.0;
     for (std::uint32_t k = 0; k < 20000; ++k) {
       const TileFootprint at = randomPoint(k, 200.0);
@@ -306,7 +306,7 @@ TEST_CASE(
         TileFootprint there = at;
         there.position[0] += float(dx);
         there.position[1] += float(dy);
-        return double(twin.evaluate(1, material, there)[0]) - 0.5;
+        return double(evaluator->evaluate(1, material, there)[0]) - 0.5;
       };
       const double here = value(0.0, 0.0);
       squares += here * here;
@@ -325,13 +325,13 @@ TEST_CASE(
 TEST_CASE("rotated slopes have the same second moment and a mean of 0") {
   constexpr double kMeanSlope = 0.06;
   const Bundle bundle = waveBundle(slanted, 256, 256, kMeanSlope);
-  const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   const auto measure = [&](std::uint32_t angles) {
-    const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(angles), {}).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, rotatedBy(angles), {});
     std::array<double, 3> sums{};
     constexpr int kPoints = 20000;
     for (std::uint32_t k = 0; k < kPoints; ++k) {
-      const auto slopes = twin.evaluate(0, material, randomPoint(k, 400.0));
+      const auto slopes = evaluator->evaluate(0, material, randomPoint(k, 400.0));
       sums[0] += double(slopes[0]) / kPoints;
       sums[1] += double(slopes[1]) / kPoints;
       sums[2] += double(slopes[0] * slopes[0] + slopes[1] * slopes[1]) / kPoints;
@@ -359,21 +359,22 @@ TEST_CASE("rotated slopes have the same second moment and a mean of 0") {
 TEST_CASE("rotated tiles do not depend on the host's origin") {
   for (const auto& [width, height] : {std::pair{256u, 256u}, {256u, 128u}}) {
     const Bundle bundle = waveBundle(slanted, width, height);
-    const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
+    const auto evaluator = methodEvaluator(bundle, 0);
     for (const std::uint32_t angles : anglesOf(width, height))
       for (const std::int64_t far : {std::int64_t(0), std::int64_t(12345), std::int64_t(1) << 40}) {
         Placement here, there;
         here.tileOriginX = far, here.tileOriginY = -far;
         there.tileOriginX = far - 3, there.tileOriginY = 5 - far;
-        const shader::LichenMaterial a = shaderMaterial(bundle, rotatedBy(angles), here).material;
-        const shader::LichenMaterial b = shaderMaterial(bundle, rotatedBy(angles), there).material;
+        const shader::LichenTriplanarMaterial a = shaderMaterial(bundle, rotatedBy(angles), here);
+        const shader::LichenTriplanarMaterial b = shaderMaterial(bundle, rotatedBy(angles), there);
         for (std::uint32_t k = 0; k < 300; ++k) {
           const TileFootprint at = randomPoint(k, 4.0);
           TileFootprint moved = at;
           moved.position[0] += 3.0f;
           moved.position[1] -= 5.0f;
           for (std::size_t map = 0; map < 2; ++map) {
-            const auto first = twin.evaluate(map, a, at), second = twin.evaluate(map, b, moved);
+            const auto first = evaluator->evaluate(map, a, at),
+                       second = evaluator->evaluate(map, b, moved);
             // At 2^40 tiles, lattice origins are accurate to 5e-4 cells, and weights differ by
             // that.
             const float tolerance = far > 1000000 ? 5e-3f : 1e-4f;
@@ -387,15 +388,15 @@ TEST_CASE("rotated tiles do not depend on the host's origin") {
 
 TEST_CASE("rotated tiles repeat with the period of the lattice") {
   const Bundle bundle = waveBundle(slanted, 256, 256);
-  const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   for (const auto& [x, y] : {std::pair{2.0, 3.0}, {1.37, 1.37}})
     for (const std::uint32_t angles : {2u, 4u}) {
       Placement placement;
       placement.periodic = true;
       placement.periodTilesX = x;
       placement.periodTilesY = y;
-      const shader::LichenMaterial material =
-          shaderMaterial(bundle, rotatedBy(angles), placement).material;
+      const shader::LichenTriplanarMaterial material =
+          shaderMaterial(bundle, rotatedBy(angles), placement);
       for (std::uint32_t k = 0; k < 500; ++k) {
         const TileFootprint at = randomPoint(k, 3.0);
         for (const auto& [columns, rows] : {std::pair{1, 0}, {0, 1}, {-2, 1}}) {
@@ -404,8 +405,8 @@ TEST_CASE("rotated tiles repeat with the period of the lattice") {
           there.position[1] += float(rows * y);
           for (std::size_t map = 0; map < 2; ++map)
             for (std::size_t c = 0; c < 2; ++c)
-              REQUIRE(std::abs(twin.evaluate(map, material, at)[c] -
-                               twin.evaluate(map, material, there)[c]) < 1e-4f);
+              REQUIRE(std::abs(evaluator->evaluate(map, material, at)[c] -
+                               evaluator->evaluate(map, material, there)[c]) < 1e-4f);
         }
       }
     }
@@ -413,17 +414,18 @@ TEST_CASE("rotated tiles repeat with the period of the lattice") {
 
 TEST_CASE("rotated tiles are continuous across triangle borders") {
   const Bundle bundle = waveBundle(slanted, 256, 256);
-  const TilingEvaluator twin = TilingEvaluator::create(bundle, 0).value();
+  const auto evaluator = methodEvaluator(bundle, 0);
   for (const std::uint32_t angles : {2u, 4u}) {
-    const shader::LichenMaterial material = shaderMaterial(bundle, rotatedBy(angles), {}).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, rotatedBy(angles), {});
     // A jump keeps its height at any step size; a continuous change is proportional to the step
     // size.
     const auto largestStep = [&](std::size_t map, double texels) {
       double largest = 0.0;
       for (int line = 0; line < 3; ++line) {
-        auto before = twin.evaluate(map, material, pointAt(0.0, 0.3 + line));
+        auto before = evaluator->evaluate(map, material, pointAt(0.0, 0.3 + line));
         for (int k = 1; k * texels < 512.0; ++k) {
-          const auto now = twin.evaluate(map, material, pointAt(k * texels / 256.0, 0.3 + line));
+          const auto now =
+              evaluator->evaluate(map, material, pointAt(k * texels / 256.0, 0.3 + line));
           for (std::size_t c = 0; c < 2; ++c)
             largest = std::max(largest, double(std::abs(now[c] - before[c])));
           before = now;

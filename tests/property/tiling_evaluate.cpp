@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Properties of the evaluated noise, tested through the CPU twin.
+// Properties of evaluated tiling noise.
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
-#include <lichen/tiling_evaluate.h>
 
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <exemplar/color_space.h>
 #include <gaussian/gaussian_distribution.h>
-#include <tiling/simplex_lattice.h>
-#include <transport/random.h>
 
 using namespace lichen;
-using namespace lichen::tiling;
 
 namespace {
 
@@ -61,45 +58,10 @@ SynthesisOptions sized(int width, int height) {
 
 } // namespace
 
-TEST_CASE("the blend weights sum to 1 and the three vertices surround the point") {
-  const shader::LichenMaterial material =
-      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
-  for (std::uint64_t k = 0; k < 20000; ++k) {
-    const std::array<float, 2> p{float(40.0 * (transport::randomUniform(1, 2 * k) - 0.5)),
-                                 float(40.0 * (transport::randomUniform(1, 2 * k + 1) - 0.5))};
-    const Taps taps = tapsAt(material, shaderNoise(exampleBundle(), 0), p);
-    float sum = 0.0f;
-    float squares = 0.0f;
-    for (const float weight : taps.weight) {
-      REQUIRE(weight >= 0.0f);
-      sum += weight;
-      squares += weight * weight;
-    }
-    REQUIRE(sum == Approx(1.0f).epsilon(1e-6));
-    REQUIRE(taps.norm == Approx(std::sqrt(squares)).epsilon(1e-6));
-    REQUIRE(taps.norm >= 0.577f);
-  }
-}
-
-TEST_CASE("taps are offset by whole texels, so that the texel grid stays aligned") {
-  const shader::LichenMaterial material =
-      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
-  for (int k = 0; k < 500; ++k) {
-    const std::array<float, 2> p{(float(k) + 0.5f) / 128.0f, (float(3 * k) + 0.5f) / 128.0f};
-    for (const std::array<float, 2>& tap :
-         tapsAt(material, shaderNoise(exampleBundle(), 0), p).position)
-      for (const float coordinate : tap) {
-        const float texel = coordinate * 128.0f - 0.5f;
-        REQUIRE(texel == std::round(texel));
-      }
-  }
-}
-
 TEST_CASE("the noise is continuous across the lattice's edges of all three directions", "[large]") {
-  const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
-  REQUIRE(evaluator);
-  const shader::LichenMaterial material =
-      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
+  const auto evaluator = methodEvaluator(exampleBundle(), 0);
+  const shader::LichenTriplanarMaterial material =
+      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{});
   // Two points 2e-7 tiles to each side of an edge are 5e-5 texels apart. Float rounding of the
   // coordinates, here below 1/2, moves each by at most 3e-8 tiles more. Texels differ by at most 1,
   // blending amplifies by at most 1 / W <= sqrt(3), and dU/dG <= 2.4. A unit of U has 32 cells,
@@ -111,7 +73,7 @@ TEST_CASE("the noise is continuous across the lattice's edges of all three direc
   const auto valueAt = [&](double x, double y, double dx, double dy, float side) {
     TileFootprint at;
     at.position = {float(x) + side * kStep * float(dx), float(y) + side * kStep * float(dy)};
-    return evaluator.value().evaluate(0, material, at);
+    return evaluator->evaluate(0, material, at);
   };
   double jumps = 0.0;
   for (int j = -1; j < 2; ++j)
@@ -156,10 +118,9 @@ TEST_CASE("a synthesized image has the exemplar's mean and covariance", "[large]
 
 TEST_CASE("variance does not depend on where in a triangle a point lies", "[large]") {
   // At vertices one tap has all the weight; at centres three share it.
-  const Result<TilingEvaluator> evaluator = TilingEvaluator::create(exampleBundle(), 0);
-  REQUIRE(evaluator);
-  const shader::LichenMaterial material =
-      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{}).material;
+  const auto evaluator = methodEvaluator(exampleBundle(), 0);
+  const shader::LichenTriplanarMaterial material =
+      shaderMaterial(exampleBundle(), MaterialNoise{}, Placement{});
   const auto varianceAt = [&](double f, double g) {
     double sum = 0.0;
     double squares = 0.0;
@@ -172,7 +133,7 @@ TEST_CASE("variance does not depend on where in a triangle a point lies", "[larg
         // Texel centres, where a fetch loses nothing.
         for (float& coordinate : at.position)
           coordinate = (std::floor(coordinate * 128.0f) + 0.5f) / 128.0f;
-        const double value = double(evaluator.value().evaluate(0, material, at)[0]);
+        const double value = double(evaluator->evaluate(0, material, at)[0]);
         sum += value;
         squares += value * value;
       }
@@ -399,13 +360,4 @@ TEST_CASE("sizes, origins and maps out of range are errors") {
   material = {};
   material.contrast = 5.0;
   CHECK_FALSE(synthesizePreview(exampleBundle(), material, MapTarget::baseColor, 1));
-}
-
-TEST_CASE("the error for a noise that this version cannot evaluate names it") {
-  Bundle bundle = exampleBundle();
-  bundle.noises[0].data = TextonShape();
-  const Result<TilingEvaluator> otherMethod = TilingEvaluator::create(bundle, 0);
-  REQUIRE_FALSE(otherMethod);
-  CHECK(otherMethod.error().message.find("texton") != std::string::npos);
-  CHECK_FALSE(TilingEvaluator::create(bundle, 1));
 }

@@ -2,17 +2,15 @@
 // The variance of slopes that a slope map's table stores beside the slopes.
 #include "baked_exemplar.h"
 
-#include <lichen/tiling_evaluate.h>
-
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <gaussianization/level_means.h>
 #include <gaussianization/mip_chain.h>
 #include <gaussianization/prefilter.h>
 #include <gaussianization/slope_variance.h>
 #include <gaussianization/table_lookup.h>
-#include <optional>
 #include <random>
 #include <transport/random.h>
 
@@ -161,22 +159,20 @@ public:
     REQUIRE(bake);
     bundle_.tables = std::move(bake.value().tables);
     bundle_.noises = {std::move(bake.value().noise)};
-    Result<TilingEvaluator> evaluator = TilingEvaluator::create(bundle_, 0);
-    REQUIRE(evaluator);
-    evaluator_.emplace(std::move(evaluator).value());
+    evaluator_ = methodEvaluator(bundle_, 0);
   }
 
   [[nodiscard]] View at(double texelsPerPixel, double contrast = 1.0) const {
     MaterialNoise use;
     use.contrast = contrast;
-    const shader::LichenMaterial material = shaderMaterial(bundle_, use, Placement{}).material;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle_, use, Placement{});
     constexpr int kPlaces = 4000;
     double sum[3] = {}, squares[2] = {};
     TileFootprint at;
     at.dx[0] = at.dy[1] = float(texelsPerPixel / map_.width);
     for (int k = 0; k < kPlaces; ++k) {
       at.position = {0.0137f * float(k), 0.0291f * float(k)};
-      const TilingEvaluator::Value value = evaluator_->evaluate(0, material, at);
+      const auto value = evaluator_->evaluate(0, material, at);
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += double(value[c]) / kPlaces;
       for (std::size_t c = 0; c < 2; ++c)
@@ -188,7 +184,7 @@ public:
 private:
   MapExemplar map_;
   Bundle bundle_;
-  std::optional<TilingEvaluator> evaluator_;
+  std::shared_ptr<const MethodEvaluator> evaluator_;
 };
 
 } // namespace

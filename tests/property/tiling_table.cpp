@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The inverse table, fitted to pairs of a Gaussian point and a value.
+// The inverse table, fitted to pairs of a Gaussian point and a value; its tails as evaluated.
 #include "baked_exemplar.h"
+#include "bundle_of.h"
+
+#include <lichen/tiling.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
+#include <sampling/texels.h>
 #include <transport/random.h>
 
 using namespace lichen;
@@ -146,4 +151,43 @@ TEST_CASE("going to the Gaussian and back returns the exemplar's values") {
   // The table has one cell per half pixel here. Measured: 0.019; a wrong inverse would leave twice
   // the variance.
   CHECK(squares / double(count) < 0.05 * variance);
+}
+
+TEST_CASE("the outermost thousandths of a map of one channel come out of its table") {
+  // Values of an exponential distribution, whose upper tail is long, in random order. At a
+  // thousandth of the distribution a cell of 256 holds the mean of four times as much: a value
+  // beyond the quantile of 1/256 becomes their mean.
+  constexpr int kSide = 256, kPixels = kSide * kSide;
+  MapExemplar map;
+  map.target = MapTarget::height;
+  map.channels = {MapChannel::height};
+  map.encoding = ValueEncoding::linear;
+  map.width = map.height = kSide;
+  const auto quantile = [](double u) { return 0.1 - 0.1 * std::log(1.0 - u); };
+  for (int i = 0; i < kPixels; ++i)
+    map.values.push_back(float(quantile((i + 0.5) / kPixels)));
+  for (std::size_t i = kPixels; i-- > 1;)
+    std::swap(map.values[i], map.values[transport::randomBits(7, i) % (i + 1)]);
+  TilingOptions options;
+  options.bits = 16;
+  const Bundle bundle = bundleOf(bakeTiling("tail", {&map, 1}, options));
+  const auto evaluator = methodEvaluator(bundle, 0);
+  std::vector<float> values;
+  for (const Texel& texel :
+       texelsOf(bundle.tables[bundle.noises[0].maps[0].as<TilingMap>().gaussian], 0))
+    values.push_back(evaluator->decoded(0, {texel[0] - kStoredGaussianMean + 0.5f, 0.5f, 0.5f})[0]);
+  std::sort(values.begin(), values.end());
+  // An outermost cell holds the mean of its values, and the lookup is constant from its centre on.
+  const double highest = quantile(255.0 / 256.0) + 0.1; // the mean beyond a quantile
+  const double lowest = quantile(0.5 / 256.0);
+  CHECK(double(values[std::size_t(0.999 * kPixels)]) == Approx(highest).epsilon(0.01));
+  CHECK(double(values[std::size_t(0.001 * kPixels)]) == Approx(lowest).epsilon(0.01));
+  // Within the cells, quantiles are those of the exemplar, to half of the next cell's difference.
+  // The outermost cell averages 1/256 of the variance away, and restoring it stretches the table
+  // about the mean, 0.2, by half of that; interpolation adds as much again.
+  for (const double u : {0.01, 0.1, 0.5, 0.9, 0.99})
+    CHECK(double(values[std::size_t(u * kPixels)]) ==
+          Approx(quantile(u))
+              .margin(0.5 * (quantile(u + 1.0 / 256.0) - quantile(u)) +
+                      std::abs(quantile(u) - 0.2) / 256.0));
 }

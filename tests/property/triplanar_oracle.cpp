@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Noise in three planes, of all methods but tiling, against an oracle in double precision: "Noise
-// in three planes" of docs/gltf_extension/README.md, from values of each plane as a noise of its
-// own on texture coordinates. (Tiling has such an oracle in tests/gpu/triplanar_parity.cpp.)
+// Noise in three planes, of every method, against an oracle in double precision: "Noise in three
+// planes" of docs/gltf_extension/README.md, from values of each plane as a noise of its own on
+// texture coordinates.
 #include "bundle_of.h"
 #include "example_exemplar.h"
 #include "gaussian_reader.h"
 #include "oracle_footprints.h"
 #include "slopes_of_color.h"
+#include "synthetic_noise.h"
 #include "synthetic_texton.h"
 
 #include <lichen/lattice.h>
@@ -114,6 +115,11 @@ Bundle inMetres(Bundle bundle) {
 Bundle textons(const SyntheticTexton& texton) {
   return inMetres(syntheticTextonBundle(texton).bundle);
 }
+Bundle tiling(int dimensions, Grain grain) {
+  const SyntheticMap map{
+      .dimensions = dimensions, .width = kWidth, .height = kHeight, .grain = grain};
+  return inMetres(syntheticBundle(std::span(&map, 1)).bundle);
+}
 Bundle cosines(const MapExemplar& map, double structure) {
   LocalRandomPhaseOptions options;
   options.bits = 16;
@@ -145,7 +151,8 @@ constexpr double kTolerance = 5e-4;
 TEST_CASE("Gaussian values of three planes are blended before they are decoded") {
   const MapExemplar color = threeMaterials(kWidth, kHeight, 5);
   for (const auto& [name, bundle] :
-       {NamedNoise("textons", textons({})),
+       {NamedNoise("tiling", tiling(3, Grain::none)), NamedNoise("grain", tiling(3, Grain::x)),
+        NamedNoise("textons", textons({})),
         NamedNoise("mix", textons({.order = 3, .steps = 3, .channels = 1})),
         NamedNoise("structure", cosines(color, 0.7)), NamedNoise("kernels", kernels(color))})
     for (const Use& use : uses()) {
@@ -208,8 +215,9 @@ TEST_CASE("slopes of three planes add up to a gradient in space, with the varian
           "surface shows") {
   const MapExemplar slopes = slopesOf(threeMaterials(kWidth, kHeight, 5));
   for (const auto& [name, bundle] :
-       {NamedNoise("textons", textons({.channels = 2})), NamedNoise("cosines", cosines(slopes, 0)),
-        NamedNoise("kernels", kernels(slopes)), NamedNoise("quilting", quilting(slopes))})
+       {NamedNoise("tiling", tiling(2, Grain::y)), NamedNoise("textons", textons({.channels = 2})),
+        NamedNoise("cosines", cosines(slopes, 0)), NamedNoise("kernels", kernels(slopes)),
+        NamedNoise("quilting", quilting(slopes))})
     for (const Use& use : uses()) {
       const Evaluator noise = NoiseEvaluator::create(bundle, use.material, use.placement).value();
       std::vector<Evaluator> planeNoises;

@@ -6,11 +6,11 @@
 
 #include <lichen/fft.h>
 #include <lichen/local_random_phase.h>
-#include <lichen/local_random_phase_evaluate.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <functional>
 #include <numbers>
 
@@ -39,8 +39,8 @@ Bundle baked(const MapExemplar& map, const SpectrumPicture& picture, int cosines
 /// `isNear` takes.
 double powerShare(const Bundle& bundle, const std::function<bool(double u, double v)>& isNear) {
   constexpr int kTiles = 8, kSide = 512;
-  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
-  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  const auto evaluator = methodEvaluator(bundle, 0);
+  const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, MaterialNoise(), {});
   std::vector<float> plane;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
@@ -50,9 +50,9 @@ double powerShare(const Bundle& bundle, const std::function<bool(double u, doubl
       const double window = std::pow(std::sin(3.14159265358979 * (x + 0.5) / kSide) *
                                          std::sin(3.14159265358979 * (y + 0.5) / kSide),
                                      2.0);
-      plane.push_back(float(window * (double(evaluator.gaussian(
-                                          0, material, TileFootprint{{column, row}, {}, {}})[0]) -
-                                      0.5)));
+      const TileFootprint at{{column, row}, {}, {}};
+      plane.push_back(
+          float(window * (double(evaluator->gaussian(0, material, at).value[0]) - 0.5)));
     }
   const HalfSpectrum spectrum = forwardFft(plane, kSide, kSide);
   double near = 0.0, all = 0.0;
@@ -109,13 +109,13 @@ TEST_CASE("a noise with a band as its spectrum has its power there, and the exem
           return u > 22.0 && u < 38.0 && std::abs(v) < 6.0;
         }) > 0.95);
   // The mean light of 16 tiles.
-  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
-  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  const auto evaluator = methodEvaluator(bundle, 0);
+  const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, MaterialNoise(), {});
   std::array<double, 3> found{}, wanted{};
   constexpr int kSide = 512;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x) {
-      const auto value = evaluator.evaluate(
+      const auto value = evaluator->evaluate(
           0, material,
           TileFootprint{{(float(x) + 0.5f) * 4 / kSide, (float(y) + 0.5f) * 4 / kSide}, {}, {}});
       for (std::size_t c = 0; c < 3; ++c)
@@ -137,13 +137,13 @@ TEST_CASE(
   LocalRandomPhaseOptions options;
   options.spectrum = pictureOf([](int u, int v) { return std::hypot(u, v) < 30.0; });
   const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("example", maps, options));
-  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
-  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  const auto evaluator = methodEvaluator(bundle, 0);
+  const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, MaterialNoise(), {});
   double product = 0.0, squares = 0.0;
   for (int k = 0; k < 20000; ++k) {
     const TileFootprint at{{float(k) * 0.0137f, float(k) * 0.0871f}, {}, {}};
-    const double first = double(evaluator.gaussian(0, material, at)[0]) - 0.5;
-    product += first * (double(evaluator.gaussian(1, material, at)[0]) - 0.5);
+    const double first = double(evaluator->gaussian(0, material, at).value[0]) - 0.5;
+    product += first * (double(evaluator->gaussian(1, material, at).value[0]) - 0.5);
     squares += first * first;
   }
   // Measured 0.22, as one phase for each map cannot follow all frequencies of a rectangle; 1 if
@@ -179,8 +179,8 @@ TEST_CASE("a coloured picture gives each channel its own spectrum") {
     }
   const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
   const Bundle bundle = baked(map, picture, 30);
-  const LocalRandomPhaseEvaluator evaluator = LocalRandomPhaseEvaluator::create(bundle, 0).value();
-  const shader::LichenMaterial material = shaderMaterial(bundle, MaterialNoise(), {}).material;
+  const auto evaluator = methodEvaluator(bundle, 0);
+  const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, MaterialNoise(), {});
   constexpr int kSide = 256, kTiles = 2;
   std::array<double, 3> slow{}, all{};
   for (std::size_t c = 0; c < 3; ++c) {
@@ -188,7 +188,7 @@ TEST_CASE("a coloured picture gives each channel its own spectrum") {
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x) {
         const TileFootprint at{{float(x) * kTiles / kSide, float(y) * kTiles / kSide}, {}, {}};
-        plane.push_back(std::sqrt(evaluator.evaluate(0, material, at)[c])); // as it is stored
+        plane.push_back(std::sqrt(evaluator->evaluate(0, material, at)[c])); // as it is stored
       }
     const HalfSpectrum spectrum = forwardFft(plane, kSide, kSide);
     for (int row = 0; row < kSide; ++row)

@@ -36,16 +36,25 @@ std::map<std::string, std::string> sources() {
   return texts;
 }
 
+/// A method's name in code: local-random-phase, local_random_phase and LocalRandomPhase alike.
+std::regex nameIn(Method method) {
+  return std::regex(std::regex_replace(std::string(nameOf(method)), std::regex("-"), "[-_]?"),
+                    std::regex::icase);
+}
+
+/// With _ for -, as in folders and files.
+std::string fileNameOf(Method method) {
+  std::string name(nameOf(method));
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
 /// Whether a file belongs to a method: its folder or its name has the name of the method.
 bool belongsToMethod(const std::string& path) {
-  for (const Method method : allMethods()) {
-    std::string name(nameOf(method));
-    std::replace(name.begin(), name.end(), '-', '_');
-    if (path.find("/" + name + "/") != std::string::npos ||
-        path.find("/" + name + "_") != std::string::npos ||
-        path.find("/" + name + ".") != std::string::npos)
-      return true;
-  }
+  for (const Method method : allMethods())
+    for (const char* end : {"/", "_", "."})
+      if (path.find("/" + fileNameOf(method) + end) != std::string::npos)
+        return true;
   return false;
 }
 
@@ -54,7 +63,7 @@ bool namesMethod(const std::string& text) {
       "//[^\n]*|/\\*[^]*?\\*/|VK_\\w*|optimalTiling\\w*|info\\.tiling");
   const std::string code = std::regex_replace(text, unrelated, "");
   for (const Method method : allMethods())
-    if (std::regex_search(code, std::regex(std::string(nameOf(method)), std::regex::icase)))
+    if (std::regex_search(code, nameIn(method)))
       return true;
   return false;
 }
@@ -78,12 +87,12 @@ TEST_CASE("no method's folder includes another's") {
   const std::regex include("#include [<\"](?:lichen/|methods/)?(\\w+)");
   for (const auto& [path, text] : sources())
     for (const Method method : allMethods()) {
-      if (path.find("/" + std::string(nameOf(method)) + "/") == std::string::npos)
+      if (path.find("/" + fileNameOf(method) + "/") == std::string::npos)
         continue;
       for (std::sregex_iterator hit(text.begin(), text.end(), include), end; hit != end; ++hit)
         for (const Method other : allMethods()) {
           INFO(path << " includes " << (*hit)[1]);
-          CHECK((other == method || (*hit)[1].str().rfind(nameOf(other), 0) != 0));
+          CHECK((other == method || (*hit)[1].str().rfind(fileNameOf(other), 0) != 0));
         }
     }
 }

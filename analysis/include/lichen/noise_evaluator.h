@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Evaluates a noise at points, for every method, as the shaders do. Needs only the bundle.
+// Evaluates a noise at points, for every method, by the shaders' own code. Needs only the bundle.
 #pragma once
 
 #include <lichen/bundle.h>
-#include <lichen/mix_place.h>
+#include <lichen/footprint.h>
 #include <lichen/result.h>
 #include <lichen/shader_parameters.h>
-#include <lichen/solid_footprint.h>
-#include <lichen/surface_footprint.h>
-#include <lichen/tile_footprint.h>
-#include <lichen/triplanar_footprint.h>
 
 #include <array>
 #include <cstddef>
@@ -17,6 +13,8 @@
 #include <vector>
 
 namespace lichen {
+
+class MethodEvaluator;
 
 /// A point in texture coordinates and the footprint of one pixel there. All values are finite.
 struct UvFootprint {
@@ -27,9 +25,7 @@ struct UvFootprint {
 
 /// Choices that the bundle leaves to the host.
 struct EvaluationOptions {
-  /// Tiling: fetch the nearest mip level of an inverse table instead of blending two. In shaders it
-  /// is LICHEN_NEAREST_TABLE_LEVEL (shaders_glsl/noise/decode.glsl).
-  bool nearestTableLevel = false;
+  bool nearestTableLevel = false; ///< fetch one mip level of a table instead of blending two
 };
 
 /// A noise as one material uses it. Immutable: several threads may evaluate it at once.
@@ -42,58 +38,43 @@ public:
   /// Decodes the tables of the noise of `material`. The bundle must have been parsed or baked
   /// without error: indices and table sizes are not checked again. The evaluator does not refer to
   /// the bundle afterwards.
-  /// Errors: usage for a noise out of range, or a mapping or tile rotation that it does not take;
+  /// Errors: usage for a noise out of range, or a mapping or tile rotation that it does not support;
   /// resources if memory runs out. Time and memory: 16 bytes per texel.
   [[nodiscard]] static Result<std::unique_ptr<const NoiseEvaluator>>
   create(const Bundle& bundle, const MaterialNoise& material, const Placement& placement = {},
          const EvaluationOptions& options = {});
 
-  virtual ~NoiseEvaluator() = default;
-
-  /// Evaluates map `map` of the noise (see findMap()) on the plane of its tiles. For slopes the
-  /// third value is the variance of a slope lost to filtering. Only mixes use `mix`. The material's
-  /// mapping must be uv. Takes constant time, or for textons time proportional to the impacts that
-  /// reach the footprint.
-  [[nodiscard]] virtual Value evaluate(std::size_t map, const TileFootprint& at,
-                                       const MixPlace& mix = {}) const = 0;
-  /// As above for the mapping triplanar. Slopes become a gradient in space; the fourth value is
-  /// their lost variance.
-  [[nodiscard]] virtual Value evaluate(std::size_t map, const TriplanarFootprint& at,
-                                       const MixPlace& mix = {}) const = 0;
-  /// As above for the mapping surface. Slopes are in the tangent space of the normal and tangent,
-  /// rotated by the material's rotation.
-  [[nodiscard]] virtual Value evaluate(std::size_t map, const SurfaceFootprint& at,
-                                       const MixPlace& mix = {}) const = 0;
-  /// As above for the mapping solid. Slopes become a gradient in space; the fourth value is their
-  /// lost variance.
-  [[nodiscard]] virtual Value evaluate(std::size_t map, const SolidFootprint& at) const = 0;
+  /// Evaluates map `map` of the noise (see findMap()) at a footprint of the material's mapping. The
+  /// third value of slopes is their variance lost to filtering. On the mappings triplanar and solid
+  /// slopes become a gradient in space, and the fourth value is their lost variance. Only mixes use
+  /// `mix`. Takes constant time, or time proportional to the impacts that reach the footprint.
+  [[nodiscard]] Value evaluate(std::size_t map, const Footprint& at,
+                               const MixPlace& mix = {}) const;
 
   /// The value of a map's first channel and its derivatives along x and y [1 / tile], as
-  /// LICHEN_GRADIENT has them: of textons the stored value, not clamped, otherwise that of
-  /// evaluate(). Tiling, quilting and layered noises have the derivatives 0. The material's mapping
-  /// must be uv.
-  [[nodiscard]] virtual std::array<float, 3> evaluateGradient(std::size_t map,
-                                                              const TileFootprint& at,
-                                                              const MixPlace& mix = {}) const;
+  /// LICHEN_GRADIENT has them: of textons the stored value, not clamped, otherwise evaluate()'s.
+  /// Tiling, quilting and layered noises have the derivatives 0. The material's mapping is uv.
+  [[nodiscard]] std::array<float, 3> evaluateGradient(std::size_t map, const TileFootprint& at,
+                                                      const MixPlace& mix = {}) const;
 
   /// Evaluates at texture coordinates, for a material with the mapping uv. Slopes are in the
   /// tangent space that a mesh has for these coordinates. A mix uses the material's weight if that
   /// is constant or a direction, and its first step otherwise.
   [[nodiscard]] Value evaluateUv(std::size_t map, const UvFootprint& at) const;
 
-protected:
-  /// The constants are those that shaderMaterial() makes from `material`.
-  NoiseEvaluator(const Noise& noise, const shader::LichenTriplanarMaterial& constants);
-
-  [[nodiscard]] const shader::LichenMaterial& constants() const { return constants_.material; }
-  [[nodiscard]] const shader::LichenTriplanarMaterial& planes() const { return constants_; }
-  [[nodiscard]] bool holdsSlopes(std::size_t map) const { return holdsSlopes_[map]; }
-
 private:
-  /// Converts texture coordinates to a position in the mix.
-  [[nodiscard]] virtual MixPlace mixAt(const std::array<float, 2>&) const { return {}; }
+  struct Layer {
+    std::shared_ptr<const MethodEvaluator> method;
+    shader::LichenTriplanarMaterial material;
+    std::vector<std::size_t> maps; ///< the layer's, by map of the first layer
+    std::vector<Value> means;      ///< likewise; 0 of slopes
+  };
+  NoiseEvaluator() = default;
+  [[nodiscard]] Value layered(std::size_t map, const Footprint& at) const;
 
-  shader::LichenTriplanarMaterial constants_;
+  shader::LichenLayers choice_{};
+  std::vector<Layer> layers_;     ///< one if the noise is not layered
+  std::vector<Layer> indices_;    ///< index maps
   std::vector<bool> holdsSlopes_; ///< per map
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Fills the uniform structs of the shader library from a bundle. The engine plugin uploads them,
-// and the CPU twin evaluates them.
+// and the C++ evaluator reads them.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -32,7 +32,7 @@ namespace lichen {
 /// table. Throws std::bad_alloc.
 [[nodiscard]] Table mixTable(const NoiseMap& map);
 
-/// The twin of lichenDecodeGaussian (shaders_glsl/noise/decode.glsl): decodes a Gaussian value of a
+/// As lichenDecodeGaussian (shaders_glsl/noise/decode.glsl): decodes a Gaussian value of a
 /// map with LICHEN_DECODING_GAUSSIAN. `lostVariance` is the share of each stored channel's variance
 /// that filtering removed, >= 0; it exceeds 1 where contrast does. Returns the mean of the decoded
 /// value over the lost variance; exact for roots and slopes.

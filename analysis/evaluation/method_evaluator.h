@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// A noise of one method at points, with the parameters of any material.
+#pragma once
+
+#include <lichen/noise_evaluator.h>
+
+namespace lichen {
+
+/// The decoded tables of a noise without layers. Immutable: several threads may evaluate it at
+/// once.
+class MethodEvaluator {
+public:
+  using Value = NoiseEvaluator::Value;
+  using Material = shader::LichenTriplanarMaterial;
+
+  /// A value before it is decoded. For quilting, the decoded value about its mean, plus 1/2.
+  struct Gaussian {
+    std::array<float, 3> value; ///< mean 1/2; deviation 1/6 where no variance is lost
+    std::array<float, 3> lost;  ///< share of each channel's variance that filtering lost
+  };
+
+  virtual ~MethodEvaluator() = default;
+
+  /// As NoiseEvaluator::evaluate(), of a map below mapCount(). `material` is what shaderMaterial()
+  /// makes for this noise and the footprint's mapping, which the method supports.
+  [[nodiscard]] virtual Value evaluate(std::size_t map, const Material& material,
+                                       const Footprint& at, const MixPlace& mix = {}) const = 0;
+
+  /// evaluate() before decoding.
+  [[nodiscard]] virtual Gaussian gaussian(std::size_t map, const Material& material,
+                                          const Footprint& at, const MixPlace& mix = {}) const = 0;
+
+  /// The map's first channel and its derivatives along x and y of tile space [1 / tile], for bumps
+  /// of a height. Textons give the stored value, not clamped; tiling and quilting have no
+  /// derivatives, and give 0.
+  [[nodiscard]] virtual std::array<float, 3> gradient(std::size_t map, const Material& material,
+                                                      const TileFootprint& at,
+                                                      const MixPlace& mix = {}) const = 0;
+
+  /// What a Gaussian value stands for where nothing is lost. The method is one with tables.
+  [[nodiscard]] virtual Value decoded(std::size_t map,
+                                      const std::array<float, 3>& gaussian) const = 0;
+
+  /// Where the material's weight of a mix is constant or a direction, the position in the mix.
+  [[nodiscard]] virtual MixPlace mixAt(const Material& material,
+                                       const std::array<float, 2>& uv) const = 0;
+};
+
+/// Decodes the tables of noise `noise`, a valid index, which has no layers. Throws std::bad_alloc.
+[[nodiscard]] std::shared_ptr<const MethodEvaluator>
+methodEvaluator(const Bundle& bundle, std::size_t noise, const EvaluationOptions& options = {});
+
+/// The same for the noises of one method, each in that method's evaluate.cpp.
+using MethodEvaluatorMaker = std::shared_ptr<const MethodEvaluator>(const Bundle&, std::size_t,
+                                                                    const EvaluationOptions&);
+MethodEvaluatorMaker tilingEvaluator, textonEvaluator, localRandomPhaseEvaluator,
+    multipleKernelsEvaluator, quiltingEvaluator;
+
+} // namespace lichen

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// A noise of the method that LICHEN_METHODS names, evaluated by the shader library. Included by
+// that method's evaluate.cpp alone.
+#pragma once
+
+#include "method_evaluator.h"
+#include "shader_library.h"
+
+#include <bit>
+
+namespace lichen {
+namespace { // as ShaderLibrary is
+
+class ShaderEvaluator final : public MethodEvaluator {
+  using Library = glsl::ShaderLibrary;
+  using vec2 = glsl::vec2;
+  using vec3 = glsl::vec3;
+  using vec4 = glsl::vec4;
+
+public:
+  ShaderEvaluator(const Bundle& bundle, std::size_t index, const EvaluationOptions& options) {
+    const Noise& noise = bundle.noises[index];
+    const shader::LichenNoiseConstants constants = shaderConstants(bundle, index);
+    noise_ = std::bit_cast<Library::LichenNoise>(constants.noise);
+    offsets_ = std::bit_cast<decltype(offsets_)>(constants.offsets);
+    for (std::size_t m = 0; m < noise.maps.size(); ++m) {
+      const NoiseMap& stored = noise.maps[m];
+      Map map{std::bit_cast<Library::LichenMap>(shaderMap(bundle, noise, m)), {}, {}};
+      // A view of a Gaussian image shows its last channel as alpha.
+      const Alpha alpha = noise.method() == Method::tiling ? Alpha::lastChannel : Alpha::one;
+      map.image = RepeatingImage(bundle.tables[imageTableOf(stored)], alpha);
+      if (const std::optional<std::size_t> table = decodingTableOf(stored))
+        map.table = ClampedVolume(bundle.tables[*table]);
+      else if (isMix(noise))
+        map.table = ClampedVolume(mixTable(stored));
+      maps_.push_back(std::move(map));
+    }
+    if (noise.method() == Method::quilting)
+      cells_ = RepeatingImage(bundle.tables[noise.maps.front().as<QuiltingMap>().cells]);
+    library_.cells = &cells_;
+    library_.tileOffsets = offsets_.data();
+    library_.nearestTableLevel = options.nearestTableLevel;
+  }
+  ShaderEvaluator(const ShaderEvaluator&) = delete; // the library points into it
+  ShaderEvaluator& operator=(const ShaderEvaluator&) = delete;
+
+  [[nodiscard]] Value evaluate(std::size_t map, const Material& material, const Footprint& at,
+                               const MixPlace& mix) const override {
+    if (const auto* plane = std::get_if<TileFootprint>(&at))
+      return onPlane(map, material, *plane, mix);
+    const Library::LichenShadingPoint shading = shadingAt(material, at, mix);
+    const Map& m = maps_[map];
+    return asArray(library_.lichenValue(m.image, m.table, shading, m.constants));
+  }
+
+  [[nodiscard]] Gaussian gaussian(std::size_t map, const Material& material, const Footprint& at,
+                                  const MixPlace& mix) const override {
+    const Library::LichenShadingPoint shading = shadingAt(material, at, mix);
+    const Map& m = maps_[map];
+    vec3 lost(0.0), value(0.5);
+    if (std::holds_alternative<TriplanarFootprint>(at)) {
+      value = library_.lichenTriplanarGaussian(m.image, m.table, shading.triplanar, shading.point,
+                                               noise_, m.constants, lost);
+    } else if (std::holds_alternative<SurfaceFootprint>(at)) {
+#ifndef LICHEN_OMIT_SURFACE
+      value = library_.lichenSurfaceGaussian(m.image, m.table, shading.surface, shading.point,
+                                             shading.material, noise_, m.constants, lost);
+#endif
+    } else if (std::holds_alternative<SolidFootprint>(at)) {
+#ifndef LICHEN_OMIT_SOLID
+      glsl::Float depthSlope;
+      const vec4 solid = library_.lichenSolidGaussian(m.image, shading.solid, shading.material,
+                                                      noise_, m.constants, depthSlope);
+      value = solid.xyz();
+      lost = vec3(solid.w);
+#endif
+    } else {
+      value = library_.lichenGaussianAt(m.image, m.table, shading.point, shading.material, noise_,
+                                        m.constants, lost);
+    }
+    return {{value.x.v, value.y.v, value.z.v}, {lost.x.v, lost.y.v, lost.z.v}};
+  }
+
+  [[nodiscard]] std::array<float, 3> gradient(std::size_t map, const Material& material,
+                                              const TileFootprint& at,
+                                              const MixPlace& mix) const override {
+    const auto own = std::bit_cast<Library::LichenMaterial>(material.material);
+    const Map& m = maps_[map];
+    const vec3 value =
+        library_.lichenGradientAt(m.image, m.table, positionOf(own, at), asVec(at.dx), asVec(at.dy),
+                                  mix.weight, asVec(mix.gradient), own, noise_, m.constants);
+    return {value.x.v, value.y.v, value.z.v};
+  }
+
+  [[nodiscard]] Value decoded(std::size_t map,
+                              const std::array<float, 3>& gaussian) const override {
+    const Map& m = maps_[map];
+    return asArray(library_.lichenDecode(m.table, asVec(gaussian), 0.0, 1.0, m.constants));
+  }
+
+  [[nodiscard]] MixPlace mixAt([[maybe_unused]] const Material& material,
+                               [[maybe_unused]] const std::array<float, 2>& uv) const override {
+    MixPlace place;
+#ifdef LICHEN_HAS_TEXTONS
+    const auto own = std::bit_cast<Library::LichenMaterial>(material.material);
+    const vec2 gradient = library_.lichenMixGradient(own);
+    place = {library_.lichenMixWeight(asVec(uv), own).v, {gradient.x.v, gradient.y.v}};
+#endif
+    return place;
+  }
+
+private:
+  struct Map {
+    Library::LichenMap constants;
+    RepeatingImage image;
+    ClampedVolume table;
+  };
+
+  static vec2 asVec(const std::array<float, 2>& v) { return {v[0], v[1]}; }
+  static vec3 asVec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
+  static vec4 asVec(const std::array<float, 4>& v) { return {v[0], v[1], v[2], v[3]}; }
+  static Value asArray(const vec4& v) { return {v.x.v, v.y.v, v.z.v, v.w.v}; }
+  static vec2 positionOf(const Library::LichenMaterial& material, const TileFootprint& at) {
+    return asVec(at.position) + vec2(material.offsetX, material.offsetY);
+  }
+
+  void setMix([[maybe_unused]] Library::LichenPoint& point,
+              [[maybe_unused]] const MixPlace& mix) const {
+#ifdef LICHEN_HAS_TEXTONS
+    library_.lichenSetMix(point.texton, mix.weight, asVec(mix.gradient));
+#endif
+  }
+
+  /// GLSL passes structs by value; flattened, GCC copies none of them. The other mappings, which
+  /// are larger, would take half a minute to compile so.
+  [[nodiscard]] LICHEN_FLATTEN Value onPlane(std::size_t map, const Material& material,
+                                             const TileFootprint& at, const MixPlace& mix) const {
+    const auto own = std::bit_cast<Library::LichenMaterial>(material.material);
+    const Map& m = maps_[map];
+    Library::LichenPoint point =
+        library_.lichenPointAt(positionOf(own, at), asVec(at.dx), asVec(at.dy), own, noise_);
+    setMix(point, mix);
+    return asArray(library_.lichenValueAt(m.image, m.table, point, own, noise_, m.constants));
+  }
+
+  [[nodiscard]] Library::LichenShadingPoint
+  shadingAt(const Material& material, const Footprint& footprint, const MixPlace& mix) const {
+    const auto planes = std::bit_cast<Library::LichenTriplanarMaterial>(material);
+    Library::LichenShadingPoint shading;
+    if (const auto* space = std::get_if<TriplanarFootprint>(&footprint)) {
+      shading =
+          library_.lichenPointTriplanarGrad(asVec(space->position), asVec(space->dx),
+                                            asVec(space->dy), asVec(space->normal), planes, noise_);
+    } else if (const auto* surface = std::get_if<SurfaceFootprint>(&footprint)) {
+      shading = library_.lichenPointSurfaceGrad(asVec(surface->position), asVec(surface->dx),
+                                                asVec(surface->dy), asVec(surface->normal),
+                                                asVec(surface->tangent), planes.material, noise_);
+    } else if (const auto* solid = std::get_if<SolidFootprint>(&footprint)) {
+      shading = library_.lichenPointSolidGrad(asVec(solid->position), asVec(solid->dx),
+                                              asVec(solid->dy), planes.material, noise_);
+    } else {
+      const auto& plane = std::get<TileFootprint>(footprint);
+      shading.material = planes.material;
+      shading.noise = noise_;
+      shading.point = library_.lichenPointAt(positionOf(planes.material, plane), asVec(plane.dx),
+                                             asVec(plane.dy), planes.material, noise_);
+    }
+    setMix(shading.point, mix);
+    return shading;
+  }
+
+  Library::LichenNoise noise_;
+  std::vector<Map> maps_;
+  RepeatingImage cells_; ///< of quilting
+  std::array<glsl::uint, LICHEN_MAX_OFFSETS> offsets_{};
+  mutable Library library_; ///< GLSL has no const functions; none changes it
+};
+
+} // namespace
+} // namespace lichen

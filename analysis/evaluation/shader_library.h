@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// The shader library as C++: its structs and functions are members of ShaderLibrary, its fetches
+// read tables in memory, and what a host declares beside it are data members. Each method's
+// evaluate.cpp includes this once, for its own method alone (LICHEN_METHODS), so that compilers see
+// constants. [PBRT4] compiles one source for CPU and GPU in the same way.
+#pragma once
+
+#include "fetches.h"
+
+#include <lichen_interface.h>
+
+#define LICHEN_OUT(Type) Type&
+#define LICHEN_INOUT(Type) Type&
+#define LICHEN_IMAGE_2D const RepeatingImage&
+#define LICHEN_IMAGE_3D const ClampedVolume&
+#define LICHEN_SAMPLE_2D(image, uv, level) sampled(image, uv, level)
+#define LICHEN_SAMPLE_3D(table, uvw, level) sampled(table, uvw, level)
+#define LICHEN_FETCH_2D(image, coordinate) fetched(image, coordinate)
+#define LICHEN_GATHER_2D(image, uv) gathered(image, uv)
+#define LICHEN_SAMPLE_CELLS(uv, level) sampled(*cells, uv, level)
+#define LICHEN_TILE_OFFSET(index) tileOffsets[index]
+#define LICHEN_NEAREST_TABLE_LEVEL nearestTableLevel
+#define LICHEN_LAYERS LICHEN_MAX_LAYERS // index maps are decoded too
+
+// Constructors: Type(a, b) -> Type{a, b}, since clang 14 has no parenthesised ones of aggregates.
+#define LichenTilingMaterial(...)                                                                  \
+  LichenTilingMaterial { __VA_ARGS__ }
+#define LichenTextonMaterial(...)                                                                  \
+  LichenTextonMaterial { __VA_ARGS__ }
+#define LichenTextonNoise(...)                                                                     \
+  LichenTextonNoise { __VA_ARGS__ }
+#define LichenCosinesMaterial(...)                                                                 \
+  LichenCosinesMaterial { __VA_ARGS__ }
+#define LichenCosinesNoise(...)                                                                    \
+  LichenCosinesNoise { __VA_ARGS__ }
+#define LichenKernelsMaterial(...)                                                                 \
+  LichenKernelsMaterial { __VA_ARGS__ }
+#define LichenKernelsNoise(...)                                                                    \
+  LichenKernelsNoise { __VA_ARGS__ }
+#define LichenQuiltingNoise(...)                                                                   \
+  LichenQuiltingNoise { __VA_ARGS__ }
+#define LichenGaussianSlopes(...)                                                                  \
+  LichenGaussianSlopes { __VA_ARGS__ }
+#define LichenKernelRow(...)                                                                       \
+  LichenKernelRow { __VA_ARGS__ }
+#define LichenKernelSums(...)                                                                      \
+  LichenKernelSums { __VA_ARGS__ }
+#define LichenKernelColors(...)                                                                    \
+  LichenKernelColors { __VA_ARGS__ }
+#define LichenPattern(...)                                                                         \
+  LichenPattern { __VA_ARGS__ }
+#define LichenPlanePoint(...)                                                                      \
+  LichenPlanePoint { __VA_ARGS__ }
+#define LichenRetained(...)                                                                        \
+  LichenRetained { __VA_ARGS__ }
+#define LichenSolidFootprint(...)                                                                  \
+  LichenSolidFootprint { __VA_ARGS__ }
+#define LichenSolidSum(...)                                                                        \
+  LichenSolidSum { __VA_ARGS__ }
+#define LichenSolidKernelSums(...)                                                                 \
+  LichenSolidKernelSums { __VA_ARGS__ }
+#define LichenLayerSum(...)                                                                        \
+  LichenLayerSum { __VA_ARGS__ }
+
+// Swizzles.
+#define xy xy()
+#define yx yx()
+#define xz xz()
+#define yz yz()
+#define yw yw()
+#define zw zw()
+#define wz wz()
+#define xyz xyz()
+#define yzz yzz()
+#define rg rg()
+#define rgb rgb()
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wsign-conversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#pragma GCC diagnostic ignored "-Wunused-variable"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wundef"
+namespace lichen::glsl {
+namespace { // each method's file has its own
+
+#define float Float
+struct ShaderLibrary {
+#include "interface/structs.glsl"
+
+  const RepeatingImage* cells = nullptr;      // of quilting
+  const std::uint32_t* tileOffsets = nullptr; // likewise, LICHEN_MAX_OFFSETS
+  bool nearestTableLevel = false;
+
+#include "mapping/mix.glsl"
+#include "mapping/solid.glsl"
+#include "mapping/surface.glsl"
+#include "mapping/triplanar.glsl"
+#include "mapping/uv.glsl"
+#include "noise/layers.glsl"
+};
+#undef float
+
+} // namespace
+} // namespace lichen::glsl
+#pragma GCC diagnostic pop
+
+#undef xy
+#undef yx
+#undef xz
+#undef yz
+#undef yw
+#undef zw
+#undef wz
+#undef xyz
+#undef yzz
+#undef rg
+#undef rgb

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+// Textons in the plane and on surfaces, on a device and in C++, against an oracle that sums all
+// impacts in double precision, and against what their point process and mix say.
+#include "device_noise.h"
+#include "shared_device.h"
+#include "synthetic_texton.h"
+#include "texton_reference.h"
+
+#include <lichen/shader_parameters.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <texton_evaluate.comp.anisotropic.h>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+void setPeriod(MaterialUse& use, double x, double y) {
+  use.placement.periodTiles[0] = x;
+  use.placement.periodTiles[1] = y;
+}
+
+/// Points whose fetches are at one mip. Textons are fetched half a level below the footprint's
+/// (docs/decisions/003).
+std::vector<SamplePoint> pointsAtMip(const SyntheticTexton& texton, std::uint32_t mip, double scale,
+                                     std::size_t count) {
+  std::vector<SamplePoint> points = samplePoints(count);
+  const double pixel = scale * std::exp2(mip > 0 ? mip + 0.5 : 0.0);
+  for (SamplePoint& point : points) {
+    point.plane.gradientX = {float(pixel / texton.texelsPerTileX), 0.0f};
+    point.plane.gradientY = {0.0f, float(pixel / texton.texelsPerTileY)};
+    const SurfaceFrame frame = frameOf(point, 0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      point.dx[k] = float(pixel / texton.texelsPerTileX * frame.right[k]);
+      point.dy[k] = float(pixel / texton.texelsPerTileX * frame.down[k]);
+    }
+  }
+  return points;
+}
+
+/// Points of the plane or of a surface at which any channel, on the device or in C++, differs from
+/// the oracle.
+std::size_t strangersOf(DeviceNoise& noise, Mapping mapping, std::uint32_t mip,
+                        const MaterialUse& use, const std::vector<SamplePoint>& points,
+                        double tolerance) {
+  const auto values = noise.drawn(kGaussian, use, points);
+  const TextonReference reference(noise.bundle, noise.host.material());
+  std::size_t strangers = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const SamplePoint& p = points[k];
+    const TileFootprint at = noise.onPlane(p.plane);
+    const TextonReference::Sum sum =
+        mapping == Mapping::uv
+            ? reference.inPlane(double(at.position[0]), double(at.position[1]), mip, p.mix)
+            : reference.onSurface(
+                  {double(p.position[0]), double(p.position[1]), double(p.position[2])},
+                  frameOf(p, use.parameters.rotation), mip, p.mix);
+    const auto computed = noise.gaussian(p).value;
+    double worst = 0.0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double expected = reference.gaussian(sum, double(p.mix.weight), c);
+      worst = std::max({worst, std::abs(double(values[k][c]) - expected),
+                        std::abs(double(computed[c]) - expected)});
+    }
+    strangers += worst > tolerance ? 1 : 0;
+  }
+  return strangers;
+}
+
+} // namespace
+
+TEST_CASE("textons in the plane and on surfaces match the oracle, which sums over all impacts") {
+  for (const Mapping mapping : {Mapping::uv, Mapping::surface})
+    for (const auto& [order, steps] : {std::pair{0, 1}, {1, 1}, {1, 3}, {3, 1}}) {
+      const SyntheticTexton texton{.order = order, .steps = steps, .wholeFloats = true};
+      DeviceNoise noise(syntheticTextonBundle(texton), mapping);
+      for (const bool isPoisson : {false, true})
+        for (const std::uint32_t mip : {0u, 1u, 2u}) {
+          MaterialUse use = noise.host.use();
+          use.parameters.pointProcess =
+              isPoisson ? LICHEN_POINT_PROCESS_POISSON : LICHEN_POINT_PROCESS_STRATIFIED;
+          use.placement.tileOrigin[0] = isPoisson ? 5 : 0;
+          if (mapping == Mapping::uv) {
+            setPeriod(use, 2.0, 1.0);
+          } else {
+            use.parameters.rotation = order == 3 ? 0.4 : 0.0;
+            use.parameters.scale = mip == 2 ? 1.7 : 1.0;
+            use.placement.tileOrigin[1] = 12;
+            use.placement.tileOrigin[2] = -5;
+          }
+          INFO(nameOf(mapping) << ", order " << order << ", steps " << steps << ", mip " << mip);
+          // In the plane, 30 impacts at coordinates of 100 texels, rounded to 2^-17, with slopes up
+          // to 0.2 per texel: less than 5e-5. On a surface, 60 impacts at positions of 200 texels,
+          // rounded in each of three steps: less than 1e-4, and the level's logarithm as much
+          // again. Order 0 and the steps of a mix have borders, where rounding may select another
+          // texton.
+          CHECK(strangersOf(
+                    noise, mapping, mip, use, pointsAtMip(texton, mip, use.parameters.scale, 20),
+                    mapping == Mapping::uv ? 1e-4 : 3e-4) <= (order == 0 || steps > 1 ? 1u : 0u));
+        }
+    }
+}
+
+TEST_CASE("derivatives of order 3 match the spline, and those of a mix include the mean's slope") {
+  for (const int steps : {1, 3}) {
+    DeviceNoise noise(
+        syntheticTextonBundle({.order = 3, .steps = steps, .channels = 1, .wholeFloats = true}));
+    std::vector<SamplePoint> points = samplePoints(200);
+    for (SamplePoint& point : points)
+      point.plane.gradientX = point.plane.gradientY = {};
+    MaterialUse use = noise.host.use();
+    setPeriod(use, 2.0, 2.0);
+    const auto gradients = noise.drawn(kGradient, use, points);
+    const TextonReference reference(noise.bundle, noise.host.material());
+    const NoiseMap& map = noise.bundle.noises[0].maps[0];
+    // The means of the three steps lie on a line.
+    const auto& later = map.as<TextonMap>().laterSteps;
+    const double meanSlope = steps == 1 ? 0.0 : later[1].mean[0] - map.mean[0];
+    REQUIRE(meanSlope == Approx(steps == 1 ? 0.0 : -0.2)); // a hundred tolerances
+    REQUIRE((steps == 1 || later[0].mean[0] == Approx(map.mean[0] + 0.5 * meanSlope)));
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const TileFootprint at = noise.onPlane(points[k].plane);
+      const MixPlace& mix = points[k].mix;
+      const auto sum = reference.inPlane(double(at.position[0]), double(at.position[1]), 0, mix);
+      const auto weight = double(mix.weight);
+      const double slope = weight > 0.0 && weight < 1.0 ? meanSlope : 0.0;
+      const std::array expected{map.mean[0] + meanSlope * std::clamp(weight, 0.0, 1.0) +
+                                    sum.value[0],
+                                sum.gradient[0] + slope * double(mix.gradient[0]),
+                                sum.gradient[1] + slope * double(mix.gradient[1])};
+      const auto computed = noise.gradient(points[k]);
+      for (std::size_t c = 0; c < 3; ++c) {
+        // The slope's own slope is below 0.08 per texel, at 64 texels per tile, with the rounding
+        // above. An impact keeps its texton at any point, because the weight is linear. Rounding
+        // changes the texton of one of 6000 impacts if its weight is within 1e-7 of one of two
+        // borders between steps: once in 600 such tests.
+        const double tolerance = c == 0 ? 1e-4 : 2e-3;
+        INFO("steps " << steps << ", point " << k << ", component " << c);
+        CHECK(double(gradients[k][c]) == Approx(expected[c]).margin(tolerance));
+        CHECK(double(computed[c]) == Approx(expected[c]).margin(tolerance));
+      }
+    }
+  }
+}
+
+TEST_CASE("as many impacts reach a point as the process predicts, in the plane and on a surface") {
+  const auto meanOf = [](DeviceNoise& noise, const MaterialUse& use, std::size_t count) {
+    std::vector<SamplePoint> points = samplePoints(count);
+    for (SamplePoint& point : points) {
+      point.plane.gradientX = point.plane.gradientY = {};
+      point.dx = point.dy = {};
+    }
+    double mean = 0.0;
+    for (const auto& impacts : noise.drawnImpacts(use, points))
+      mean += double(impacts[0]) / double(count);
+    return mean;
+  };
+  DeviceNoise plane(syntheticTextonBundle({.order = 3, .channels = 1}));
+  MaterialUse use = plane.host.use();
+  setPeriod(use, 2.0, 2.0);
+  // A Bernoulli variable for each cell: 200 points, each with a standard deviation of at most
+  // sqrt(30 / 4); 5 standard errors. The 30 impacts are counted in a rectangular window of (24, 21)
+  // texels.
+  CHECK(meanOf(plane, use, 200) == Approx(30.0).margin(1.0));
+  DeviceNoise surface(syntheticTextonBundle({}), Mapping::surface);
+  const double mean = meanOf(surface, surface.host.use(), 400);
+  // [GLM17] proposition 3: lambda times the box of (22, 19, sqrt(22 * 19)) texels.
+  const double cube = double(textonPart(surface.host.material()).surfaceCubeTexels);
+  const double expected = std::pow(22.0 * 19.0, 1.5) / (cube * cube * cube);
+  CHECK(expected == Approx(60.0).epsilon(0.1));
+  // 400 points, with a Bernoulli variable for each of some 90 cubes on the border: 5 standard
+  // errors.
+  CHECK(mean == Approx(expected).margin(5.0 * std::sqrt(90.0 / 4.0 / 400.0)));
+}
+
+TEST_CASE("a sampler without anisotropy gives the same result from gradients as from levels") {
+  for (const int order : {0, 1, 3})
+    for (const std::uint32_t mip : {0u, 1u, 2u}) { // lavapipe approximates levels in between
+      const SyntheticTexton texton{.order = order};
+      DeviceNoise noise(syntheticTextonBundle(texton));
+      const std::vector<SamplePoint> points = pointsAtMip(texton, mip, 1.0, 100);
+      const MaterialUse use = noise.host.use();
+      for (const int quantity : {kGaussian, kGradient}) {
+        const auto values = noise.drawn(quantity, use, points, texton_evaluate_comp_anisotropic);
+        const auto trilinear = noise.drawn(quantity, use, points);
+        Differences differences;
+        for (std::size_t k = 0; k < points.size(); ++k)
+          for (std::size_t c = 0; c < 3; ++c)
+            differences.add(double(values[k][c] - trilinear[k][c]) /
+                                (quantity == kGradient && c > 0 ? 64.0 : 1.0),
+                            0.0);
+        INFO("order " << order << ", mip " << mip << ", quantity " << quantity);
+        CHECK(differences.largest <= 1.0 / 255.0);
+      }
+    }
+}
+
+TEST_CASE("a constant or a direction of the weight follows the material, not the noise's "
+          "placement") {
+  BundleFile file = syntheticTextonBundle({.order = 1, .steps = 5});
+  MixWeight& mix = file.bundle.materials[0]->mix;
+  Mapping mapping = Mapping::uv;
+  SECTION("a constant") { mix.weight = 0.3; }
+  SECTION("a constant on a surface") {
+    mix.weight = 0.6;
+    mapping = Mapping::surface;
+  }
+  SECTION("a direction") {
+    mix.source = MixSource::direction;
+    mix.start = {0.5, -2.0};
+    mix.end = {3.0, 1.0};
+  }
+  DeviceNoise noise(file, mapping);
+  MaterialUse use = noise.host.use();
+  use.parameters.scale = 0.8;
+  use.parameters.rotation = 0.6;
+  use.parameters.offset[0] = 2.25;
+  use.placement.tileOrigin[0] = 2;
+  use.placement.tileOrigin[1] = -1;
+  std::vector<SamplePoint> points = samplePoints(200);
+  for (SamplePoint& point : points)
+    point.hasMix = false;
+  const auto gaussians = noise.drawnGaussian(use, points);
+  // Texture coordinates are those of tiles times the scale, rotated.
+  const double cosine = use.parameters.scale * std::cos(use.parameters.rotation),
+               sine = use.parameters.scale * std::sin(use.parameters.rotation);
+  const std::array way{mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]};
+  const double square = way[0] * way[0] + way[1] * way[1];
+  Differences onDevice, inCpp;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    SamplePoint& p = points[k];
+    const auto computed = noise.gaussian(p).value; // at the material's own weight
+    p.hasMix = true;
+    p.mix = {float(mix.weight), {}};
+    if (mix.source == MixSource::direction) {
+      const double along = (double(p.plane.uv[0]) - mix.start[0]) * way[0] +
+                           (double(p.plane.uv[1]) - mix.start[1]) * way[1];
+      p.mix = {float(along / square),
+               {float((way[0] * cosine + way[1] * sine) / square),
+                float((way[1] * cosine - way[0] * sine) / square)}};
+    }
+    const auto expected = noise.gaussian(p).value;
+    onDevice.add(gaussians[k].value, expected, 3);
+    inCpp.add(computed, expected, 3);
+  }
+  // Weights are below 4, from at most ten roundings of 2^-23. With 6000 impacts and four borders
+  // between steps, 0.06 impacts get another texton. Two such points occur once in 600 runs.
+  CHECK(onDevice.beyond <= 3); // channels of one point
+  CHECK(inCpp.beyond <= 3);
+}

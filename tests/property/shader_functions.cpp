@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: MIT
+// Functions of the shader library against closed forms: distribution function, waves, windows, and
+// where vertices, taps and impacts lie.
+#define LICHEN_METHODS 15
+#include "evaluation/shader_library.h"
+#include "synthetic_noise.h"
+#include "synthetic_texton.h"
+
+#include <lichen/lattice.h>
+#include <lichen/shader_parameters.h>
+
+#include <Eigen/Dense>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <local_random_phase/octave_lattice.h>
+#include <multiple_kernels/kernel.h>
+#include <numbers>
+#include <random>
+#include <vector>
+
+using namespace lichen;
+using namespace lichen::test;
+
+namespace {
+
+using Library = glsl::ShaderLibrary;
+using TilePosition = std::array<float, 2>;
+
+Library::LichenMaterial inLibrary(const shader::LichenMaterial& material) {
+  return std::bit_cast<Library::LichenMaterial>(material);
+}
+
+float cdf(float value) { return Library().lichenGaussianCdf(glsl::vec3(value)).x.v; }
+
+} // namespace
+
+TEST_CASE(
+    "the polynomial distribution function is within 1.9e-4 of the exact one, where a table of "
+    "256 cells has lookups between centres") {
+  double largest = 0.0;
+  for (int k = 0; k <= 100000; ++k) {
+    const double value = k / 100000.0;
+    const double exact = 0.5 * std::erfc(-6.0 * (value - 0.5) / std::numbers::sqrt2);
+    const double within = std::clamp(exact, 0.5 / 256.0, 1.0 - 0.5 / 256.0);
+    largest = std::max(largest, std::abs(double(cdf(float(value))) - within));
+  }
+  CHECK(largest < 1.9e-4);
+  CHECK(largest > 1.0e-4); // as documented, not more exact
+}
+
+TEST_CASE("the polynomial distribution function never decreases and is odd about the middle") {
+  float before = -1.0f;
+  for (int k = -20000; k <= 120000; ++k) {
+    const float value = float(k) / 100000.0f;
+    const float here = cdf(value);
+    REQUIRE(here >= before - 1e-7f); // the rounding of floats
+    REQUIRE(here + cdf(1.0f - value) == Approx(1.0f).epsilon(1e-6));
+    before = here;
+  }
+}
+
+TEST_CASE("the polynomial distribution function reaches the outermost centres of 256 cells") {
+  // To a twentieth of a cell, beyond which lookups are constant.
+  CHECK(256.0 * double(cdf(0.0f)) == Approx(0.5).margin(0.05));
+  CHECK(256.0 * double(cdf(1.0f)) == Approx(255.5).margin(0.05));
+}
+
+TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near as they state") {
+  Library library;
+  double cosine = 0.0;
+  for (int k = -30000; k <= 30000; ++k) {
+    const float turns = float(k) * 1e-4f;
+    const float found = library.lichenCosineOfTurns(glsl::vec4(turns)).x.v;
+    cosine = std::max(cosine,
+                      std::abs(double(found) - std::cos(2.0 * std::numbers::pi * double(turns))));
+  }
+  CHECK(cosine <= 1.1e-4);
+  const auto retainedAt = [&](double squaredCycles) {
+    return double(library.lichenCosineRetained(glsl::vec4(squaredCycles)).x.v);
+  };
+  double loss = 0.0; // of sinc, up to its first zero
+  for (double cycles = 1e-3; cycles <= 1.0; cycles += 1e-3) {
+    const double phase = std::numbers::pi * cycles;
+    loss = std::max(loss, std::abs(retainedAt(cycles * cycles) - std::sin(phase) / phase));
+  }
+  CHECK(loss < 0.093);            // (1 - pi^2 / 18)^3, where sinc is 0
+  CHECK(retainedAt(-1.0) == 1.0); // a long footprint, by rounding
+  CHECK(retainedAt(2.0) == 0.0);
+}
+
+TEST_CASE("windows of cosines and spreads of kernels are those of the bakes") {
+  Library library;
+  std::mt19937 generator(2u);
+  std::uniform_real_distribution<float> place(0.0f, 1.0f);
+  for (int k = 0; k < 1000; ++k) {
+    const float column = place(generator), row = place(generator);
+    const auto expected = local_random_phase::windowsAt(double(column), double(row));
+    const float corner = float(expected.corner[0][0]);
+    const glsl::vec3 found = library.lichenCosineWindows({column - corner, column - 1.0f, column},
+                                                         {row - corner, row, row - 1.0f});
+    for (int vertex = 0; vertex < 3; ++vertex)
+      REQUIRE(double(found[vertex].v) == Approx(expected.weight[std::size_t(vertex)]).margin(1e-5));
+  }
+  // By quadrature.
+  for (const KernelWindow window :
+       {KernelWindow::gabor, KernelWindow::sinc, KernelWindow::gaussianSinc}) {
+    INFO(nameOf(window));
+    CHECK(double(library.lichenKernelSpread(std::uint32_t(window)).v) ==
+          Approx(multiple_kernels::windowSpread(window)).epsilon(3e-4));
+  }
+}
+
+TEST_CASE("the rotation of a tile is its step's fraction of a full rotation, and quarters are "
+          "exact") {
+  Library library;
+  const std::uint32_t word = latticeSeed(7, 0);
+  for (const std::uint32_t steps : {2u, 3u, 4u, 5u, 12u, 1000u, kMostTileRotation})
+    for (std::uint32_t i = 0; i < 500; ++i) {
+      const std::uint32_t step = tileRotationStep(i, 3, word, steps);
+      const glsl::vec2 found = library.lichenTileRotationAt({i, 3u}, steps, word);
+      const double angle = 2.0 * std::numbers::pi * step / steps;
+      REQUIRE(double(found.x.v) == Approx(std::cos(angle)).margin(1e-7));
+      REQUIRE(double(found.y.v) == Approx(std::sin(angle)).margin(1e-7));
+      if (4 * std::uint64_t(step) % steps == 0)
+        REQUIRE(std::abs(found.x.v) + std::abs(found.y.v) == 1.0f);
+    }
+}
+
+namespace {
+
+/// A vertex around a point.
+struct Vertex {
+  std::uint32_t i, j;           ///< reduced to one period
+  std::array<double, 2> period; ///< whole periods from there to the vertex [tiles]
+  std::array<double, 2> offset; ///< from the vertex to the point [tiles]
+  float weight;
+};
+
+/// The triangle around a position in tiles, relative to the tile origin.
+std::array<Vertex, 3> verticesAt(const shader::LichenMaterial& host, const TilePosition& position) {
+  Library library;
+  const Library::LichenMaterial material = inLibrary(host);
+  const glsl::vec2 skewed = library.lichenSkewed(glsl::vec2(position[0], position[1]), material);
+  const Library::LichenTriangle triangle = library.lichenTriangle(skewed, material);
+  std::array<Vertex, 3> vertices{};
+  for (int k = 0; k < 3; ++k) {
+    glsl::uvec2 vertex = k == 0 ? triangle.vertex0 : k == 1 ? triangle.vertex1 : triangle.vertex2;
+    const glsl::vec2 offset = library.lichenOffsetFromVertex(vertex, skewed, material);
+    const glsl::vec2 period = library.lichenReduceToPeriod(vertex, material);
+    vertices[std::size_t(k)] = {vertex.x,
+                                vertex.y,
+                                {double(period.x.v), double(period.y.v)},
+                                {double(offset.x.v), double(offset.y.v)},
+                                triangle.weights[k].v};
+  }
+  return vertices;
+}
+
+shader::LichenMaterial materialWith(const Lattice& lattice) {
+  shader::LichenMaterial material{};
+  material.columnsPerTile = float(lattice.columnsPerTile);
+  material.rowsPerTile = float(lattice.rowsPerTile);
+  material.periodColumns = lattice.periodColumns;
+  material.periodRows = lattice.periodRows;
+  material.periodTilesX = float(lattice.periodColumns / lattice.columnsPerTile);
+  material.periodTilesY = float(lattice.periodRows / lattice.rowsPerTile);
+  return material;
+}
+
+/// lattice.h: vertex (i, j) is at x = (i + j / 2) / columnsPerTile, y = j / rowsPerTile.
+std::array<double, 2> positionOf(const Lattice& lattice, const Vertex& vertex) {
+  const double i = double(std::int32_t(vertex.i)), j = double(std::int32_t(vertex.j));
+  return {(i + 0.5 * j) / lattice.columnsPerTile, j / lattice.rowsPerTile};
+}
+
+std::vector<TilePosition> tilePositions() {
+  std::mt19937 generator(17);
+  std::uniform_real_distribution<float> uniform(-20.0f, 20.0f);
+  std::vector<TilePosition> positions{{0.0f, 0.0f}, {1.0f, 0.5f}, {-2.0f, -0.25f}}; // at vertices
+  for (int k = 0; k < 500; ++k)
+    positions.push_back({uniform(generator), uniform(generator)});
+  return positions;
+}
+
+constexpr Grain kVertexGrains[] = {Grain::none, Grain::x, Grain::y};
+constexpr double kRounding = 2e-5; // of positions of up to 160 cells, in floats
+
+} // namespace
+
+TEST_CASE("the vertices around a point are neighbours, and their weights average them to it") {
+  for (const Grain grain : kVertexGrains) {
+    const Lattice lattice = infiniteLattice(grain);
+    const shader::LichenMaterial material = materialWith(lattice);
+    for (const TilePosition& position : tilePositions()) {
+      const auto vertices = verticesAt(material, position);
+      INFO("grain " << int(grain) << ", " << position[0] << ", " << position[1]);
+      double sum = 0.0;
+      std::array<double, 2> mean{};
+      for (const Vertex& vertex : vertices) {
+        const std::array<double, 2> at = positionOf(lattice, vertex);
+        CHECK(double(vertex.weight) > -kRounding);
+        CHECK(vertex.period == std::array{0.0, 0.0});
+        sum += double(vertex.weight);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          mean[axis] += double(vertex.weight) * at[axis];
+          CHECK(std::abs(at[axis] + vertex.offset[axis] - double(position[axis])) < kRounding);
+        }
+      }
+      CHECK(std::abs(sum - 1.0) < kRounding);
+      CHECK(std::abs(mean[0] - double(position[0])) < kRounding);
+      CHECK(std::abs(mean[1] - double(position[1])) < kRounding);
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = 0; b < a; ++b) {
+          const auto di = std::int32_t(vertices[a].i - vertices[b].i);
+          const auto dj = std::int32_t(vertices[a].j - vertices[b].j);
+          CHECK(di * di + di * dj + dj * dj == 1); // a side of a triangle, in skewed coordinates
+        }
+    }
+  }
+}
+
+TEST_CASE("the cell of the tile origin is added to vertices modulo 2^32") {
+  const Lattice lattice = infiniteLattice(Grain::none);
+  shader::LichenMaterial material = materialWith(lattice);
+  for (const TilePosition& position : tilePositions()) {
+    material.cellI = material.cellJ = 0;
+    const auto here = verticesAt(material, position);
+    material.cellI = std::numeric_limits<std::int32_t>::max();
+    material.cellJ = -7;
+    const auto there = verticesAt(material, position);
+    for (std::size_t k = 0; k < 3; ++k) {
+      CHECK(there[k].i == here[k].i + 0x7fffffffu);
+      CHECK(there[k].j == here[k].j - 7u);
+      CHECK(there[k].weight == here[k].weight);
+      CHECK(there[k].offset == here[k].offset);
+    }
+  }
+}
+
+TEST_CASE("vertices of a periodic lattice lie in one period, whole periods from where they are") {
+  for (const double side : {1.0, 1.37, 4.0})
+    for (const Grain grain : kVertexGrains) {
+      const Lattice lattice = periodicLattice(side, side, grain);
+      const shader::LichenMaterial material = materialWith(lattice);
+      shader::LichenMaterial endless = material;
+      endless.periodColumns = endless.periodRows = 0;
+      for (const TilePosition& position : tilePositions()) {
+        const auto vertices = verticesAt(material, position);
+        const auto unreduced = verticesAt(endless, position);
+        INFO("side " << side << ", grain " << int(grain) << ", " << position[0] << ", "
+                     << position[1]);
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Vertex& vertex = vertices[k];
+          CHECK(vertex.i < std::uint32_t(lattice.periodColumns));
+          CHECK(vertex.j < std::uint32_t(lattice.periodRows));
+          CHECK(vertex.weight == unreduced[k].weight);
+          CHECK(vertex.offset == unreduced[k].offset);
+          const auto within = positionOf(lattice, vertex);
+          const auto at = positionOf(lattice, unreduced[k]);
+          const std::array<double, 2> length{lattice.periodColumns / lattice.columnsPerTile,
+                                             lattice.periodRows / lattice.rowsPerTile};
+          for (std::size_t axis = 0; axis < 2; ++axis) {
+            CHECK(std::abs(within[axis] + vertex.period[axis] - at[axis]) < kRounding);
+            const double periods = vertex.period[axis] / length[axis];
+            CHECK(std::abs(periods - std::round(periods)) < kRounding);
+          }
+        }
+      }
+    }
+}
+
+TEST_CASE("taps are offset by whole texels, so that the texel grid stays aligned") {
+  const std::vector<SyntheticMap> maps{{.width = 128, .height = 128}};
+  const Bundle bundle = syntheticBundle(maps).bundle;
+  const auto material = inLibrary(shaderMaterial(bundle, MaterialNoise(), {}).material);
+  const auto noise = std::bit_cast<Library::LichenNoise>(shaderNoise(bundle, 0));
+  const glsl::vec2 none(0.0f);
+  for (int k = 0; k < 500; ++k) {
+    const glsl::vec2 position((float(k) + 0.5f) / 128.0f, (float(3 * k) + 0.5f) / 128.0f);
+    Library::LichenTilingTaps taps;
+    Library().lichenSetPoint(taps, position, none, none, material, noise);
+    for (const glsl::vec2& tap : {taps.point.uv0, taps.point.uv1, taps.point.uv2})
+      for (const float coordinate : {tap.x.v, tap.y.v}) {
+        const float texel = coordinate * 128.0f - 0.5f;
+        REQUIRE(texel == std::round(texel));
+      }
+  }
+}
+
+TEST_CASE("the index of a distant cell is exact, modulo 2^32 or the period") {
+  shader::LichenNoise hostNoise{};
+  hostNoise.tileTexelsX = hostNoise.tileTexelsY = 16384.0f;
+  shader::LichenTextonNoise texton{};
+  texton.coefficientsX = texton.coefficientsY = 1;
+  texton.frameX = texton.frameY = 2;
+  texton.mipCount = 1;
+  setPart(hostNoise, texton);
+  const auto noise = std::bit_cast<Library::LichenNoise>(hostNoise);
+  Library::LichenMaterial material{};
+  material.columnsPerTile = material.rowsPerTile = 49152.0f; // 3 cells per texel
+  const auto firstCellAt = [&](std::int64_t x, std::int64_t y) {
+    const glsl::vec2 none(0.0f);
+    return Library()
+        .lichenImpactsWithin(0.0f, glsl::vec2(float(x), float(y)), none, none, material, noise)
+        .firstCell;
+  };
+  for (const std::int32_t period : {0, 7, 49152 * 5, 1 << 29})
+    for (const std::int64_t tiles : {0ll, 1ll, -1ll, 43691ll, -65537ll, 1ll << 27, -(1ll << 27)}) {
+      material.periodColumns = material.periodRows = period;
+      material.cellI = material.cellJ = period == 0 ? 0x7fffffff : 3;
+      const glsl::ivec2 here = firstCellAt(tiles, -tiles), origin = firstCellAt(0, 0);
+      for (int k = 0; k < 2; ++k) {
+        const std::int64_t moved =
+            std::int64_t(std::uint32_t(origin[k])) + (k == 0 ? tiles : -tiles) * 49152;
+        const std::int64_t modulus = period == 0 ? std::int64_t(1) << 32 : period;
+        INFO("period " << period << ", tiles " << tiles);
+        CHECK(std::int64_t(std::uint32_t(here[k])) == (moved % modulus + modulus) % modulus);
+      }
+    }
+}
+
+TEST_CASE("the sums of impacts, weights and squared weights on surfaces follow proposition 3") {
+  // [GLM17] section 6: lambda r^3 impacts. The integral of the weight over t is r / 2 and that of
+  // its square r / 3; the amplitude makes the variance that of the texton.
+  const SyntheticTexton texton{.coefficientsX = 12, .coefficientsY = 10};
+  const Bundle bundle = syntheticTextonBundle(texton).bundle;
+  const auto noise = std::bit_cast<Library::LichenNoise>(shaderNoise(bundle, 0));
+  const double area = 13.0 * 11.0, thickness = std::sqrt(area); // of order 1
+  Library library;
+  for (const PointProcess process : {PointProcess::stratified, PointProcess::poisson})
+    for (const glsl::vec3& normal : {glsl::vec3(0.0f, 1.0f, 0.0f), glsl::vec3(1.0f, 2.0f, 3.0f)}) {
+      MaterialNoise use;
+      use.mapping = Mapping::surface;
+      use.pointProcess = process;
+      use.impacts = 30.0;
+      const shader::LichenMaterial material = shaderMaterial(bundle, use, {}).material;
+      const shader::LichenTextonMaterial part = textonPart(material);
+      const double lambda = std::pow(double(part.surfaceCubeTexels), -3.0);
+      CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // whole cells
+      const Eigen::Vector3d expected =
+          lambda * area * thickness * Eigen::Vector3d(1.0, 1.0 / 2.0, 1.0 / 3.0);
+      CHECK(double(part.amplitude) * double(part.amplitude) * expected[2] ==
+            Approx(area).epsilon(1e-5));
+      constexpr int kPlaces = 2000;
+      std::mt19937 generator(3u);
+      std::uniform_real_distribution<float> metres(-50.0f, 50.0f); // 6400 texels apart
+      Eigen::Array3d mean = Eigen::Array3d::Zero(), square = mean;
+      for (int place = 0; place < kPlaces; ++place) {
+        const glsl::vec3 position(metres(generator), metres(generator), metres(generator));
+        const glsl::vec3 none(0.0f);
+        const Library::LichenSurfaceCubes cubes =
+            library
+                .lichenPointSurfaceGrad(position, none, none, normal,
+                                        glsl::vec4(0.36f, 0.48f, -0.8f, 1.0f), inLibrary(material),
+                                        noise)
+                .surface.texton;
+        Eigen::Array3d sums = Eigen::Array3d::Zero();
+        Library::LichenSurfaceWalk walk = library.lichenFirstSurfaceImpact(cubes);
+        while (library.lichenHasImpact(walk, cubes)) {
+          library.lichenSurfaceStep(walk, cubes);
+          const double weight = std::abs(double(walk.weight.v));
+          if (walk.isReached)
+            sums += Eigen::Array3d(1.0, weight, weight * weight);
+        }
+        mean += sums / kPlaces;
+        square += sums * sums / kPlaces;
+      }
+      INFO(nameOf(process) << ", normal z " << normal.z.v);
+      for (Eigen::Index k = 0; k < 3; ++k) // 5 standard errors, alpha 6e-7
+        CHECK(std::abs(mean[k] - expected[k]) <
+              5.0 * std::sqrt((square[k] - mean[k] * mean[k]) / kPlaces));
+    }
+}
+
+TEST_CASE("the four vertices around a point of a solid are those in reach, and the squares of "
+          "their windows sum to 1") {
+  Library library;
+  Library::LichenMaterial material{};
+  material.columnsPerTile = 3.5f;
+  material.rowsPerTile = 4.25f;
+  const Eigen::Array3f perTile(3.5f, 4.25f, 3.5f);
+  std::mt19937 generator(1u);
+  std::uniform_real_distribution<float> place(-2.0f, 2.0f);
+  for (int sample = 0; sample < 2000; ++sample) {
+    const Eigen::Array3f position(place(generator), place(generator), place(generator));
+    Library::LichenSolidCosinesPoint point;
+    library.lichenSetSolidPoint(point, {position[0], position[1], position[2]}, {}, material);
+    const Library::LichenSolidVertices vertices = library.lichenSolidVertices(point, 0, material);
+    CHECK(std::abs(dot(vertices.windows, vertices.windows).v - 1.0f) < 1e-6f);
+    // Of all vertices around, those within half the diagonal of a cube's face, where windows end.
+    const Eigen::Array3f cubes = position * perTile;
+    const Eigen::Array3f near = (cubes + cubes.sum() / 3.0f).floor();
+    for (int n = 0; n < 7 * 7 * 7; ++n) {
+      const Eigen::Array3f vertex =
+          near + Eigen::Array3f(float(n % 7 - 3), float(n / 7 % 7 - 3), float(n / 49 - 3));
+      const Eigen::Array3f offset = cubes - vertex + vertex.sum() / 6.0f;
+      if (offset.matrix().squaredNorm() > 0.5f - 1e-5f)
+        continue;
+      int found = 0;
+      for (int k = 0; k < 4; ++k) {
+        const Eigen::Array3f own(vertices.offsetX[k].v, vertices.offsetY[k].v,
+                                 vertices.offsetZ[k].v);
+        if (vertices.windows[k] > 0.0f && (own * perTile - offset).matrix().norm() < 1e-5f)
+          ++found;
+      }
+      CHECK(found == 1);
+    }
+  }
+}
