@@ -115,19 +115,15 @@ TEST_CASE("windows of cosines and spreads of kernels are those of the bakes") {
   }
 }
 
-TEST_CASE("the rotation of a tile is its step's fraction of a full rotation, and quarters are "
-          "exact") {
+TEST_CASE("the rotation of a tile is a number of quarter turns, exactly") {
   Library library;
   const std::uint32_t word = latticeSeed(7, 0);
-  for (const std::uint32_t steps : {2u, 3u, 4u, 5u, 12u, 1000u, kMostTileRotation})
+  for (const std::uint32_t angles : {2u, 4u})
     for (std::uint32_t i = 0; i < 500; ++i) {
-      const std::uint32_t step = tileRotationStep(i, 3, word, steps);
-      const glsl::vec2 found = library.lichenTileRotationAt({i, 3u}, steps, word);
-      const double angle = 2.0 * std::numbers::pi * step / steps;
-      REQUIRE(double(found.x.v) == Approx(std::cos(angle)).margin(1e-7));
-      REQUIRE(double(found.y.v) == Approx(std::sin(angle)).margin(1e-7));
-      if (4 * std::uint64_t(step) % steps == 0)
-        REQUIRE(std::abs(found.x.v) + std::abs(found.y.v) == 1.0f);
+      const glsl::vec2 found = library.lichenTileRotationAt({i, 3u}, angles, word);
+      const double angle = 0.5 * std::numbers::pi * tileQuarterTurns(i, 3, word, angles);
+      REQUIRE(double(found.x.v) == std::round(std::cos(angle)));
+      REQUIRE(double(found.y.v) == std::round(std::sin(angle)));
     }
 }
 
@@ -150,13 +146,15 @@ std::array<Vertex, 3> verticesAt(const shader::LichenMaterial& host, const TileP
   std::array<Vertex, 3> vertices{};
   for (int k = 0; k < 3; ++k) {
     glsl::uvec2 vertex = k == 0 ? triangle.vertex0 : k == 1 ? triangle.vertex1 : triangle.vertex2;
-    const glsl::vec2 offset = library.lichenOffsetFromVertex(vertex, skewed, material);
+    const double row = double(skewed.y.v) - double(std::int32_t(vertex.y));
+    const double column = double(skewed.x.v) - double(std::int32_t(vertex.x)) + 0.5 * row;
     const glsl::vec2 period = library.lichenReduceToPeriod(vertex, material);
-    vertices[std::size_t(k)] = {vertex.x,
-                                vertex.y,
-                                {double(period.x.v), double(period.y.v)},
-                                {double(offset.x.v), double(offset.y.v)},
-                                triangle.weights[k].v};
+    vertices[std::size_t(k)] = {
+        vertex.x,
+        vertex.y,
+        {double(period.x.v), double(period.y.v)},
+        {column / double(host.columnsPerTile), row / double(host.rowsPerTile)},
+        triangle.weights[k].v};
   }
   return vertices;
 }
