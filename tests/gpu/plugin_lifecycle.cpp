@@ -5,6 +5,7 @@
 #include "plugin_host.h"
 #include "require_device.h"
 #include "synthetic_noise.h"
+#include "tiling_reference.h"
 
 #include <catch2/catch.hpp>
 
