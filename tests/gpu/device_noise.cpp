@@ -166,14 +166,13 @@ std::vector<DeviceNoise::Value> DeviceNoise::drawn(int quantity, const MaterialU
 }
 
 std::vector<DeviceNoise::Gaussian>
-DeviceNoise::drawnGaussian(const MaterialUse& use, const std::vector<SamplePoint>& points,
-                           std::span<const std::uint32_t> spirv) {
+DeviceNoise::drawnGaussian(const MaterialUse& use, const std::vector<SamplePoint>& points) {
   std::vector<Value> lost;
   if (mapping_ == Mapping::surface)
-    lost = drawn(3, use, points, spirv);
+    lost = drawn(3, use, points);
   else if (mapping_ == Mapping::uv && method == Method::texton)
-    lost = drawn(4, use, points, spirv);
-  const std::vector<Value> values = drawn(kGaussian, use, points, spirv);
+    lost = drawn(4, use, points);
+  const std::vector<Value> values = drawn(kGaussian, use, points);
   std::vector<Gaussian> all;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto& [x, y, z, w] = values[k];

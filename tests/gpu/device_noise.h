@@ -60,8 +60,7 @@ public:
                                          const std::vector<SamplePoint>& points,
                                          std::span<const std::uint32_t> spirv = {});
   [[nodiscard]] std::vector<Gaussian> drawnGaussian(const MaterialUse& use,
-                                                    const std::vector<SamplePoint>& points,
-                                                    std::span<const std::uint32_t> spirv = {});
+                                                    const std::vector<SamplePoint>& points);
   /// How many impacts reach each point; textons count them.
   [[nodiscard]] std::vector<Value> drawnImpacts(const MaterialUse& use,
                                                 const std::vector<SamplePoint>& points);
