@@ -30,21 +30,22 @@ Value meanOf(const Bundle& bundle, const Noise& noise, std::size_t map) {
 Result<std::unique_ptr<const NoiseEvaluator>>
 NoiseEvaluator::create(const Bundle& bundle, const MaterialNoise& material,
                        const Placement& placement, const EvaluationOptions& options) {
-  if (material.noise >= bundle.noises.size())
-    return Error{ErrorKind::usage, "noise " + std::to_string(material.noise) + ": the bundle has " +
-                                       std::to_string(bundle.noises.size())};
-  const Noise& first = bundle.noises[material.noise];
-  if (const std::string obstacle = mappingObstacle(bundle, material.noise, material.mapping);
-      !obstacle.empty())
-    return Error{ErrorKind::usage, obstacle};
-  if (!takesTileRotation(bundle, material.noise, material.tileRotation))
-    return Error{ErrorKind::usage, "noise '" + first.name + "': tile rotation " +
-                                       std::to_string(material.tileRotation) + "; expected " +
-                                       std::string(kTileRotations)};
   const auto exhausted = [&] {
-    return "noise '" + first.name + "': not enough memory for its tables";
+    return "noise " + std::to_string(material.noise) + ": not enough memory for its tables";
   };
   return withinMemory(exhausted, [&]() -> Result<std::unique_ptr<const NoiseEvaluator>> {
+    if (material.noise >= bundle.noises.size())
+      return Error{ErrorKind::usage, "noise " + std::to_string(material.noise) +
+                                         ": the bundle has " +
+                                         std::to_string(bundle.noises.size())};
+    const Noise& first = bundle.noises[material.noise];
+    if (const std::string obstacle = mappingObstacle(bundle, material.noise, material.mapping);
+        !obstacle.empty())
+      return Error{ErrorKind::usage, obstacle};
+    if (!takesTileRotation(bundle, material.noise, material.tileRotation))
+      return Error{ErrorKind::usage, "noise '" + first.name + "': tile rotation " +
+                                         std::to_string(material.tileRotation) + "; expected " +
+                                         std::string(kTileRotations)};
     const auto layerOf = [&](const Bundle& all, MaterialNoise use, std::size_t noise) {
       use.noise = noise;
       return Layer{

@@ -230,6 +230,8 @@ TEST_CASE("a constant or a direction of the weight follows the material, not the
                sine = use.parameters.scale * std::sin(use.parameters.rotation);
   const std::array way{mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]};
   const double square = way[0] * way[0] + way[1] * way[1];
+  // The weight knows the whole tiles of the host's origin, which its texture coordinates leave out.
+  const std::array origin{2.0 * cosine + sine, 2.0 * sine - cosine};
   Differences onDevice, inCpp;
   for (std::size_t k = 0; k < points.size(); ++k) {
     SamplePoint& p = points[k];
@@ -237,8 +239,8 @@ TEST_CASE("a constant or a direction of the weight follows the material, not the
     p.hasMix = true;
     p.mix = {float(mix.weight), {}};
     if (mix.source == MixSource::direction) {
-      const double along = (double(p.plane.uv[0]) - mix.start[0]) * way[0] +
-                           (double(p.plane.uv[1]) - mix.start[1]) * way[1];
+      const double along = (double(p.plane.uv[0]) + origin[0] - mix.start[0]) * way[0] +
+                           (double(p.plane.uv[1]) + origin[1] - mix.start[1]) * way[1];
       p.mix = {float(along / square),
                {float((way[0] * cosine + way[1] * sine) / square),
                 float((way[1] * cosine - way[0] * sine) / square)}};
