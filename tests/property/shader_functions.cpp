@@ -146,8 +146,10 @@ std::array<Vertex, 3> verticesAt(const shader::LichenMaterial& host, const TileP
   std::array<Vertex, 3> vertices{};
   for (int k = 0; k < 3; ++k) {
     glsl::uvec2 vertex = k == 0 ? triangle.vertex0 : k == 1 ? triangle.vertex1 : triangle.vertex2;
-    const double row = double(skewed.y.v) - double(std::int32_t(vertex.y));
-    const double column = double(skewed.x.v) - double(std::int32_t(vertex.x)) + 0.5 * row;
+    const double row =
+        double(skewed.y.v) - double(std::int32_t(vertex.y - std::uint32_t(host.cellJ)));
+    const double column =
+        double(skewed.x.v) - double(std::int32_t(vertex.x - std::uint32_t(host.cellI))) + 0.5 * row;
     const glsl::vec2 period = library.lichenReduceToPeriod(vertex, material);
     vertices[std::size_t(k)] = {
         vertex.x,
