@@ -63,14 +63,10 @@ Bytes planOf(LichenBundle bundle) {
     const auto* first = static_cast<const std::byte*>(bytes);
     all.insert(all.end(), first, first + size);
   };
-  LichenBundleProperties counts;
-  LICHEN_INIT(counts, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
-  REQUIRE(lichenGetBundleProperties(bundle, &counts) == LICHEN_SUCCESS);
+  auto counts = got<LichenBundleProperties>(lichenGetBundleProperties, bundle);
   add(&counts, sizeof counts);
   for (std::uint32_t i = 0; i < counts.imageCount; ++i) {
-    LichenImageProperties image;
-    LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
-    REQUIRE(lichenGetImageProperties(bundle, i, &image) == LICHEN_SUCCESS);
+    auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle, i);
     add(image.bytes, image.byteCount);
     add(image.name, std::strlen(image.name));
     image.bytes = image.name = nullptr;
@@ -81,20 +77,14 @@ Bytes planOf(LichenBundle bundle) {
     REQUIRE(lichenGetNoiseConstants(bundle, noise, constants.data()) == LICHEN_SUCCESS);
     add(constants.data(), constants.size());
     for (std::uint32_t i = 0; i < LICHEN_SET_BINDINGS; ++i) {
-      LichenBinding binding;
-      LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
-      REQUIRE(lichenGetBinding(bundle, noise, i, &binding) == LICHEN_SUCCESS);
+      auto binding = got<LichenBinding>(lichenGetBinding, bundle, noise, i);
       add(&binding, sizeof binding);
     }
   }
   for (std::uint32_t i = 0; i < counts.materialCount; ++i) {
-    LichenMaterialProperties material;
-    LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
-    REQUIRE(lichenGetMaterialProperties(bundle, i, &material) == LICHEN_SUCCESS);
+    auto material = got<LichenMaterialProperties>(lichenGetMaterialProperties, bundle, i);
     add(&material, sizeof material);
-    LichenMaterialParameters parameters;
-    LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
-    REQUIRE(lichenGetMaterialParameters(bundle, i, &parameters) == LICHEN_SUCCESS);
+    auto parameters = got<LichenMaterialParameters>(lichenGetMaterialParameters, bundle, i);
     add(&parameters, sizeof parameters);
   }
   return all;

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -57,19 +56,6 @@ std::vector<double> halved(const std::vector<double>& image, std::size_t width,
         half.push_back((texel[0] + texel[channels] + texel[row] + texel[row + channels]) / 4.0);
       }
   return half;
-}
-
-/// Sets one channel of all texels of each mip level.
-void setChannel(Table& table, std::size_t channel, const std::vector<float>& valueOfLevel) {
-  const auto channels = std::size_t(channelCount(table.format));
-  std::vector<std::byte> texels;
-  for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
-    std::vector<float> values = decodeLevel(table, level);
-    for (std::size_t i = channel; i < values.size(); i += channels)
-      values[i] = valueOfLevel[level];
-    appendTexels(texels, table.format, values);
-  }
-  table.texels = std::move(texels);
 }
 
 /// Makes the table of a square image, whose side is a power of two, with averages as its mips.
@@ -223,40 +209,6 @@ void addNoise(BundleFile& file, Noise noise, NoiseMap map) {
 }
 
 } // namespace
-
-Table patternTable(const std::string& name, TexelFormat format, std::uint32_t width,
-                   std::uint32_t height, std::uint32_t depth, std::uint32_t mipLevels) {
-  Table table{name, format, width, height, depth, mipLevels, {}};
-  const LevelRange last = levelRange(table, mipLevels - 1);
-  const std::size_t texels = (last.offset + last.size) / texelBytes(format);
-  std::vector<float> values(texels * std::size_t(channelCount(format)));
-  for (std::size_t i = 0; i < values.size(); ++i)
-    values[i] = float(i * 37 % 256) / 255.0f;
-  appendTexels(table.texels, format, values);
-  return table;
-}
-
-std::uint32_t fullMipChain(std::uint32_t width, std::uint32_t height) {
-  return std::uint32_t(std::bit_width(std::max(width, height)));
-}
-
-Table gaussianTable(const std::string& name, TexelFormat format, std::uint32_t width,
-                    std::uint32_t height) {
-  Table table = patternTable(name, format, width, height, 0, fullMipChain(width, height));
-  std::vector<float> losses;
-  for (std::uint32_t level = 0; level < table.mipLevels; ++level)
-    losses.push_back(float(level) / float(table.mipLevels));
-  setLosses(table, losses);
-  return table;
-}
-
-void setLosses(Table& gaussian, const std::vector<float>& losses) {
-  setChannel(gaussian, std::size_t(channelCount(gaussian.format)) - 1, losses);
-}
-
-Table tableWithMips() {
-  return patternTable("mips", TexelFormat::rg16Sfloat, 8, 4, 0, fullMipChain(8, 4));
-}
 
 BundleFile smallest() {
   BundleFile file;
@@ -522,18 +474,6 @@ BundleFile everyMap() {
   file.previews.push_back(std::move(preview));
   file.shape = PreviewShape::sphere;
   return file;
-}
-
-std::vector<std::byte> tinyPng() {
-  // 2 x 2, 8-bit RGB, (128, 128, 255) four times: flat as a normal map.
-  constexpr std::array<unsigned char, 73> kFile = {
-      0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49, 0x48, 0x44,
-      0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x02, 0x08, 0x02, 0x00, 0x00, 0x00, 0xfd,
-      0xd4, 0x9a, 0x73, 0x00, 0x00, 0x00, 0x10, 0x49, 0x44, 0x41, 0x54, 0x78, 0xda, 0x63, 0x68,
-      0x68, 0xf8, 0x0f, 0x44, 0x0c, 0x10, 0x0a, 0x00, 0x35, 0xf6, 0x07, 0xfd, 0xa1, 0x29, 0xec,
-      0x43, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
-  const auto bytes = std::as_bytes(std::span(kFile));
-  return {bytes.begin(), bytes.end()};
 }
 
 BundleFile layered() {

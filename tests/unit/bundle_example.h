@@ -16,7 +16,11 @@ namespace lichen::example {
 /// number of levels.
 [[nodiscard]] Table gaussianTable(const std::string& name, TexelFormat format, std::uint32_t width,
                                   std::uint32_t height);
-/// Sets the last channel of each mip level.
+/// A square image of one value with a full mip chain.
+[[nodiscard]] Table constantTable(TexelFormat format, std::uint32_t side, float value);
+/// Sets one channel of all texels of each mip level.
+void setChannel(Table& table, std::size_t channel, const std::vector<float>& valueOfLevel);
+/// The same of the last channel.
 void setLosses(Table& gaussian, const std::vector<float>& losses);
 
 /// A 2-D table of half floats, 8 x 4 with a full mip chain.

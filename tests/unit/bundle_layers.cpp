@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Layered noises in a file: every fault that the checker must report by its code and the reader
-// must reject, what is ignored, and what merging makes of them.
+// Layered noises in a file: what they read as, which layers are refused or ignored, and what
+// merging makes of them. Faults are rows of bundle_faults.json.
 #include "bundle_example.h"
-#include "bundle_faults.h"
+#include "bundle_surgery.h"
 
 #include <lichen/bundle_merge.h>
 #include <lichen/layered_noise.h>
@@ -28,59 +28,11 @@ json& rootOf(GlbParts& parts) { return noiseOf(parts, 0)["layers"]; }
 
 } // namespace
 
-TEST_CASE("a layered noise has no faults, and is read as it was written") {
-  CHECK(checkBundle(GlbParts(soundFile()).join()).empty());
+TEST_CASE("a layered noise is read with its layers") {
   const Bundle bundle = parseBundle(soundFile(), "layered").value();
-  REQUIRE(bundle.noises.size() == 3);
-  CHECK(bundle.noises[0] == example::layered().bundle.noises[0]);
   CHECK(bundle.noises[0].layers->others == std::vector<std::size_t>{1});
   CHECK(layersOf(bundle, 0) == std::vector<std::size_t>{0, 1});
   CHECK(layersOf(bundle, 1) == std::vector<std::size_t>{1});
-}
-
-TEST_CASE("every fault of layers is found") {
-  example::checkFaults(
-      soundFile(),
-      {
-          {"a list", "type", [](GlbParts& p) { rootOf(p) = json::array(); }},
-          {"no index map", "required", [](GlbParts& p) { rootOf(p).erase("index"); }},
-          {"no such index map", "noise-index", [](GlbParts& p) { rootOf(p)["index"] = 3; }},
-          {"no proportion", "required", [](GlbParts& p) { rootOf(p).erase("proportion"); }},
-          {"all above", "range", [](GlbParts& p) { rootOf(p)["proportion"] = 1; }},
-          {"no softness", "range", [](GlbParts& p) { rootOf(p)["softness"] = 0; }},
-          {"one side", "required", [](GlbParts& p) { rootOf(p).erase("above"); }},
-          {"a side of text", "type", [](GlbParts& p) { rootOf(p)["above"] = "1"; }},
-          {"no such side", "noise-index", [](GlbParts& p) { rootOf(p)["above"] = 9; }},
-          {"one layer twice", "layer-duplicate", [](GlbParts& p) { rootOf(p)["above"] = 1; }},
-          {"itself twice", "layer-duplicate", [](GlbParts& p) { rootOf(p)["below"] = 0; }},
-          {"without itself", "layer-self", [](GlbParts& p) { rootOf(p)["above"] = 2; }},
-          {"four nodes", "layer-count",
-           [](GlbParts& p) {
-             for (int nodes = 1; nodes < 4; ++nodes) {
-               const json inner = rootOf(p);
-               rootOf(p)["below"] = inner;
-             }
-           }},
-          {"layered layer", "layer-fit",
-           [](GlbParts& p) {
-             noiseOf(p,
-                     1)["layers"] = {{"index", 2}, {"proportion", 0.5}, {"below", 1}, {"above", 2}};
-           }},
-          {"itself as the index map", "layer-fit", [](GlbParts& p) { rootOf(p)["index"] = 0; }},
-          {"tiles of another size", "layer-fit",
-           [](GlbParts& p) { noiseOf(p, 1)["tileSize"] = 2; }},
-          {"other channels", "layer-fit",
-           [](GlbParts& p) { noiseOf(p, 1)["maps"][0]["channels"] = {"roughness"}; }},
-          {"a height", "layer-fit",
-           [](GlbParts& p) {
-             for (std::size_t layer = 0; layer < 2; ++layer) {
-               noiseOf(p, layer)["maps"][0]["target"] = "height";
-               noiseOf(p, layer)["maps"][0]["channels"] = {"height"};
-             }
-           }},
-          {"on a surface", "material-mapping",
-           [](GlbParts& p) { p.use(0)["mapping"] = "surface"; }},
-      });
 }
 
 TEST_CASE("quilting is refused as a layer, first or later, with its method in the message") {

@@ -18,9 +18,7 @@ using namespace lichen::test;
 
 TEST_CASE("a layered noise names its layers and index maps, and others only themselves") {
   const OwnedBundle bundle(example::layered());
-  LichenNoiseProperties noise;
-  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
-  REQUIRE(lichenGetNoiseProperties(bundle.handle, 0, &noise) == LICHEN_SUCCESS);
+  auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
   CHECK(noise.layerCount == 2);
   CHECK(std::array{noise.layers[0], noise.layers[1], noise.layers[2]} ==
         std::array{0u, 1u, LICHEN_NO_NOISE});
@@ -140,9 +138,7 @@ TEST_CASE("a grain of the second layer counts for the switches and is a property
             LICHEN_SUCCESS);
     const std::string switches = text.data();
     CHECK((switches.find("-DLICHEN_GRAIN=0") != std::string::npos) == (grain == Grain::none));
-    LichenNoiseProperties noise;
-    LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
-    REQUIRE(lichenGetNoiseProperties(bundle.handle, 0, &noise) == LICHEN_SUCCESS);
+    auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
     CHECK(noise.hasGrain == 0);
     REQUIRE(noise.layerCount == 2);
     REQUIRE(lichenGetNoiseProperties(bundle.handle, noise.layers[1], &noise) == LICHEN_SUCCESS);

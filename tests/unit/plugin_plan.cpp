@@ -14,15 +14,11 @@ using namespace lichen::test;
 
 TEST_CASE("the inverse table of one dimension is a 3-D image one texel high and deep") {
   const OwnedBundle bundle(example::smallest());
-  LichenMapProperties map;
-  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
-  REQUIRE(lichenGetMapProperties(bundle.handle, 0, 0, &map) == LICHEN_SUCCESS);
+  auto map = got<LichenMapProperties>(lichenGetMapProperties, bundle.handle, 0, 0);
   CHECK(map.target == LICHEN_TARGET_HEIGHT);
   CHECK(map.channelCount == 1);
   CHECK(map.channels[0] == LICHEN_CHANNEL_HEIGHT);
-  LichenImageProperties image;
-  LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
-  REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
+  auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, map.tableImage);
   CHECK(image.dimensionality == 3);
   CHECK(image.width == 256);
   CHECK(image.height == 1);
@@ -35,35 +31,23 @@ TEST_CASE("the inverse table of one dimension is a 3-D image one texel high and 
 
 TEST_CASE("of all images, only those of cosines need no linear filter") {
   const OwnedBundle bundle(example::smallestCosines());
-  LichenMapProperties map;
-  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
-  REQUIRE(lichenGetMapProperties(bundle.handle, 0, 0, &map) == LICHEN_SUCCESS);
-  LichenBundleProperties properties;
-  LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
-  REQUIRE(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_SUCCESS);
+  auto map = got<LichenMapProperties>(lichenGetMapProperties, bundle.handle, 0, 0);
+  auto properties = got<LichenBundleProperties>(lichenGetBundleProperties, bundle.handle);
   for (std::uint32_t i = 0; i < properties.imageCount; ++i) {
-    LichenImageProperties image;
-    LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
-    REQUIRE(lichenGetImageProperties(bundle.handle, i, &image) == LICHEN_SUCCESS);
+    auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, i);
     CHECK(image.fetchedOnly == (i == map.image ? 1 : 0));
   }
 }
 
 TEST_CASE("the copies of an image cover its bytes without gaps") {
   const OwnedBundle bundle(example::smallest());
-  LichenBundleProperties properties;
-  LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
-  REQUIRE(lichenGetBundleProperties(bundle.handle, &properties) == LICHEN_SUCCESS);
+  auto properties = got<LichenBundleProperties>(lichenGetBundleProperties, bundle.handle);
   REQUIRE(properties.imageCount == 4); // with the placeholders
   for (std::uint32_t i = 0; i < properties.imageCount; ++i) {
-    LichenImageProperties image;
-    LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
-    REQUIRE(lichenGetImageProperties(bundle.handle, i, &image) == LICHEN_SUCCESS);
+    auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, i);
     std::size_t end = 0;
     for (std::uint32_t level = 0; level < image.mipLevels; ++level) {
-      LichenCopy copy;
-      LICHEN_INIT(copy, LICHEN_STRUCTURE_COPY);
-      REQUIRE(lichenGetCopy(bundle.handle, i, level, &copy) == LICHEN_SUCCESS);
+      auto copy = got<LichenCopy>(lichenGetCopy, bundle.handle, i, level);
       CHECK(copy.offset == end);
       CHECK(copy.byteCount ==
             std::size_t(copy.width) * copy.height * copy.depth * image.texelBytes);
@@ -78,9 +62,7 @@ TEST_CASE("the copies of an image cover its bytes without gaps") {
 
 TEST_CASE("a set has two blocks, two samplers, an image and a table for each role, and cells") {
   const OwnedBundle bundle(example::smallest()); // one map: a height
-  LichenMapProperties height;
-  LICHEN_INIT(height, LICHEN_STRUCTURE_MAP_PROPERTIES);
-  REQUIRE(lichenGetMapProperties(bundle.handle, 0, 0, &height) == LICHEN_SUCCESS);
+  auto height = got<LichenMapProperties>(lichenGetMapProperties, bundle.handle, 0, 0);
   std::array<LichenBinding, LICHEN_SET_BINDINGS> bindings;
   for (std::uint32_t i = 0; i < LICHEN_SET_BINDINGS; ++i) {
     LICHEN_INIT(bindings[i], LICHEN_STRUCTURE_BINDING);
@@ -104,9 +86,8 @@ TEST_CASE("a set has two blocks, two samplers, an image and a table for each rol
     CHECK((image.image == height.image) == (role == LICHEN_HEIGHT));
     CHECK((table.image == height.tableImage) == (role == LICHEN_HEIGHT));
     for (const LichenBinding* one : {&image, &table}) {
-      LichenImageProperties properties;
-      LICHEN_INIT(properties, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
-      REQUIRE(lichenGetImageProperties(bundle.handle, one->image, &properties) == LICHEN_SUCCESS);
+      auto properties =
+          got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, one->image);
       CHECK(properties.dimensionality == (one == &image ? 2u : 3u));
       if (role != LICHEN_HEIGHT)
         CHECK(properties.byteCount == 4); // a placeholder
@@ -125,12 +106,8 @@ TEST_CASE("a set has two blocks, two samplers, an image and a table for each rol
 TEST_CASE("the set of a quilting noise has its cells, and no table") {
   const OwnedBundle bundle(example::smallestQuilting());
   const auto imageAt = [&](std::uint32_t index) {
-    LichenBinding binding;
-    LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
-    REQUIRE(lichenGetBinding(bundle.handle, 0, index, &binding) == LICHEN_SUCCESS);
-    LichenImageProperties image;
-    LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
-    REQUIRE(lichenGetImageProperties(bundle.handle, binding.image, &image) == LICHEN_SUCCESS);
+    auto binding = got<LichenBinding>(lichenGetBinding, bundle.handle, 0, index);
+    auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, binding.image);
     return image;
   };
   CHECK(imageAt(LICHEN_BINDING_CELLS).name == std::string("bricks.cells"));
@@ -196,14 +173,10 @@ TEST_CASE("a material whose noise has a later revision has no noise, and states 
   const std::vector<std::byte> glb = parts.join();
   const Parsed parsed = parse(parseInfo(glb));
   REQUIRE(parsed.result == LICHEN_SUCCESS);
-  LichenBundleProperties properties;
-  LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
-  REQUIRE(lichenGetBundleProperties(parsed.bundle, &properties) == LICHEN_SUCCESS);
+  auto properties = got<LichenBundleProperties>(lichenGetBundleProperties, parsed.bundle);
   CHECK(properties.noiseCount == 0);
   CHECK(properties.imageCount == 0);
-  LichenMaterialProperties material;
-  LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
-  REQUIRE(lichenGetMaterialProperties(parsed.bundle, 0, &material) == LICHEN_SUCCESS);
+  auto material = got<LichenMaterialProperties>(lichenGetMaterialProperties, parsed.bundle, 0);
   CHECK(material.noise == LICHEN_NO_NOISE);
   CHECK(material.unknownRevision == 3);
   LichenMaterialParameters parameters;
@@ -220,19 +193,13 @@ TEST_CASE("a map without an inverse table has a placeholder of one texel at its 
   const OwnedBundle bundle(file);
   constexpr std::uint32_t opacity = 3;
   REQUIRE_FALSE(file.bundle.noises[1].maps[opacity].as<TilingMap>().inverseTable.has_value());
-  LichenMapProperties map;
-  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
-  REQUIRE(lichenGetMapProperties(bundle.handle, 1, opacity, &map) == LICHEN_SUCCESS);
+  auto map = got<LichenMapProperties>(lichenGetMapProperties, bundle.handle, 1, opacity);
   CHECK(map.tableKind == LICHEN_TABLE_NONE);
-  LichenBinding binding;
-  LICHEN_INIT(binding, LICHEN_STRUCTURE_BINDING);
-  REQUIRE(lichenGetBinding(bundle.handle, 1, LICHEN_BINDING_TABLE(LICHEN_OPACITY), &binding) ==
-          LICHEN_SUCCESS);
+  auto binding =
+      got<LichenBinding>(lichenGetBinding, bundle.handle, 1, LICHEN_BINDING_TABLE(LICHEN_OPACITY));
   CHECK(binding.image == map.tableImage);
   CHECK(binding.sampler == LICHEN_SAMPLER_TABLE);
-  LichenImageProperties image;
-  LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
-  REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
+  auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, map.tableImage);
   CHECK(image.dimensionality == 3);
   CHECK(image.byteCount == 4);
   REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
@@ -245,9 +212,7 @@ TEST_CASE(
   const std::vector<double>& losses =
       file.bundle.noises[1].maps[0].as<TextonMap>().mipLoss; // of all steps
   const OwnedBundle bundle(file);
-  LichenNoiseProperties noise;
-  LICHEN_INIT(noise, LICHEN_STRUCTURE_NOISE_PROPERTIES);
-  REQUIRE(lichenGetNoiseProperties(bundle.handle, 0, &noise) == LICHEN_SUCCESS);
+  auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
   CHECK(noise.mixSteps == 1);
   CHECK(noise.hasStructure == 0);
   CHECK(noise.textonOrder == 0);
@@ -255,13 +220,9 @@ TEST_CASE(
   CHECK(noise.mixSteps == 3);
   CHECK(noise.textonOrder ==
         std::uint32_t(example::textonMix().bundle.noises[1].as<TextonShape>().order));
-  LichenMapProperties map;
-  LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
-  REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
+  auto map = got<LichenMapProperties>(lichenGetMapProperties, bundle.handle, 1, 0);
   CHECK(map.tableKind == LICHEN_TABLE_NONE);
-  LichenImageProperties image;
-  LICHEN_INIT(image, LICHEN_STRUCTURE_IMAGE_PROPERTIES);
-  REQUIRE(lichenGetImageProperties(bundle.handle, map.tableImage, &image) == LICHEN_SUCCESS);
+  auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, map.tableImage);
   CHECK(image.vkFormat == 97); // VK_FORMAT_R16G16B16A16_SFLOAT, which every device filters
   CHECK(image.dimensionality == 3);
   CHECK(image.width == 3);
@@ -287,9 +248,7 @@ TEST_CASE(
             Approx(std::sqrt(1.0 - ofChannel.back())).epsilon(1e-3));
     }
   }
-  LichenMaterialProperties material;
-  LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
-  REQUIRE(lichenGetMaterialProperties(bundle.handle, 1, &material) == LICHEN_SUCCESS);
+  auto material = got<LichenMaterialProperties>(lichenGetMaterialProperties, bundle.handle, 1);
   CHECK(material.mixSource == LICHEN_MIX_VERTEX_COLOR);
   CHECK(material.mixSet == 1);
   CHECK(material.mixChannel == 2);
@@ -301,9 +260,7 @@ TEST_CASE("a material states the space of its positions") {
     file.bundle.materials[0]->mapping = Mapping::triplanar;
     file.bundle.materials[0]->space = space;
     const OwnedBundle bundle(file);
-    LichenMaterialProperties material;
-    LICHEN_INIT(material, LICHEN_STRUCTURE_MATERIAL_PROPERTIES);
-    REQUIRE(lichenGetMaterialProperties(bundle.handle, 0, &material) == LICHEN_SUCCESS);
+    auto material = got<LichenMaterialProperties>(lichenGetMaterialProperties, bundle.handle, 0);
     CHECK(material.space ==
           (space == NoiseSpace::object ? LICHEN_SPACE_OBJECT : LICHEN_SPACE_WORLD));
   }

@@ -9,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <concepts>
+#include <cstdint>
 #include <lichen_interface.h>
 #include <string>
 #include <vector>
@@ -55,12 +57,35 @@ struct OwnedBundle {
   LichenBundle handle = nullptr;
 };
 
+template <class Struct>
+inline constexpr LichenStructureType kTypeOf = LICHEN_STRUCTURE_BUNDLE_PROPERTIES;
+template <>
+inline constexpr auto kTypeOf<LichenNoiseProperties> = LICHEN_STRUCTURE_NOISE_PROPERTIES;
+template <>
+inline constexpr auto kTypeOf<LichenMapProperties> = LICHEN_STRUCTURE_MAP_PROPERTIES;
+template <>
+inline constexpr auto kTypeOf<LichenMaterialProperties> = LICHEN_STRUCTURE_MATERIAL_PROPERTIES;
+template <>
+inline constexpr auto kTypeOf<LichenMaterialParameters> = LICHEN_STRUCTURE_MATERIAL_PARAMETERS;
+template <>
+inline constexpr auto kTypeOf<LichenImageProperties> = LICHEN_STRUCTURE_IMAGE_PROPERTIES;
+template <>
+inline constexpr auto kTypeOf<LichenCopy> = LICHEN_STRUCTURE_COPY;
+template <>
+inline constexpr auto kTypeOf<LichenBinding> = LICHEN_STRUCTURE_BINDING;
+
+/// What a function of the plan layer, which must succeed, writes for these indices.
+template <class Struct, class Get, std::integral... Indices>
+Struct got(const Get& get, LichenBundle bundle, Indices... indices) {
+  Struct result;
+  LICHEN_INIT(result, kTypeOf<Struct>);
+  REQUIRE(get(bundle, std::uint32_t(indices)..., &result) == LICHEN_SUCCESS);
+  return result;
+}
+
 /// The parameters of a bundle's first material.
 inline LichenMaterialParameters parametersOf(LichenBundle bundle) {
-  LichenMaterialParameters parameters;
-  LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
-  CHECK(lichenGetMaterialParameters(bundle, 0, &parameters) == LICHEN_SUCCESS);
-  return parameters;
+  return got<LichenMaterialParameters>(lichenGetMaterialParameters, bundle, 0);
 }
 
 inline LichenPlacement atOrigin() {
