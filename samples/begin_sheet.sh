@@ -15,8 +15,8 @@ begin_sheet() {
   fi
   command -v montage >/dev/null || { echo "$name: install ImageMagick: apt-get install imagemagick" >&2; exit 4; }
   bin=${LICHEN_BIN:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build/release/bin}
-  for program in lichen lichen-render lichen-exemplars; do
-    [ -x "$bin/$program" ] || { echo "$name: $bin/$program is missing: build it with samples/quickstart.sh" >&2; exit 4; }
+  for program in lichen lichen-render lichen-exemplars lichen-test-exemplars; do
+    [ -x "$bin/$program" ] || { echo "$name: $bin/$program is missing: cmake --build --preset release --target $program" >&2; exit 4; }
   done
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT

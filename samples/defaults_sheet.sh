@@ -10,7 +10,7 @@ source "$(dirname "$0")/begin_sheet.sh"
 begin_sheet 'OUTPUT.jpg' 1 1 "$@"
 
 side=512
-"$bin/lichen-exemplars" "$work" --size "$side" photographs >/dev/null
+"$bin/lichen-test-exemplars" "$work" "$side" photographs >/dev/null
 convert "$work/rust-even.png" -shave 8x8 -bordercolor black -border 8 "$work/rust-frame.png"
 
 # noise PHOTOGRAPH OUTPUT OPTION...: bakes with these options, and writes a picture of two tiles.

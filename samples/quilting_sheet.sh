@@ -4,7 +4,7 @@
 # method.
 #   samples/quilting_sheet.sh OUTPUT.jpg TEXELS METHODS NAME...
 # TEXELS: the side of the part. METHODS: with commas between them, such as quilting,tiling.
-# NAME: an exemplar of lichen-exemplars, such as knit-whole.
+# NAME: an exemplar of lichen-exemplars, or one of lichen-test-exemplars, such as knit-whole.
 # Needs a release build and ImageMagick (Debian package imagemagick).
 set -euo pipefail
 source "$(dirname "$0")/begin_sheet.sh"
@@ -16,7 +16,12 @@ output=$1
 texels=$2
 IFS=, read -ra methods <<<"$3"
 shift 3
-"$bin/lichen-exemplars" "$work" "$@" >/dev/null
+for name in "$@"; do
+  case $name in
+    *-*) "$bin/lichen-test-exemplars" "$work" 512 "$name" ;;
+    *) "$bin/lichen-exemplars" "$work" "$name" >/dev/null ;;
+  esac
+done
 panels=()
 for method in exemplar "${methods[@]}"; do
   for name in "$@"; do

@@ -67,7 +67,7 @@ json.dump({
     "accessors": accessors}, open(sys.argv[1], "w"))
 SCENE
 
-"$bin/lichen-exemplars" "$work" bond-whole-maps cobbles-whole-maps >/dev/null
+"$bin/lichen-test-exemplars" "$work" 512 bond-whole-maps cobbles-whole-maps >/dev/null
 "$bin/lichen" bake "$work/bond-whole-maps" -o "$work/bricks.glb" --method quilting --preview none --quiet
 "$bin/lichen" bake "$work/cobbles-whole-maps" -o "$work/cobbles.glb" --method quilting --preview none --quiet
 "$bin/lichen" apply "$work/street.gltf" --noise "$work/bricks.glb" --material wall --scale 1.35 \

@@ -12,7 +12,7 @@ output=$1
 shift
 
 side=512
-"$bin/lichen-exemplars" "$work" --size "$side" photographs >/dev/null
+"$bin/lichen-test-exemplars" "$work" "$side" photographs >/dev/null
 photographs=("$work"/*.png)
 for photograph in "$@"; do
   square=$work/${photograph//\//_}

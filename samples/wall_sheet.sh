@@ -21,7 +21,7 @@ height=240
 whole_width=$((3 * width + 16)) # of the whole wall, as wide as the upper rows
 whole_height=$((whole_width * 8 / 100))
 
-"$bin/lichen-exemplars" "$work" bond-whole >/dev/null
+"$bin/lichen-test-exemplars" "$work" 512 bond-whole >/dev/null
 exemplar=$work/bond-whole.png
 
 # The wall, three cameras straight before it, and the exemplar repeated on it.

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Spot (channels, height, width) and domain -> noise on the domain (channels, height, width).
 //
-// [GLM14] algorithm 1 draws the number of points on the domain and then their positions. This code
-// draws the number on each pixel instead. The law is the same, because counts of a Poisson process
-// on disjoint sets are independent. The noise is then one process on Z^2, and any part of it is
-// available "on demand", as section 2.4 asks.
+// The white noise is one process on Z^2, so any part of the noise is available "on demand", as
+// [GLM14] section 2.4 asks.
 #include "spot_noise.h"
 
 #include <lichen/fft.h>
 
-#include <tbb/parallel_for.h>
-
-#include <cassert>
-#include <cmath>
-#include <numeric>
-#include <utility>
+#include <algorithm>
 
 namespace lichen::gaussian {
 namespace {
@@ -42,63 +35,6 @@ NoisePlanes zeros(const PixelDomain& domain, int channels) {
   NoisePlanes noise{domain.width, domain.height, channels, {}};
   noise.values.assign(
       std::size_t(channels) * std::size_t(domain.width) * std::size_t(domain.height), 0.0f);
-  return noise;
-}
-
-/// The points on one row of the point domain: column and count.
-using PointRow = std::vector<std::pair<int, float>>;
-
-std::vector<PointRow> pointRows(const PixelDomain& points, const std::vector<float>& counts) {
-  std::vector<PointRow> rows(std::size_t(points.height));
-  for (int y = 0; y < points.height; ++y) {
-    for (int x = 0; x < points.width; ++x) {
-      const float count = counts[std::size_t(y) * std::size_t(points.width) + std::size_t(x)];
-      if (count > 0.0f)
-        rows[std::size_t(y)].emplace_back(x, count);
-    }
-  }
-  return rows;
-}
-
-/// Adds the contribution of row `j` of the spot, from one row of points, to a row of noise.
-void addSpotRow(std::span<const float> spotRow, const PointRow& points, bool periodic,
-                std::span<float> row) {
-  const int width = int(row.size());
-  const int spotWidth = int(spotRow.size());
-  for (const auto& [column, count] : points) {
-    if (periodic) {
-      for (int i = 0; i < spotWidth; ++i)
-        row[std::size_t((column + i) % width)] += count * spotRow[std::size_t(i)];
-      continue;
-    }
-    const int first = column - (spotWidth - 1); // in columns of the noise
-    const int begin = std::max(0, -first);
-    const int end = std::min(spotWidth, width - first);
-    for (int i = begin; i < end; ++i)
-      row[std::size_t(first + i)] += count * spotRow[std::size_t(i)];
-  }
-}
-
-/// Sums over all points. One thread writes each row of the noise.
-NoisePlanes summedDirectly(const Spot& spot, const std::vector<PointRow>& points,
-                           const PixelDomain& domain) {
-  NoisePlanes noise = zeros(domain, spot.channels);
-  const auto columns = std::size_t(domain.width);
-  const auto spotColumns = std::size_t(spot.width);
-  for (int c = 0; c < spot.channels; ++c) {
-    const std::span<float> to = plane(noise, c);
-    const std::span<const float> from = plane(spot, c);
-    tbb::parallel_for(0, domain.height, [&](int y) {
-      for (int j = 0; j < spot.height; ++j) {
-        const int pointY = domain.periodic
-                               ? ((y - j) % domain.height + domain.height) % domain.height
-                               : y - j + spot.height - 1;
-        addSpotRow(from.subspan(std::size_t(j) * spotColumns, spotColumns),
-                   points[std::size_t(pointY)], domain.periodic,
-                   to.subspan(std::size_t(y) * columns, columns));
-      }
-    });
-  }
   return noise;
 }
 
@@ -140,28 +76,6 @@ NoisePlanes convolvedBySpectra(const Spot& spot, const std::vector<float>& field
 }
 
 } // namespace
-
-NoisePlanes discreteSpotNoise(const Spot& spot, double intensity, const PixelDomain& domain,
-                              std::uint64_t seed, Summation summation) {
-  assert(intensity > 0.0);
-  const PixelDomain points = pointDomain(domain, spot);
-  std::vector<float> counts = poissonCounts(points, intensity, seed);
-  const double scale = 1.0 / std::sqrt(intensity);
-  if (summation == Summation::spectral) {
-    // Subtract the mean first, so that the transforms' rounding is relative to the variation.
-    for (float& count : counts)
-      count = float((double(count) - intensity) * scale);
-    return convolvedBySpectra(spot, counts, points, domain);
-  }
-  NoisePlanes noise = summedDirectly(spot, pointRows(points, counts), domain);
-  for (int c = 0; c < spot.channels; ++c) {
-    const std::span<const float> values = plane(spot, c);
-    const double mean = intensity * std::accumulate(values.begin(), values.end(), 0.0);
-    for (float& value : plane(noise, c))
-      value = float((double(value) - mean) * scale);
-  }
-  return noise;
-}
 
 NoisePlanes gaussianSpotNoise(const Spot& spot, const PixelDomain& domain, std::uint64_t seed) {
   const PixelDomain points = pointDomain(domain, spot);

@@ -17,7 +17,7 @@
 #include <array>
 #include <cstdio>
 #include <optional>
-#include <quilting_choice.h>
+#include <held_back_decisions.h>
 
 namespace lichen::bench {
 namespace {
@@ -235,9 +235,9 @@ std::vector<Row> quiltingRows() {
   for (const int side : kPhotographSides)
     appendStructureRows(rows, side);
   rows.push_back(choiceRow("held-back pictures with a structure, not baked by quilting",
-                           test::quiltingMisses()));
+                           rateOf(test::structureIsQuilted())));
   rows.push_back(choiceRow("held-back pictures without a structure, baked by quilting",
-                           test::quiltingFalseAlarms()));
+                           rateOf(test::noStructureIsNotQuilted())));
   return rows;
 }
 

@@ -29,17 +29,6 @@ TEST_CASE("lichen-exemplars writes the exemplars that are named") {
                             workplace.path("out/terrain_mask.png") + "\n");
 }
 
-TEST_CASE("lichen-exemplars writes one structured photograph, and its maps into a folder") {
-  const Workplace workplace;
-  const Ended ended =
-      runExemplars({workplace.path("out"), "knit-even", "bond-whole-maps", "--size", "64"});
-  CHECK(ended.code == 0);
-  std::string files;
-  for (const char* map : {"color", "normal_gl", "roughness", "ao", "height"})
-    files += workplace.path(std::string("out/bond-whole-maps/") + map + ".png") + "\n";
-  CHECK(ended.output == files + workplace.path("out/knit-even.png") + "\n");
-}
-
 TEST_CASE("lichen-exemplars escapes control characters in paths") {
   const Workplace workplace;
   const Ended written = runExemplars({workplace.path("m\x1b[31m"), "rust", "--size", "64"});
@@ -55,16 +44,7 @@ TEST_CASE("lichen-exemplars reports wrong arguments in one line with the valid o
   const std::string out = workplace.path("out");
   const std::vector<std::pair<Arguments, std::string>> cases{
       {{out, "foo"}, "foo: no such exemplar; expected granite, "},
-      {{out, "bond-odd"},
-       "bond-odd: no such exemplar; expected MATERIAL-CONDITION or MATERIAL-CONDITION-maps with "
-       "the material bond, english, "},
-      {{out, "brick-even-maps"},
-       "brick-even-maps: no such exemplar; expected MATERIAL-CONDITION or "},
       {{out, "--size", "63"}, "--size 63: expected a whole number from 64 to 2048"},
-      {{out, "structured", "--size", "1025"},
-       "--size 1025: structured materials have at most 1024 pixels a side"},
-      {{out, "bond-even-maps", "--size", "1025"},
-       "--size 1025: structured materials have at most 1024 pixels a side"},
       {{out, "--size"}, "--size: a value is missing"},
       {{out, "--large"}, "--large: no such option"},
       {{}, "OUTDIR is required"}};

@@ -105,33 +105,3 @@ TEST_CASE("a coarser table is the least-squares fit of a table, and better than 
       CHECK(fitted < sampled);
     }
 }
-
-TEST_CASE("tables that are constant or linear in U keep their values with fewer cells") {
-  for (int dimensions = 1; dimensions <= 3; ++dimensions)
-    for (const double amplitude : {0.8, 0.2}) {
-      const int fineSide = dimensions == 3 ? 32 : 64, side = fineSide / 2;
-      const InverseTable constant = coarser(
-          filledTable(dimensions, fineSide, [](auto, auto) { return 0.7; }), side, amplitude);
-      for (const float value : constant.values)
-        REQUIRE(value == Approx(0.7f).epsilon(1e-5));
-      const auto linear = [](std::size_t, const std::array<double, 3>& u) {
-        return 0.2 + 0.3 * u[0] - 0.5 * u[1] + 0.4 * u[2];
-      };
-      const InverseTable fitted =
-          coarser(filledTable(dimensions, fineSide, linear), side, amplitude);
-      const InverseTable wanted = filledTable(dimensions, side, linear);
-      // A coarser table is constant on a longer piece at both ends. There the fit differs, by a
-      // share of a cell, and cell by cell inwards by (2 - sqrt 3) of that: 1e-3 five cells away.
-      constexpr int kEnds = 5;
-      for (std::size_t cell = 0; cell < wanted.cellCount(); ++cell) {
-        std::size_t rest = cell;
-        bool isInside = true;
-        for (int axis = 0; axis < dimensions; ++axis, rest /= std::size_t(side)) {
-          const int place = int(rest % std::size_t(side));
-          isInside = isInside && place >= kEnds && place < side - kEnds;
-        }
-        if (isInside)
-          REQUIRE(fitted.values[cell] == Approx(wanted.values[cell]).margin(1e-3 / side + 1e-5));
-      }
-    }
-}

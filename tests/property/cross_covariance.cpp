@@ -126,36 +126,6 @@ TEST_CASE("slopes follow the colours by small permutations of the same Gaussian 
                    [](const Point& a, const Point& b) { return a.x == b.x && a.y == b.y; }));
 }
 
-TEST_CASE(
-    "the progress of a set rises from 0 to 1, and the caller can stop the bake at every step") {
-  // Each stop bakes the first map again. A table of two axes is the fastest, and a map this small
-  // gets no search for the share of its surroundings.
-  constexpr int kSmall = kSide / 2;
-  const std::array maps{test::cropped(slopeSet()[1], 0, 0, kSmall, kSmall),
-                        test::cropped(roughSet()[1], 0, 0, kSmall, kSmall)};
-  std::vector<double> fractions;
-  TilingOptions options;
-  options.progress = [&](double fraction) {
-    fractions.push_back(fraction);
-    return true;
-  };
-  REQUIRE(bakeTiling("counted", maps, options));
-  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
-  CHECK(fractions.back() == 1.0);
-  // The last map has a one-dimensional table: it reports at most its table and the passes of the
-  // correction.
-  const std::size_t all = fractions.size();
-  for (std::size_t last = all - 6; last <= all; ++last) {
-    std::size_t steps = 0;
-    options.progress = [&](double) { return ++steps < last; };
-    const Result<TilingBake> bake = bakeTiling("stopped", maps, options);
-    INFO("stopped at call " << last << " of " << all);
-    REQUIRE(!bake.ok());
-    CHECK(bake.error().message == "stopped: interrupted");
-    CHECK(steps == last);
-  }
-}
-
 TEST_CASE("pixels are sorted by value, and pixels of equal value by score") {
   const std::size_t count = 1000;
   std::vector<float> values(count), scores(count);

@@ -135,15 +135,6 @@ TEST_CASE("resampling preserves slow waves and removes those above the new Nyqui
   CHECK(amplitude(32) < 0.002);
 }
 
-TEST_CASE("enlarging interpolates a linear ramp exactly") {
-  // [MN88]: if B + 2 C = 1, the filter reproduces straight lines.
-  const MapExemplar ramp = heightMap(16, 1, [](int x, int) { return x / 16.0; });
-  const MapExemplar large = resampled(ramp, 48, 1, false);
-  for (int i = 9; i < 39; ++i) // farther from the ends than the cubic reaches
-    CHECK(double(large.values[std::size_t(i)]) ==
-          Approx(((i + 0.5) / 3.0 - 0.5) / 16.0).margin(kRounding));
-}
-
 TEST_CASE("resampling wraps around borders that fit") {
   const MapExemplar map = test::threeMaterials(32, 32, 9);
   const MapExemplar direct = resampled(map, 16, 8, true);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A frame around a picture is found, and lines of the material are none.
-#include "measured_cloudiness.h"
+#include "base_color.h"
 
 #include <catch2/catch.hpp>
 

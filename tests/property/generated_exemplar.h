@@ -3,7 +3,7 @@
 // than judging it.
 #pragma once
 
-#include "measured_cloudiness.h"
+#include "base_color.h"
 
 #include <map>
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which exemplars have a grain, along which axis, and how borders fade along it.
+#include "base_color.h"
 #include "bundle_of.h"
-#include "measured_cloudiness.h"
 #include "statistics_of_maps.h"
 
 #include <lichen/quilting.h>
@@ -131,13 +131,6 @@ MapExemplar transposed(const MapExemplar& map) {
   });
 }
 
-/// The correlation of the green of pixels `distance` rows apart.
-double correlationAlongY(const LinearImage& image, int distance) {
-  const std::vector<double> all = channelOf(image.values, 3, 1);
-  const auto apart = std::ptrdiff_t(distance) * image.width;
-  return correlationOf({all.begin(), all.end() - apart}, {all.begin() + apart, all.end()});
-}
-
 } // namespace
 
 TEST_CASE("wood has a grain along its streaks, and materials without long streaks have none") {
@@ -160,13 +153,6 @@ TEST_CASE("streaks at any angle have the nearer axis as their grain") {
     if (degrees % 90 != 45)
       CHECK(grain == (degrees < 45 || degrees > 135 ? Grain::x : Grain::y));
   }
-}
-
-TEST_CASE("steep streaks of a long picture have a grain") {
-  MapExemplar map = turnedStreaks(kSide, 40.0, 0.5 * kSide);
-  map.height = kSide / 4;
-  map.values.resize(std::size_t(map.width) * std::size_t(map.height) * map.channels.size());
-  CHECK(grainOf(map) == Grain::x);
 }
 
 TEST_CASE("streaks are long if pixels two sevenths of the side along them apart correlate by 0.2") {
@@ -287,22 +273,5 @@ TEST_CASE("the fade along a grain preserves the variance of streaks as long as t
         INFO("channel " << channel << " of " << dimensions << ", column " << x);
         CHECK(squares / (kHeight - 2 * kBand) == Approx(1.0).margin(0.17));
       }
-  }
-}
-
-TEST_CASE("the noise of wood has streaks as long as the exemplar's", "[large]") {
-  const SrgbImage surface = exemplars::photographedSurface("wood_grain", kSide);
-  const MapExemplar wood =
-      baseColor(exemplars::photograph(surface, {"wood_grain", exemplars::Fault::none, 0, 3}).image);
-  LinearImage exemplar(wood.width, wood.height, 3);
-  exemplar.values = test::decodedValues(wood);
-  // About 200 streaks lie in the result, so that a correlation is known to 0.07.
-  const Bundle bundle = bundleOf(bakeTiling("wood", {&wood, 1}, {}));
-  CHECK(bundle.noises[0].as<TilingNoise>().grain == Grain::y);
-  const LinearImage noise = test::synthesized(bundle, MapTarget::baseColor);
-  for (const int distance : {wood.height / 8, wood.height / 4}) {
-    const double wanted = correlationAlongY(exemplar, distance);
-    INFO(distance << " rows, exemplar " << wanted);
-    CHECK(correlationAlongY(noise, distance) == Approx(wanted).margin(0.15));
   }
 }

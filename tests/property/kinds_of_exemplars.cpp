@@ -69,15 +69,6 @@ void checkDistribution(const MapExemplar& map, double ofQuantiles,
 
 } // namespace
 
-TEST_CASE("the noise of a grey exemplar has its distribution") {
-  MapExemplar map =
-      emptyMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, kTexels);
-  const std::vector<double> field = gaussianFields(1, 1, kTexels)[0];
-  for (const double g : field)
-    map.values.push_back(float(1.0 / (1.0 + std::exp(1.0 - 1.5 * g))));
-  checkDistribution(map, 0.03); // measured 0.02
-}
-
 TEST_CASE("the noise of slopes has their distribution") {
   MapExemplar map = emptyMap(MapTarget::normal, {MapChannel::slopeX, MapChannel::slopeY},
                              ValueEncoding::slope, kTexels);

@@ -83,22 +83,6 @@ TEST_CASE("layers have their shares of the area at every distance, whatever the 
   }
 }
 
-TEST_CASE("transitions keep the variance of layers that are alike") {
-  const Bundle layer = greyNoise(0.5f, 1);
-  const Bundle index = examplePatches(kTexels, kTexels);
-  Bundle alone = layer;
-  alone.materials = {MaterialNoise()};
-  const double variance = momentsOf(*evaluatorOf(alone), 0.0f).variance;
-  for (const double softness : {0.1, 1.0, 4.0}) {
-    INFO("softness " << softness);
-    const Moments moments =
-        momentsOf(*evaluatorOf(layeredExample({layer, layer}, index, {0.4}, softness)), 0.0f);
-    // The standard error of either variance is at most sqrt(2 / kPoints), 1 %. Averages of the
-    // layers in place of this blend would lose 8, 33 and 46 %.
-    CHECK(std::abs(moments.variance / variance - 1.0) <= 0.06);
-  }
-}
-
 TEST_CASE("a tree of four layers becomes a side and a threshold for each node") {
   Noise noise;
   noise.layers = NoiseLayers{{1, 2, 3},

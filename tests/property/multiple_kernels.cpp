@@ -94,14 +94,6 @@ Bundle bundleWith(const std::vector<Kernel>& kernels, double impacts) {
 
 } // namespace
 
-TEST_CASE("the integral and the spread of the Gabor's window are those of a closed form") {
-  // The integrals of (1 - r^2)^6 and of the squared slope of (1 - r^2)^3 over the disk.
-  const Kernel low{1.0, {0.0, 0.0}, {1.0, 1.0}, 0.0, false};
-  CHECK(squareIntegral(KernelWindow::gabor, low) == Approx(std::numbers::pi / 7.0).epsilon(1e-3));
-  CHECK(windowSpread(KernelWindow::gabor) ==
-        Approx(0.5 * 1.2 * 7.0 / (4.0 * std::numbers::pi * std::numbers::pi)).epsilon(1e-3));
-}
-
 TEST_CASE("the spectrum of a window is its Fourier transform") {
   for (const KernelWindow window : kWindows) {
     const WindowSpectrum spectrum(window);
@@ -125,48 +117,6 @@ TEST_CASE("the spectrum of a window is its Fourier transform") {
             Approx(sums[k] / std::sqrt(squares)).margin(2e-3));
     }
   }
-}
-
-TEST_CASE("the power of a kernel sums to its energy over all frequencies") {
-  for (const KernelWindow window : kWindows) {
-    const WindowSpectrum spectrum(window);
-    for (Kernel kernel : someKernels()) {
-      if (window != KernelWindow::gabor)
-        kernel.shear = 0.0;
-      if (kernel.isRing && window != KernelWindow::gabor)
-        continue; // its window is not round
-      double sum = 0.0;
-      for (int v = -60; v <= 60; ++v)
-        for (int u = -60; u <= 60; ++u)
-          sum += densityOf(spectrum, kernel, u, v);
-      INFO(nameOf(window));
-      CHECK(sum == Approx(kernel.energy).epsilon(0.02)); // what lies beyond, most of it of sincs
-    }
-  }
-}
-
-TEST_CASE("sampled, a kernel has all its energy at the frequencies of the samples") {
-  const WindowSpectrum spectrum(KernelWindow::gabor);
-  constexpr int kSide = 32;
-  // A kernel at half the sampling frequency, and one as small as a sample.
-  for (const Kernel& kernel : {Kernel{0.7, {14.0, 9.0}, {0.08, 0.05}, 0.02, false},
-                               Kernel{0.5, {1.0, 0.0}, {0.025, 0.03}, 0.0, false},
-                               Kernel{0.9, {15.0, 0.0}, {0.08, 0.08}, 0.0, true}}) {
-    double all = 0.0, below = 0.0;
-    for (int v = -kSide / 2; v < kSide / 2; ++v)
-      for (int u = -kSide / 2; u < kSide / 2; ++u) {
-        all += sampledDensityAt(spectrum, kernel, {kSide, kSide}, u, v);
-        below += densityOf(spectrum, kernel, u, v);
-      }
-    CHECK(all == Approx(kernel.energy).epsilon(0.02));
-    CHECK(below < 0.95 * kernel.energy);
-  }
-  // Of the smallest the power is nearly the same at all frequencies.
-  const Kernel smallest{1.0, {0.0, 0.0}, {0.75 / kSide, 0.75 / kSide}, 0.0, false};
-  for (const auto& [u, v] :
-       {std::pair(0, 0), std::pair(0, 7), std::pair(12, 0), std::pair(9, 9), std::pair(-16, 3)})
-    CHECK(sampledDensityAt(spectrum, smallest, {kSide, kSide}, u, v) ==
-          Approx(1.0 / (kSide * kSide)).epsilon(0.05));
 }
 
 TEST_CASE("blocks become as narrow as a line in the spectrum") {
@@ -389,28 +339,6 @@ TEST_CASE("lobes of equal power have kernels of equal energy, whatever the windo
   }
 }
 
-TEST_CASE("the noise of an exemplar has the covariance of its Gaussian values") {
-  const auto evaluator = methodEvaluator(example(), 0);
-  constexpr std::uint32_t kSeeds = 8;
-  constexpr int kSide = 160;
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-    MaterialNoise use;
-    use.seed = seed;
-    const shader::LichenTriplanarMaterial material = shaderMaterial(example(), use, {});
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        const TileFootprint at{{0.1f * float(x), 0.1f * float(y)}, {}, {}};
-        const auto value = evaluator->gaussian(0, material, at).value;
-        const Eigen::Vector3d own(value[0] - 0.5, value[1] - 0.5, value[2] - 0.5);
-        covariance += own * own.transpose() / (kDeviation * kDeviation);
-      }
-  }
-  covariance /= double(kSeeds * kSide * kSide);
-  // 204,800 points, some of them related: a standard error below 1 %.
-  CHECK((covariance - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() < 0.03);
-}
-
 TEST_CASE("kernels have the covariance of what their spectra lack") {
   MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
   MultipleKernelsOptions options;
@@ -454,31 +382,4 @@ TEST_CASE("by default 30 impacts of kernels reach a point") {
     impacts += kernelOf(row, false).area(KernelWindow::gabor) * row.columns * row.rows /
                (kKernelTiles * kKernelTiles);
   CHECK(impacts == Approx(30.0).epsilon(0.1)); // whole cells
-}
-
-TEST_CASE("the noise repeats after its period, and does not depend on where its origin lies") {
-  const auto evaluator = methodEvaluator(example(), 0);
-  Placement periodic;
-  periodic.periodic = true;
-  periodic.periodTilesX = 1.5;
-  periodic.periodTilesY = 2.25;
-  const shader::LichenTriplanarMaterial repeating =
-      shaderMaterial(example(), MaterialNoise(), periodic);
-  Placement far;
-  far.tileOriginX = 24;
-  far.tileOriginY = -13;
-  const shader::LichenTriplanarMaterial there = shaderMaterial(example(), MaterialNoise(), far);
-  const shader::LichenTriplanarMaterial here = shaderMaterial(example(), MaterialNoise(), {});
-  for (int k = 0; k < 200; ++k) {
-    const float x = std::fmod(float(k) * 0.618034f, 3.0f),
-                y = std::fmod(float(k) * 0.754878f, 3.0f);
-    const auto at = [&](const shader::LichenTriplanarMaterial& material, float dx, float dy) {
-      return evaluator->gaussian(0, material, TileFootprint{{x + dx, y + dy}, {}, {}}).value;
-    };
-    for (std::size_t c = 0; c < 3; ++c) {
-      CHECK(at(repeating, 1.5f, 0.0f)[c] == Approx(at(repeating, 0.0f, 0.0f)[c]).margin(2e-4));
-      CHECK(at(repeating, 0.0f, -2.25f)[c] == Approx(at(repeating, 0.0f, 0.0f)[c]).margin(2e-4));
-      CHECK(at(there, 0.0f, 0.0f)[c] == Approx(at(here, 24.0f, -13.0f)[c]).margin(1e-3));
-    }
-  }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What occurs once in an exemplar is found, and only that, and is filled from the rest.
-#include "measured_cloudiness.h"
+#include "base_color.h"
 
 #include <lichen/outliers.h>
 #include <lichen/quality.h>

@@ -79,38 +79,10 @@ Spot corduroy(Point p) {
 } // namespace
 
 std::vector<Laying> clothLayings() {
-  return {{"canvas",
-           canvas,
-           {2.0f, 2.0f},
-           {{{1.0f, 1.0f}, {1.0f, -1.0f}}},
-           Matter::yarn,
-           false,
-           14.0f,
-           22.0f},
-          {"wicker",
-           wicker,
-           {4.0f, 1.1f},
-           {{{4.0f, 0.0f}, {2.0f, 0.55f}}},
-           Matter::yarn,
-           false,
-           12.0f,
-           20.0f},
-          {"waffle",
-           waffle,
-           {1.0f, 1.0f},
-           {{{1.0f, 0.0f}, {0.0f, 1.0f}}},
-           Matter::yarn,
-           false,
-           6.0f,
-           10.0f},
-          {"corduroy",
-           corduroy,
-           {1.0f, 1.0f},
-           {{{1.0f, 0.0f}, {0.0f, 0.0f}}},
-           Matter::yarn,
-           false,
-           10.0f,
-           16.0f}};
+  return {{"canvas", canvas, {2.0f, 2.0f}, Matter::yarn, false, 14.0f, 22.0f},
+          {"wicker", wicker, {4.0f, 1.1f}, Matter::yarn, false, 12.0f, 20.0f},
+          {"waffle", waffle, {1.0f, 1.0f}, Matter::yarn, false, 6.0f, 10.0f},
+          {"corduroy", corduroy, {1.0f, 1.0f}, Matter::yarn, false, 10.0f, 16.0f}};
 }
 
 } // namespace lichen::test

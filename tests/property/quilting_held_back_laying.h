@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// How the structured kinds of quilting_held_back.h are laid.
+// How the structured kinds of quilting_held_back_pictures.h are laid.
 //
 // Positions and lengths are in units of the kind, about the width of its cells; y points down.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <structured.h>
 #include <vector>
 
 namespace lichen::test {
 
-using exemplars::Point;
+/// A position or an offset.
+struct Point {
+  float x = 0.0f, y = 0.0f;
+};
 
 /// What lies at a position.
 struct Spot {
@@ -29,7 +30,6 @@ struct Laying {
   const char* name;
   Spot (*at)(Point p);
   Point box; ///< the rectangle after which everything repeats
-  std::array<Point, 2> periods;
   Matter matter = Matter::stone;
   bool overlaps = false;             ///< cells lie in the shadow of others
   float fewest = 6.0f, most = 12.0f; ///< units along the side of a picture

@@ -2,6 +2,8 @@
 // Stones and tiles: ashlar, pavers in two sizes, hexagons, octagons with dots, and roof tiles.
 #include "quilting_held_back_laying.h"
 
+#include <array>
+
 namespace lichen::test {
 namespace {
 
@@ -100,46 +102,11 @@ Spot beaverTails(Point p) {
 } // namespace
 
 std::vector<Laying> masonryLayings() {
-  return {{"ashlar",
-           ashlar,
-           {2.7f, 2.4f},
-           {{{2.7f, 0.0f}, {0.0f, 2.4f}}},
-           Matter::stone,
-           false,
-           7.0f,
-           11.0f},
-          {"hopscotch",
-           hopscotch,
-           {5.0f, 5.0f},
-           {{{2.0f, 1.0f}, {-1.0f, 2.0f}}},
-           Matter::stone,
-           false,
-           13.0f,
-           19.0f},
-          {"hexagons",
-           hexagons,
-           {1.0f, kRoot3},
-           {{{1.0f, 0.0f}, {0.5f, 0.5f * kRoot3}}},
-           Matter::ceramic,
-           false,
-           6.0f,
-           11.0f},
-          {"octagons",
-           octagons,
-           {1.0f, 1.0f},
-           {{{1.0f, 0.0f}, {0.0f, 1.0f}}},
-           Matter::ceramic,
-           false,
-           6.0f,
-           10.0f},
-          {"beaver tails",
-           beaverTails,
-           {1.0f, 1.1f},
-           {{{1.0f, 0.0f}, {0.5f, 0.55f}}},
-           Matter::stone,
-           true,
-           6.0f,
-           10.0f}};
+  return {{"ashlar", ashlar, {2.7f, 2.4f}, Matter::stone, false, 7.0f, 11.0f},
+          {"hopscotch", hopscotch, {5.0f, 5.0f}, Matter::stone, false, 13.0f, 19.0f},
+          {"hexagons", hexagons, {1.0f, kRoot3}, Matter::ceramic, false, 6.0f, 11.0f},
+          {"octagons", octagons, {1.0f, 1.0f}, Matter::ceramic, false, 6.0f, 10.0f},
+          {"beaver tails", beaverTails, {1.0f, 1.1f}, Matter::stone, true, 6.0f, 10.0f}};
 }
 
 } // namespace lichen::test

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A kind and a condition -> the picture, its cells and its periods.
+// A kind and a condition -> the picture.
 //
 // Textures belong to the cell: they are looked up by the offset from its middle.
-#include "quilting_held_back.h"
 #include "quilting_held_back_laying.h"
+#include "quilting_held_back_pictures.h"
 #include "verdict_held_back_drawing.h"
 #include "verdict_held_back_pictures.h"
 
-#include <map>
 #include <utility>
 
 namespace lichen::test {
@@ -99,13 +98,6 @@ public:
     return {(x_.x * x + y_.x * y) * scale_.x + shift_.x + offsets_[0].atPixel(picture.x, picture.y),
             (x_.y * x + y_.y * y) * scale_.y + shift_.y +
                 offsets_[1].atPixel(picture.x, picture.y)};
-  }
-
-  /// The offset near the middle of the picture, in pixels, of an offset of the kind.
-  [[nodiscard]] Point inPicture(Point offset) const {
-    const float x = offset.x / scale_.x, y = offset.y / scale_.y;
-    const float area = x_.x * y_.y - x_.y * y_.x;
-    return {(y_.y * x - y_.x * y) / area, (x_.x * y - x_.y * x) / area};
   }
 
   /// The numbers of a middle; those of a whole picture wrap.
@@ -273,19 +265,6 @@ HeldBackPicture structuredHeldBack(int index) {
   picture.image = canvas.resolve();
   expose(picture.image, condition.light, random);
   round(picture.image);
-  for (std::size_t k = 0; k < 2; ++k)
-    picture.periods[k] = ground.inPicture(laying.periods[k]);
-  std::map<std::pair<int, int>, int> numbers;
-  for (int y = 0; y < side && !isCloth; ++y)
-    for (int x = 0; x < side; ++x) {
-      const Point middle{float(x) + 0.5f, float(y) + 0.5f};
-      const Spot spot = laying.at(ground.at(middle));
-      const bool isJoint = paint.insideFace(spot, pixels, middle) <= 0.0f;
-      picture.cells.push_back(
-          isJoint
-              ? -1
-              : numbers.try_emplace(ground.cellOf(spot.middle), int(numbers.size())).first->second);
-    }
   return picture;
 }
 

@@ -33,22 +33,8 @@ Spot chevron(Point p) {
 } // namespace
 
 std::vector<Laying> woodLayings() {
-  return {{"basket",
-           basket,
-           {2.0f, 2.0f},
-           {{{1.0f, 1.0f}, {1.0f, -1.0f}}},
-           Matter::wood,
-           false,
-           6.0f,
-           9.0f},
-          {"chevron",
-           chevron,
-           {2.0f, 0.32f},
-           {{{2.0f, 0.0f}, {0.0f, 0.32f}}},
-           Matter::wood,
-           false,
-           5.0f,
-           8.0f}};
+  return {{"basket", basket, {2.0f, 2.0f}, Matter::wood, false, 6.0f, 9.0f},
+          {"chevron", chevron, {2.0f, 0.32f}, Matter::wood, false, 5.0f, 8.0f}};
 }
 
 } // namespace lichen::test

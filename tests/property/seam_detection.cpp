@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether seam detection distinguishes exemplars that tile from crops that do not: on the generated
-// materials and, if run by hand with `analysis_tests "[photographs]"`, on the photographs
-// in ../shared/exemplars.
-#include "checkout_paths.h"
+// Whether seam detection distinguishes exemplars that tile from crops that do not.
 #include "example_exemplar.h"
 
-#include <lichen/image_io.h>
 #include <lichen/lattice.h>
 
 #include <catch2/catch.hpp>
@@ -13,9 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <exemplar/borders.h>
-#include <filesystem>
 #include <materials.h>
 
 using namespace lichen;
@@ -47,25 +41,6 @@ std::vector<Named> generatedMaterials(int side) {
   return result;
 }
 
-/// All of them tile, according to their README.
-std::vector<Named> photographs() {
-  const std::filesystem::path folder = sourcePath("../shared/exemplars");
-  std::vector<std::filesystem::path> paths;
-  std::error_code absent;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, absent))
-    if (entry.path().extension() == ".png")
-      paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  std::vector<Named> result;
-  for (const std::filesystem::path& path : paths) {
-    const Result<ImageFile> file = readImage(path);
-    REQUIRE(file);
-    result.push_back({path.lexically_relative(folder).string(),
-                      mapOf(std::get<SrgbImage>(file.value().pixels))});
-  }
-  return result;
-}
-
 /// Crops with a share of the side, at `places` positions along each axis.
 std::vector<MapExemplar> cropsOf(const MapExemplar& map, double share, int places) {
   const int width = int(share * map.width);
@@ -83,15 +58,9 @@ double strongest(const MapExemplar& map) {
   return std::max(strength.betweenColumns, strength.betweenRows);
 }
 
-/// White grain: pixels across any border differ as much as neighbours do, so a crop has no visible
-/// seam.
-constexpr const char* kWhiteGrain = "painted_plaster_wall/normal.png";
-
 void checkOnlyWholeTiles(const Named& exemplar) {
   INFO(exemplar.name << ", seam of " << strongest(exemplar.map));
   CHECK(exemplar::isPeriodic(exemplar.map));
-  if (exemplar.name == kWhiteGrain)
-    return;
   for (const MapExemplar& crop : cropsOf(exemplar.map, 0.625, 3)) {
     INFO("crop: seam of " << strongest(crop));
     CHECK_FALSE(exemplar::isPeriodic(crop));
@@ -104,13 +73,6 @@ TEST_CASE("generated materials tile and their crops do not") {
   for (const int side : {96, 256})
     for (const Named& exemplar : generatedMaterials(side))
       checkOnlyWholeTiles(exemplar);
-}
-
-TEST_CASE("photographs tile and their crops do not", "[.][photographs]") {
-  const std::vector<Named> all = photographs();
-  REQUIRE_FALSE(all.empty());
-  for (const Named& exemplar : all)
-    checkOnlyWholeTiles(exemplar);
 }
 
 TEST_CASE("the strength of a seam is relative to the lines inside the image") {
@@ -231,25 +193,3 @@ TEST_CASE("at most 5 % of fixed cuts of tileable materials have borders that do 
 }
 
 // Prints the strengths of whole exemplars and of crops: analysis_tests '[table]'.
-TEST_CASE("print a table of seam strengths", "[.][table]") {
-  std::vector<Named> all = generatedMaterials(512);
-  for (Named& photograph : photographs())
-    all.push_back(std::move(photograph));
-  std::puts(
-      "| exemplar | whole | crops, 5 % quantile of axes | crops, least of the stronger axis |\n"
-      "|---|---|---|---|");
-  for (const Named& exemplar : all) {
-    std::vector<double> axes, either;
-    for (const double share : {0.25, 0.5, 0.625, 0.75, 0.875})
-      for (const MapExemplar& crop : cropsOf(exemplar.map, share, 4)) {
-        const exemplar::SeamStrength strength = exemplar::seamStrength(crop);
-        axes.insert(axes.end(), {strength.betweenColumns, strength.betweenRows});
-        either.push_back(std::max(strength.betweenColumns, strength.betweenRows));
-      }
-    std::sort(axes.begin(), axes.end());
-    const exemplar::SeamStrength whole = exemplar::seamStrength(exemplar.map);
-    std::printf("| %s | %.2f, %.2f | %.2f | %.2f |\n", exemplar.name.c_str(), whole.betweenColumns,
-                whole.betweenRows, axes[axes.size() / 20],
-                *std::min_element(either.begin(), either.end()));
-  }
-}

@@ -169,34 +169,6 @@ TEST_CASE("the caller can stop a large map's fit during the trials on its middle
   CHECK(calls == 2);
 }
 
-TEST_CASE("a fit that accepts its first share has reported nearly all its progress") {
-  // Independent pixels in two dimensions.
-  MapExemplar map = test::threeMaterials(64, 64, 7);
-  map.target = MapTarget::occlusionRoughnessMetallic;
-  map.channels = {MapChannel::occlusion, MapChannel::roughness};
-  map.encoding = ValueEncoding::linear;
-  map.values.clear();
-  for (std::uint64_t i = 0; i < 2 * 64 * 64; ++i)
-    map.values.push_back(float(transport::randomUniform(12, i)));
-  std::vector<double> reported;
-  const Progress progress = [&](double fraction) {
-    reported.push_back(fraction);
-    return true;
-  };
-  MapFitOptions options;
-  options.progress = ProgressPart(progress);
-  const MapFit fit = fitMap(map, exemplar::colorSpaceOf(map), options);
-  const double reached = reported.back();
-  const std::size_t steps = reported.size();
-  reported.clear();
-  options.share = fit.share;
-  static_cast<void>(fitMap(map, exemplar::colorSpaceOf(map), options));
-  INFO("share " << fit.share << ", reached " << reached << " of " << reported.back());
-  REQUIRE(reported.size() == steps); // one trial is a fit with a given share
-  // A fit may end with a step that it does not report, here its table.
-  CHECK(reached > 0.75 * reported.back());
-}
-
 TEST_CASE("a fitted share preserves detail that the default share loses", "[large]") {
   // Grain within patches of one colour each; transport alone spreads the grain over the Gaussian.
   const MapExemplar map = test::threeMaterials(96, 96, 7, 3);

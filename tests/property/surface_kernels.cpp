@@ -123,15 +123,3 @@ TEST_CASE("on any tangent plane the covariance of kernels is that of the plane")
     }
   }
 }
-
-TEST_CASE("twice as many impacts of a baked kernel lie about a point of a surface as of a plane") {
-  for (const KernelWindow window : {KernelWindow::gabor, KernelWindow::sinc})
-    for (const KernelRow& row : rowsOf(bundleOf(window))) {
-      const double area = kernelOf(row, false).area(window); // [tiles^2]
-      const double inPlane = area * row.columns * row.rows / (kKernelTiles * kKernelTiles);
-      const double ofWidths = area / kAspect;
-      const double onSurface =
-          std::pow(ofWidths, 1.5) * std::pow(double(row.cubes) / kKernelTiles, 3.0);
-      CHECK(onSurface == Approx(kSurfaceImpacts * inPlane).epsilon(0.15)); // whole cells
-    }
-}

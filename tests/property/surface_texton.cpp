@@ -163,66 +163,6 @@ TEST_CASE("the covariance in a tangent plane of any direction is that of noise i
   }
 }
 
-TEST_CASE("the kurtosis of the Poisson process on a surface matches its closed form") {
-  // Cumulants by Campbell's theorem: lambda times the integral of the fourth power (r / 5 for the
-  // weights, sum alpha^4 for the texton) over the squared variance.
-  double squares = 0.0, fourths = 0.0;
-  for (const double alpha : syntheticCoefficients(kSteps, 0)) {
-    squares += alpha * alpha;
-    fourths += std::pow(alpha, 4);
-  }
-  const Evaluation noise(kSteps, materialOf(PointProcess::poisson, 4.0, 9));
-  const double lambda = std::pow(double(noise.part.surfaceCubeTexels), -3.0);
-  const double excess = 9.0 / 5.0 * fourths / (squares * squares) / (lambda * thicknessOf(kSteps));
-  const Plane plane({2.0, -1.0, 1.0});
-  constexpr int kPlaces = 20000;
-  double fourth = 0.0, eighth = 0.0;
-  atIndependentPlaces(kPlaces, [&](const Vec& place) {
-    const double square = std::pow(noise.at(place, plane)[0], 2) / squares;
-    fourth += square * square / kPlaces;
-    eighth += std::pow(square, 4) / kPlaces;
-  });
-  // 5 standard errors of the mean of fourth powers, alpha 6e-7.
-  const double error = std::sqrt((eighth - fourth * fourth) / kPlaces);
-  INFO("excess " << fourth - 3.0 << ", closed form " << excess << ", error " << error);
-  CHECK(std::abs(fourth - 3.0 - excess) < 5.0 * error);
-  CHECK(excess > 10.0 * error); // the effect is large enough to test
-}
-
-TEST_CASE("the variance is the same all over a sphere") {
-  const double variance = covarianceAt(kSteps, syntheticCoefficients(kSteps, 0), 0, 0)[0];
-  const Evaluation noise(kSteps, materialOf(PointProcess::stratified, 8.0, 4));
-  std::mt19937 generator(21u);
-  std::normal_distribution<double> gaussian;
-  // Classifies directions by their least and greatest coordinates and by signs.
-  constexpr std::size_t kBins = 48;
-  std::array<double, kBins> squares{}, counts{};
-  double fourth = 0.0;
-  constexpr int kPlaces = 20000;
-  atIndependentPlaces(kPlaces, [&](const Vec& centre) {
-    constexpr double kRadius = 40.0; // texels
-    const Vec normal = unit({gaussian(generator), gaussian(generator), gaussian(generator)});
-    const double square =
-        std::pow(noise.at(sum(1.0, centre, kRadius, normal), Plane(normal))[0], 2) / variance;
-    const auto isBelow = [&](std::size_t a, std::size_t b) {
-      return std::size_t(std::abs(normal[a]) < std::abs(normal[b]) ? 1 : 0);
-    };
-    const std::size_t order = isBelow(0, 1) * 3 + isBelow(1, 2) + isBelow(0, 2); // six of 0 to 5
-    const std::size_t signs =
-        (normal[0] < 0.0 ? 1u : 0u) + (normal[1] < 0.0 ? 2u : 0u) + (normal[2] < 0.0 ? 4u : 0u);
-    squares[8 * order + signs] += square;
-    counts[8 * order + signs] += 1.0;
-    fourth += square * square / kPlaces;
-  });
-  double chiSquare = 0.0;
-  for (std::size_t k = 0; k < kBins; ++k) {
-    REQUIRE(counts[k] > 100.0);
-    chiSquare += std::pow(squares[k] / counts[k] - 1.0, 2) * counts[k] / (fourth - 1.0);
-  }
-  // 48 degrees of freedom: 94.6 is exceeded with probability 7e-5.
-  CHECK(chiSquare < 94.6);
-}
-
 TEST_CASE("minified noise on a surface has the variance of mipLoss, also beyond the last mip") {
   const double variance = covarianceAt(kSteps, syntheticCoefficients(kSteps, 0), 0, 0)[0];
   const Evaluation noise(kSteps, materialOf(PointProcess::stratified, 30.0, 2));
@@ -241,71 +181,6 @@ TEST_CASE("minified noise on a surface has the variance of mipLoss, also beyond 
     INFO("level " << level);
     CHECK(std::abs(square - kept) < 5.0 * 1.1 * kept * std::sqrt(2.0 / kPlaces) + step);
   }
-}
-
-TEST_CASE("a whole-tile origin moves the noise on a surface exactly, however far") {
-  MaterialNoise material = materialOf(PointProcess::poisson, 12.0, 6);
-  material.scale = 0.5;
-  Placement placement;
-  placement.tileOriginX = 3;
-  placement.tileOriginY = -2;
-  placement.tileOriginZ = 5;
-  const Evaluation near(kColour, material), moved(kColour, material, placement);
-  const Plane plane({1.0, 1.0, -0.3});
-  const double tile = double(kColour.texelsPerTileX);
-  std::mt19937 generator(2u);
-  std::uniform_real_distribution<double> places(-40.0, 40.0);
-  for (int k = 0; k < 200; ++k) {
-    const Vec place{places(generator), places(generator), places(generator)};
-    const Vec there = near.at(sum(1.0, place, tile, {3.0, -2.0, 5.0}), plane);
-    const Vec here = moved.at(place, plane);
-    // Positions of 400 texels are rounded to 2^-16 texels; slopes of 24 impacts are below 1 per
-    // texel.
-    for (std::size_t c = 0; c < 3; ++c)
-      CHECK(here[c] == Approx(there[c]).margin(1e-4));
-  }
-  // Adjacent tiles remain adjacent far from the origin.
-  placement.tileOriginX = placement.tileOriginZ = (std::int64_t(1) << 40) - 1;
-  const Evaluation far(kColour, material, placement);
-  ++placement.tileOriginX;
-  const Evaluation farther(kColour, material, placement);
-  const Vec place{5.0, -7.0, 11.0};
-  CHECK(far.at(sum(1.0, place, tile, {1.0, 0.0, 0.0}), plane)[0] ==
-        Approx(farther.at(place, plane)[0]).margin(1e-4));
-  CHECK(far.at(place, plane)[0] != Approx(near.at(place, plane)[0]).margin(1e-3));
-}
-
-TEST_CASE("cube indices far from the origin are those of the tile, beyond the range of int") {
-  const SyntheticTexton fine{.texelsPerTileX = 16384, .texelsPerTileY = 16384, .channels = 1};
-  const Plane plane({1.0, 1.0, -0.3});
-  for (const std::int64_t tile : {std::int64_t(1) << 24, -(std::int64_t(1) << 27)}) {
-    const MaterialNoise material = materialOf(PointProcess::stratified, 1000.0, 6);
-    Placement placement;
-    placement.tileOriginX = tile;
-    placement.tileOriginY = -tile;
-    placement.tileOriginZ = tile;
-    const Evaluation near(fine, material), moved(fine, material, placement);
-    const double texels = double(tile) * 16384.0;
-    const double there = near.at({texels, -texels, texels}, plane)[0];
-    INFO("tile " << tile);
-    CHECK(there == moved.at({0.0, 0.0, 0.0}, plane)[0]);
-    CHECK(there != Approx(near.at({0.0, 0.0, 0.0}, plane)[0]).margin(1e-3));
-  }
-}
-
-TEST_CASE("the direction of a mix is in texture coordinates, whatever the tile origin in space") {
-  MaterialNoise material = materialOf(PointProcess::poisson, 12.0, 6);
-  material.mix = {.source = MixSource::direction, .start = {0.5, -2.0}, .end = {3.0, 1.0}};
-  Placement placement;
-  placement.tileOriginX = 3;
-  placement.tileOriginY = -2;
-  placement.tileOriginZ = 5;
-  const SyntheticTexton mixed{.steps = 3, .channels = 1};
-  const Evaluation moved(mixed, material, placement);
-  // The path is (2.5, 3), with squared length 15.25. From (0.5, -2) to (0, 0) is 4.75 of that.
-  CHECK(double(moved.part.mixWeight) == Approx(4.75 / 15.25));
-  CHECK(double(moved.part.mixPerU) == Approx(2.5 / 15.25));
-  CHECK(double(moved.part.mixPerV) == Approx(3.0 / 15.25));
 }
 
 TEST_CASE("noise rotates with the tangent, is mirrored by its w, and works without a tangent") {

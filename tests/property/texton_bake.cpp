@@ -256,24 +256,6 @@ TEST_CASE("an exemplar of one pixel and one narrower than the support give texto
   }
 }
 
-TEST_CASE("a linear gradient is an error, because no texton reproduces it") {
-  MapExemplar map = test::threeMaterials(32, 32, 11);
-  for (std::size_t i = 0; i < map.values.size(); ++i)
-    map.values[i] = float(i / 3 % 32) / 31.0f;
-  const Result<TextonBake> baked = bakeTexton("stone", {&map, 1}, supportOf(8));
-  REQUIRE_FALSE(baked);
-  CHECK(baked.error().kind == ErrorKind::badInput);
-}
-
-TEST_CASE("the error for fewer coefficients than colours names the remedy") {
-  const MapExemplar map = test::threeMaterials(32, 32, 19);
-  const Result<TextonBake> baked = bakeTexton("stone", {&map, 1}, supportOf(4, 3));
-  REQUIRE_FALSE(baked);
-  CHECK(baked.error().kind == ErrorKind::badInput);
-  CHECK_THAT(baked.error().message, Catch::Contains("1 x 1 coefficients"));
-  CHECK_THAT(baked.error().message, Catch::Contains("larger support"));
-}
-
 TEST_CASE("variance that a texton cannot show is dropped below a thousandth, and an error above") {
   // Two identical channels: (1, 1) spans the range of their covariance. For unit variances and
   // correlation 1 - e, the part outside that range is e / 2 in every entry.
@@ -315,52 +297,6 @@ TEST_CASE("a texton's frame is 0 outside the coefficients, and its mips are aver
       fine = coarse;
     }
   }
-}
-
-TEST_CASE("the losses of a texton's mips are those of noise fetched from them") {
-  const MapExemplar map = test::threeMaterials(64, 64, 12);
-  const TextonBake bake = bakeOf({&map, 1}, supportOf(32));
-  const NoiseMap& noise = bake.noise.maps[0];
-  REQUIRE(bake.noise.as<TextonShape>().mipLevels == 3);
-  REQUIRE(noise.as<TextonMap>().mipLoss.size() == 3 * kMaxTextonLosses);
-  for (std::uint32_t level = 0; level < 3; ++level) {
-    // The integral of the squared bilinear fetch, by the midpoint rule.
-    constexpr int kSteps = 8; // per texel; misses 1 / (3 kSteps^2) of a product of hats, 0.5 %
-    const double side = std::exp2(level);
-    const std::vector<Channel> mips = channelsOf(bake, level), whole = channelsOf(bake);
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Channel& mip = mips[c];
-      const auto at = [&](int x, int y) {
-        const bool inside = x >= 0 && y >= 0 && x < mip.width && y < mip.height;
-        return inside ? mip.texels[std::size_t(y * mip.width + x)] : 0.0;
-      };
-      double sum = 0.0;
-      for (int v = -kSteps; v < mip.height * kSteps; ++v)
-        for (int u = -kSteps; u < mip.width * kSteps; ++u) {
-          const double px = (u + 0.5) / kSteps, py = (v + 0.5) / kSteps;
-          const int x = int(std::floor(px)), y = int(std::floor(py));
-          const double s = px - x, t = py - y;
-          const double value = (1 - s) * ((1 - t) * at(x, y) + t * at(x, y + 1)) +
-                               s * ((1 - t) * at(x + 1, y) + t * at(x + 1, y + 1));
-          sum += value * value;
-        }
-      const double kept = side * side * sum / (kSteps * kSteps) / covariance(whole[c], whole[c], 1);
-      INFO("level " << level << ", channel " << c);
-      CHECK(lossRow(noise.as<TextonMap>().mipLoss, c, 3)[level] == Approx(1.0 - kept).margin(0.01));
-    }
-  }
-  // Averages over far more than the support have almost no variance left.
-  for (std::size_t c = 0; c < 3; ++c)
-    CHECK(lossRow(noise.as<TextonMap>().mipLoss, c, 3).back() > 0.999);
-}
-
-TEST_CASE("the bytes of a texton bake do not depend on the number of threads") {
-  const std::vector<MapExemplar> maps = materialSet(test::threeMaterials(64, 64, 13));
-  const TextonBake all = bakeOf(maps, supportOf(16));
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const TextonBake alone = bakeOf(maps, supportOf(16));
-  for (std::size_t i = 0; i < all.tables.size(); ++i)
-    CHECK(all.tables[i].texels == alone.tables[i].texels);
 }
 
 TEST_CASE("support, order, bits and variance change the texton as documented") {

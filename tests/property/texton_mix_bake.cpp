@@ -138,27 +138,6 @@ TEST_CASE("weights give one texton with the exemplars' weighted mean") {
   checkStatistics(alone.noise.maps[0].mean, alone.noise.maps[0].covariance, exemplars[1].maps[0]);
 }
 
-TEST_CASE(
-    "a low-contrast map of a set has its covariance at both ends, beside a high-contrast one") {
-  std::vector<MixedExemplar> exemplars;
-  for (const std::uint64_t seed : {7u, 8u}) {
-    const MapExemplar color = threeMaterials(48, 48, seed);
-    MapExemplar height{MapTarget::height, {MapChannel::height}, ValueEncoding::linear, 24, 24, {}};
-    for (int y = 0; y < 24; ++y) // another size, and 1e-4 of the variance
-      for (int x = 0; x < 24; ++x)
-        height.values.push_back(0.5f + 0.01f * color.values[std::size_t(3 * (2 * y * 48 + 2 * x))]);
-    exemplars.push_back({"set " + std::to_string(seed), {color, height}});
-  }
-  const TextonMixBake bake = bakeOf(exemplars, smallOptions(3));
-  REQUIRE(bake.noise.maps.size() == 2);
-  for (std::size_t m = 0; m < 2; ++m) {
-    const NoiseMap& map = bake.noise.maps[m];
-    checkStatistics(map.mean, map.covariance, exemplars[0].maps[m]);
-    checkStatistics(map.as<TextonMap>().laterSteps[1].mean,
-                    map.as<TextonMap>().laterSteps[1].covariance, exemplars[1].maps[m]);
-  }
-}
-
 TEST_CASE("the variance of filtered noise at each step of a mix is that of its losses, also beyond "
           "the last mip") {
   // Steps with 1, 1.5 and 2 times the first standard deviation, of unrelated white coefficients.
@@ -197,47 +176,6 @@ TEST_CASE("the variance of filtered noise at each step of a mix is that of its l
       CHECK(36.0 * squares / count == Approx(1.0 - lost).epsilon(0.14));
       CHECK(std::abs(sum / count) <= 5.0 / 6.0 / std::sqrt(count));
     }
-}
-
-TEST_CASE("along a ramp local mean and variance interpolate between the steps") {
-  const std::vector<MixedExemplar> exemplars{exemplarOf("a", 7), exemplarOf("b", 8, 1)};
-  const TextonMixBake bake = bakeOf(exemplars, smallOptions(9));
-  // One texel per pixel; windows as wide as a texton, at least two per step of 27 columns.
-  constexpr int kColumns = 216, kWindow = 12, kRows = 960, kStride = 3, kSeeds = 8;
-  constexpr float kTexels = 48.0f; // per tile
-  std::vector<double> sums(kColumns / kWindow, 0.0), squares = sums, counts = sums;
-  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
-    const Evaluation noise(bake.noise, bake.tables, seed);
-    for (int y = 0; y < kRows; y += kStride)
-      for (int x = 0; x < kColumns; x += kStride) {
-        TileFootprint at;
-        at.position = {(float(x) + 0.5f) / kTexels, (float(y) + 0.5f) / kTexels};
-        at.dx = {1.0f / kTexels, 0.0f};
-        at.dy = {0.0f, 1.0f / kTexels};
-        const MixPlace mix{(float(x) + 0.5f) / float(kColumns), {kTexels / float(kColumns), 0.0f}};
-        const auto value = noise.evaluator->gaussian(0, noise.material, at, mix).value;
-        const auto window = std::size_t(x / kWindow);
-        for (std::size_t c = 0; c < 3; ++c) {
-          sums[window] += double(value[c]) - 0.5;
-          squares[window] += std::pow(double(value[c]) - 0.5, 2);
-          counts[window] += 1.0;
-        }
-      }
-  }
-  // Values within one texton's square are correlated, and so are colours: each window has 80 x 8
-  // independent values, whose variance has a relative standard error of sqrt(2 / 640). The limits
-  // are five of these for a window and four for all, plus 0.02: textons are up to half a step off,
-  // which changes the variance by one or two hundredths.
-  const double windowError = std::sqrt(2.0 / (double(kRows / kWindow) * kSeeds));
-  double all = 0.0;
-  for (std::size_t w = 0; w < sums.size(); ++w) {
-    INFO("window " << w);
-    const double variance = 36.0 * squares[w] / counts[w];
-    all += variance / double(sums.size());
-    CHECK(variance == Approx(1.0).margin(5.0 * windowError + 0.02));
-    CHECK(std::abs(6.0 * sums[w] / counts[w]) <= 5.0 * windowError / std::sqrt(2.0));
-  }
-  CHECK(all == Approx(1.0).margin(4.0 * windowError / std::sqrt(double(sums.size())) + 0.02));
 }
 
 TEST_CASE("the error for exemplars that cannot be mixed gives the valid range or names them") {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tiling with rotated tiles: evenly hashed rotations, the exemplar's
-// histogram, slopes that match the rotated height, isotropic results, and the same pattern from any
-// origin, in any period and across the borders of triangles.
+// Tiling with rotated tiles: evenly hashed rotations, the exemplar's histogram, and slopes that
+// match the rotated height.
 #include "example_exemplar.h"
 
 #include <lichen/lattice.h>
@@ -49,15 +48,9 @@ Wave slanted(double x, double y, double width, double height) {
           3.0 * ay * std::cos(a) - by * std::sin(b)};
 }
 
-/// Stripes along y.
-Wave stripes(double x, double, double width, double) {
-  const double a = 2.0 * std::numbers::pi * 8.0 / width;
-  return {std::sin(a * x), a * std::cos(a * x), 0.0};
-}
-
 /// A noise of the wave's slopes and height, without tables, mips or losses: values are affine in
-/// what is fetched. `meanSlope` is added to the slopes along x.
-Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height, double meanSlope = 0.0) {
+/// what is fetched.
+Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height) {
   constexpr double kSlopeDeviation = 0.05, kHeightDeviation = 0.04, kHeightScale = 0.02;
   std::vector<float> slopes, heights;
   for (std::uint32_t y = 0; y < height; ++y)
@@ -92,7 +85,7 @@ Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height, double
   NoiseMap slope;
   slope.channels = {MapChannel::slopeX, MapChannel::slopeY};
   slope.encoding = ValueEncoding::slope;
-  slope.mean = {meanSlope, 0.0};
+  slope.mean = {0.0, 0.0};
   slope.covariance = {kSlopeVariance, 0.0, 0.0, kSlopeVariance};
   NoiseMap relief;
   relief.channels = {MapChannel::height};
@@ -290,152 +283,4 @@ TEST_CASE("rotated colours have the same mean, variance and histogram everywhere
       CHECK(moments.variance == Approx(wanted.variance).epsilon(0.10));
       CHECK(kolmogorovSmirnov(found, vertex) < 0.0423);
     }
-}
-
-TEST_CASE(
-    "rotation makes the correlations of stripes equal along both axes, and half rotations do not") {
-  const Bundle bundle = waveBundle(stripes, 256, 256);
-  const auto evaluator = methodEvaluator(bundle, 0);
-  constexpr double kHalfWave = 1.0 / 16.0; // tiles
-  const auto differenceOf = [&](std::uint32_t angles) {
-    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, rotatedBy(angles), {});
-    double alongX = 0.0, alongY = 0.0, squares = 0.0;
-    for (std::uint32_t k = 0; k < 20000; ++k) {
-      const TileFootprint at = randomPoint(k, 200.0);
-      const auto value = [&](double dx, double dy) {
-        TileFootprint there = at;
-        there.position[0] += float(dx);
-        there.position[1] += float(dy);
-        return double(evaluator->evaluate(1, material, there)[0]) - 0.5;
-      };
-      const double here = value(0.0, 0.0);
-      squares += here * here;
-      alongX += here * value(kHalfWave, 0.0);
-      alongY += here * value(0.0, kHalfWave);
-    }
-    return (alongY - alongX) / squares;
-  };
-  // Two positions this far apart share 0.92 of their tiles: -0.92 along x, 0.92 along y.
-  CHECK(differenceOf(0) > 1.7);
-  CHECK(differenceOf(2) > 1.7);
-  // 20000 pairs, with about 40 neighbouring pairs per triangle: standard errors of about 0.03.
-  CHECK(std::abs(differenceOf(4)) < 0.12);
-}
-
-TEST_CASE("rotated slopes have the same second moment and a mean of 0") {
-  constexpr double kMeanSlope = 0.06;
-  const Bundle bundle = waveBundle(slanted, 256, 256, kMeanSlope);
-  const auto evaluator = methodEvaluator(bundle, 0);
-  const auto measure = [&](std::uint32_t angles) {
-    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, rotatedBy(angles), {});
-    std::array<double, 3> sums{};
-    constexpr int kPoints = 20000;
-    for (std::uint32_t k = 0; k < kPoints; ++k) {
-      const auto slopes = evaluator->evaluate(0, material, randomPoint(k, 400.0));
-      sums[0] += double(slopes[0]) / kPoints;
-      sums[1] += double(slopes[1]) / kPoints;
-      sums[2] += double(slopes[0] * slopes[0] + slopes[1] * slopes[1]) / kPoints;
-    }
-    return sums;
-  };
-  double exemplar = 0.0;
-  for (int y = 0; y < 256; ++y)
-    for (int x = 0; x < 256; ++x) {
-      const Wave at = slanted(x, y, 256, 256);
-      exemplar += (std::pow(at.alongX + kMeanSlope, 2) + std::pow(at.alongDown, 2)) / 65536.0;
-    }
-  CHECK(measure(0)[0] == Approx(kMeanSlope).margin(0.003));
-  for (const std::uint32_t angles : {2u, 4u}) {
-    const auto [x, y, squares] = measure(angles);
-    INFO("angles " << angles);
-    // 20000 points in 2.2 million triangles, with slopes of standard deviation 0.06 along an axis:
-    // standard errors of 0.0005, and of about 1 % for the squares.
-    CHECK(std::abs(x) < 0.003);
-    CHECK(std::abs(y) < 0.003);
-    CHECK(squares == Approx(exemplar).epsilon(0.05));
-  }
-}
-
-TEST_CASE("rotated tiles do not depend on the host's origin") {
-  for (const auto& [width, height] : {std::pair{256u, 256u}, {256u, 128u}}) {
-    const Bundle bundle = waveBundle(slanted, width, height);
-    const auto evaluator = methodEvaluator(bundle, 0);
-    for (const std::uint32_t angles : anglesOf(width, height))
-      for (const std::int64_t far : {std::int64_t(0), std::int64_t(12345), std::int64_t(1) << 40}) {
-        Placement here, there;
-        here.tileOriginX = far, here.tileOriginY = -far;
-        there.tileOriginX = far - 3, there.tileOriginY = 5 - far;
-        const shader::LichenTriplanarMaterial a = shaderMaterial(bundle, rotatedBy(angles), here);
-        const shader::LichenTriplanarMaterial b = shaderMaterial(bundle, rotatedBy(angles), there);
-        for (std::uint32_t k = 0; k < 300; ++k) {
-          const TileFootprint at = randomPoint(k, 4.0);
-          TileFootprint moved = at;
-          moved.position[0] += 3.0f;
-          moved.position[1] -= 5.0f;
-          for (std::size_t map = 0; map < 2; ++map) {
-            const auto first = evaluator->evaluate(map, a, at),
-                       second = evaluator->evaluate(map, b, moved);
-            // At 2^40 tiles, lattice origins are accurate to 5e-4 cells, and weights differ by
-            // that.
-            const float tolerance = far > 1000000 ? 5e-3f : 1e-4f;
-            for (std::size_t c = 0; c < 2; ++c)
-              REQUIRE(std::abs(first[c] - second[c]) < tolerance);
-          }
-        }
-      }
-  }
-}
-
-TEST_CASE("rotated tiles repeat with the period of the lattice") {
-  const Bundle bundle = waveBundle(slanted, 256, 256);
-  const auto evaluator = methodEvaluator(bundle, 0);
-  for (const auto& [x, y] : {std::pair{2.0, 3.0}, {1.37, 1.37}})
-    for (const std::uint32_t angles : {2u, 4u}) {
-      Placement placement;
-      placement.periodic = true;
-      placement.periodTilesX = x;
-      placement.periodTilesY = y;
-      const shader::LichenTriplanarMaterial material =
-          shaderMaterial(bundle, rotatedBy(angles), placement);
-      for (std::uint32_t k = 0; k < 500; ++k) {
-        const TileFootprint at = randomPoint(k, 3.0);
-        for (const auto& [columns, rows] : {std::pair{1, 0}, {0, 1}, {-2, 1}}) {
-          TileFootprint there = at;
-          there.position[0] += float(columns * x);
-          there.position[1] += float(rows * y);
-          for (std::size_t map = 0; map < 2; ++map)
-            for (std::size_t c = 0; c < 2; ++c)
-              REQUIRE(std::abs(evaluator->evaluate(map, material, at)[c] -
-                               evaluator->evaluate(map, material, there)[c]) < 1e-4f);
-        }
-      }
-    }
-}
-
-TEST_CASE("rotated tiles are continuous across triangle borders") {
-  const Bundle bundle = waveBundle(slanted, 256, 256);
-  const auto evaluator = methodEvaluator(bundle, 0);
-  for (const std::uint32_t angles : {2u, 4u}) {
-    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, rotatedBy(angles), {});
-    // A jump keeps its height at any step size; a continuous change is proportional to the step
-    // size.
-    const auto largestStep = [&](std::size_t map, double texels) {
-      double largest = 0.0;
-      for (int line = 0; line < 3; ++line) {
-        auto before = evaluator->evaluate(map, material, pointAt(0.0, 0.3 + line));
-        for (int k = 1; k * texels < 512.0; ++k) {
-          const auto now =
-              evaluator->evaluate(map, material, pointAt(k * texels / 256.0, 0.3 + line));
-          for (std::size_t c = 0; c < 2; ++c)
-            largest = std::max(largest, double(std::abs(now[c] - before[c])));
-          before = now;
-        }
-      }
-      return largest;
-    };
-    for (std::size_t map = 0; map < 2; ++map) {
-      INFO("map " << map << ", angles " << angles);
-      CHECK(largestStep(map, 1.0 / 32.0) < 0.3 * largestStep(map, 1.0 / 4.0));
-    }
-  }
 }

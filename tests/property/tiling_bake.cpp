@@ -96,21 +96,6 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
   }
 }
 
-TEST_CASE("a bake does not depend on the number of threads") {
-  const MapExemplar map = test::threeMaterials(80, 60, 21);
-  const auto bakeWith = [&](std::size_t threads) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    Result<TilingBake> result = bakeTiling("x", {&map, 1}, TilingOptions{});
-    REQUIRE(result);
-    return std::move(result).value();
-  };
-  const TilingBake one = bakeWith(1);
-  const TilingBake many = bakeWith(4);
-  REQUIRE(one.tables.size() == many.tables.size());
-  for (std::size_t t = 0; t < one.tables.size(); ++t)
-    CHECK(one.tables[t].texels == many.tables[t].texels);
-}
-
 TEST_CASE("the bake of a set does not depend on the number of threads", "[large]") {
   // Maps of three, two, two and one dimensions; the last has another size. In two dimensions points
   // move to follow the maps before; on a line, ties are exchanged.

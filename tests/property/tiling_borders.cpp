@@ -13,15 +13,6 @@ using namespace lichen;
 using namespace lichen::test;
 using namespace lichen::gaussianization;
 
-TEST_CASE("an exemplar tiles, and a crop of it does not") {
-  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
-    const MapExemplar whole = threeMaterials(128, 128, seed);
-    CHECK(exemplar::isPeriodic(whole));
-    CHECK_FALSE(exemplar::isPeriodic(cropped(whole, 10, 0, 90, 128)));
-    CHECK_FALSE(exemplar::isPeriodic(cropped(whole, 0, 20, 128, 77)));
-  }
-}
-
 TEST_CASE("a strip too narrow for seam detection across is tested along its length") {
   MapExemplar ramp = threeMaterials(256, 6, 1, 1);
   for (std::size_t i = 0; i < ramp.values.size(); ++i)

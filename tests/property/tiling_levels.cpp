@@ -34,26 +34,6 @@ double deviate(std::uint64_t seed, std::uint64_t counter) {
 
 } // namespace
 
-TEST_CASE("mips of white noise lose the variance that averaging removes", "[large]") {
-  // Each mip averages four independent texels: it keeps a quarter of the variance of the level
-  // before.
-  Gaussianized white{
-      256, 256, 3, gaussian::stratifiedGaussian(256 * 256, 3, gaussian::Precision::bits16), {}};
-  for (std::size_t i = white.image.size(); i-- > 1;)
-    std::swap(white.image[i], white.image[transport::randomBits(5, i) % (i + 1)]);
-  const std::vector<exemplar::ChannelMatrix> lost = lostVariance(gaussianTable(white, 16), 3);
-  REQUIRE(lost.size() == 9);
-  CHECK(scalarLoss(lost[0]) == 0.0);
-  for (std::size_t mip = 1; mip < 5; ++mip) {
-    const double kept = std::pow(0.25, double(mip));
-    // The mean of three sample variances over n texels has the standard error
-    // `kept` * sqrt(2 / (3 n)). The limit is five of these: false alarms below 1e-6 per level.
-    const double texels = 65536.0 * kept;
-    CHECK(1.0 - scalarLoss(lost[mip]) ==
-          Approx(kept).margin(5.0 * kept * std::sqrt(2.0 / (3.0 * texels))));
-  }
-}
-
 TEST_CASE("each mip texel is the average of the area it covers, for any size") {
   // Odd and even sides, a side that reaches 1 first, D of 1 to 3. The slow average splits both
   // levels into the cells of their common grid and counts in integers.
@@ -140,21 +120,6 @@ MapExemplar redMaterials(int side, std::uint64_t seed) {
 
 } // namespace
 
-TEST_CASE("level 0 of a table of roots has the exemplar's mean light") {
-  // E[r^2] is the square of the mean plus the variance, and the table has both.
-  for (const std::uint64_t seed : {3u, 4u}) {
-    const Baked b = baked(threeMaterials(128, 128, seed));
-    const exemplar::Moments found = interpolatedMoments(levelsOf(b, false).levels.front());
-    const exemplar::ChannelVector wanted = meanLight(b.map);
-    for (Eigen::Index c = 0; c < 3; ++c) {
-      INFO("seed " << seed << ", channel " << c);
-      // Clamping to the exemplar's range leaves at most a thousandth of the variance.
-      CHECK(found.covariance(c, c) + found.mean[c] * found.mean[c] ==
-            Approx(wanted[c]).margin(1e-4));
-    }
-  }
-}
-
 TEST_CASE("squares of lookups average to the mean light at every level") {
   // In random order, the pixels' mips are Gaussian, and the mean over a level's Gaussian values is
   // an integral over quantiles.
@@ -186,53 +151,6 @@ TEST_CASE("squares of lookups average to the mean light at every level") {
     // Five standard errors of the 65,536 fetches that measure the shift.
     CHECK(after[0] ==
           Approx(wanted).margin(1e-4 + 5.0 * std::sqrt((after[1] - after[0] * after[0]) / 65536)));
-  }
-}
-
-TEST_CASE("blended fetches decode to the mean light, Gaussian or not", "[large]") {
-  const Baked b = baked(threeMaterials(128, 128, 4));
-  const Levels t = levelsOf(b);
-  const exemplar::ChannelVector wanted = meanLight(b.map);
-  std::vector<TableLookup<3>> lookups(t.levels.begin(), t.levels.end());
-  const RepeatingImage image(t.image, Alpha::lastChannel);
-  std::mt19937 random(11);
-  std::uniform_real_distribution<float> anywhere(0.0f, 1.0f);
-  std::exponential_distribution<double> exponential; // three, normalized: uniform in a triangle
-  constexpr int kSamples = 200000;
-  const auto shown = [&](float lod) {
-    const double lost = double(image.at(0.0f, 0.0f, lod)[3]);
-    const double place = std::min(5.0 - 5.0 * std::sqrt(1.0 - lost), kTableLevels - 1.0);
-    const auto level = std::min(std::size_t(place), lookups.size() - 2);
-    const auto above = float(place - double(level));
-    std::array<double, 3> sum{}, squares{};
-    for (int k = 0; k < kSamples; ++k) {
-      const std::array<double, 3> w{exponential(random), exponential(random), exponential(random)};
-      const double norm = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-      std::array<float, 3> g{0.5f, 0.5f, 0.5f};
-      for (const double weight : w) {
-        const auto texel = image.at(anywhere(random), anywhere(random), lod);
-        for (std::size_t c = 0; c < 3; ++c)
-          g[c] += float(weight / norm) * (texel[c] - kStoredGaussianMean);
-      }
-      const TableValue low = lookups[level](g), high = lookups[level + 1](g);
-      for (std::size_t c = 0; c < 3; ++c) {
-        const auto root = double(low[c] + above * (high[c] - low[c]));
-        sum[c] += root * root / kSamples;
-        squares[c] += root * root * root * root / kSamples;
-      }
-    }
-    return std::pair{sum, squares};
-  };
-  for (const float lod : {0.0f, 0.5f, 1.0f, 1.5f, 2.0f, 3.0f, 5.0f}) {
-    const auto [mean, squares] = shown(lod);
-    for (std::size_t c = 0; c < 3; ++c) {
-      // Five standard errors of this sum and of the 65,536 fetches that measure the shift. Between
-      // two levels, roots are interpolated, which lowers the mean light: by 0.001 at most here.
-      const double variance = squares[c] - mean[c] * mean[c];
-      const double error = 5.0 * std::sqrt(variance * (1.0 / kSamples + 1.0 / 65536.0));
-      INFO("level of detail " << lod << ", channel " << c << ", error " << error);
-      CHECK(mean[c] == Approx(wanted[Eigen::Index(c)]).margin(0.001 + error));
-    }
   }
 }
 

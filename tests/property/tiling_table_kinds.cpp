@@ -169,30 +169,6 @@ TEST_CASE("a noise without a table has the exemplar's light, near and far", "[la
   }
 }
 
-TEST_CASE(
-    "clamping moves the mean of a linear map without a table by what a Gaussian has beyond 0") {
-  // E[max(0, m + d z)] - m = d (phi(m / d) - m / d Phi(-m / d)), the part below 0 of a Gaussian of
-  // mean m and deviation d: 0.08 d for one deviation, 0.0085 d for two, 0.0004 d for three.
-  constexpr double kDeviation = 0.05;
-  shader::LichenMap map{};
-  map.encoding = LICHEN_ENCODING_LINEAR;
-  map.decoding = LICHEN_DECODING_GAUSSIAN;
-  for (const double deviations : {1.0, 2.0, 3.0}) {
-    const double mean = deviations * kDeviation;
-    map.row0 = {float(6.0 * kDeviation), 0.0f, 0.0f, float(mean)};
-    double sum = 0.0, weights = 0.0;
-    for (double z = -8.0; z <= 8.0; z += 1.0 / 256.0) {
-      const double weight = std::exp(-0.5 * z * z);
-      sum += weight * double(decodedGaussian(map, {float(0.5 + z / 6.0), 0.5f, 0.5f}, {})[0]);
-      weights += weight;
-    }
-    const double density =
-        std::exp(-0.5 * deviations * deviations) / std::sqrt(2.0 * 3.14159265358979);
-    const double below = 0.5 * std::erfc(deviations / std::sqrt(2.0));
-    CHECK(sum / weights - mean == Approx(kDeviation * (density - deviations * below)).margin(1e-6));
-  }
-}
-
 TEST_CASE("only exemplars that span all their channels can do without a table") {
   MapExemplar grey = gaussianExemplar(64, 1, 0.05, 7);
   for (std::size_t i = 0; i < grey.values.size(); ++i)

@@ -8,44 +8,6 @@
 
 using namespace lichen;
 
-TEST_CASE("a bake's progress rises from 0 to 1 and does not change the result") {
-  const MapExemplar map = test::threeMaterials(48, 48, 1);
-  std::vector<double> fractions;
-  TilingOptions watched;
-  watched.progress = [&](double fraction) {
-    fractions.push_back(fraction);
-    return true;
-  };
-  const Result<TilingBake> bake = bakeTiling("watched", {&map, 1}, watched);
-  const Result<TilingBake> alone = bakeTiling("watched", {&map, 1}, {});
-  REQUIRE(bake.ok());
-  REQUIRE(alone.ok());
-  CHECK(bake.value().tables[0].texels == alone.value().tables[0].texels);
-  CHECK(bake.value().tables[1].texels == alone.value().tables[1].texels);
-  REQUIRE(fractions.size() > 4);
-  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
-  CHECK(fractions.front() >= 0.0);
-  CHECK(fractions.back() == 1.0);
-}
-
-TEST_CASE("a bake that the caller stops returns an error, at every step") {
-  const MapExemplar map = test::threeMaterials(24, 24, 2);
-  int steps = 0;
-  TilingOptions options;
-  options.progress = [&](double) { return ++steps > 0; };
-  REQUIRE(bakeTiling("counted", {&map, 1}, options).ok());
-  const int all = steps;
-  for (int last = 1; last <= all; ++last) {
-    steps = 0;
-    options.progress = [&](double) { return ++steps < last; };
-    const Result<TilingBake> bake = bakeTiling("stopped", {&map, 1}, options);
-    INFO("stopped at call " << last << " of " << all);
-    REQUIRE(!bake.ok());
-    CHECK(bake.error().message == "stopped: interrupted");
-    CHECK(steps == last);
-  }
-}
-
 namespace {
 
 MapExemplar greyOf(MapExemplar map) {
@@ -56,34 +18,46 @@ MapExemplar greyOf(MapExemplar map) {
 
 } // namespace
 
-TEST_CASE("bakes of every kind report progress often, and end when the caller stops them") {
-  MapExemplar map = test::threeMaterials(48, 48, 4);
-  const auto check = [&](const TilingOptions& wanted, const MapExemplar& exemplar,
-                         std::size_t fewest) {
+TEST_CASE("bakes of every kind report progress, and end at every step if the caller stops them") {
+  const auto check = [&](const TilingOptions& wanted, const std::vector<MapExemplar>& maps,
+                         std::size_t fewest, std::size_t stops) {
     TilingOptions options = wanted;
     std::vector<double> reported;
     options.progress = [&](double fraction) {
       reported.push_back(fraction);
       return true;
     };
-    REQUIRE(bakeTiling("reported", {&exemplar, 1}, options).ok());
+    const Result<TilingBake> watched = bakeTiling("reported", maps, options);
+    REQUIRE(watched.ok());
+    const Result<TilingBake> alone = bakeTiling("reported", maps, wanted);
+    for (std::size_t k = 0; k < watched.value().tables.size(); ++k)
+      CHECK(watched.value().tables[k].texels == alone.value().tables[k].texels);
     CHECK(reported.size() >= fewest);
     CHECK(std::is_sorted(reported.begin(), reported.end()));
+    CHECK(reported.front() >= 0.0);
     CHECK(reported.back() == 1.0);
-    for (std::size_t last = 1; last <= reported.size(); ++last) {
+    for (std::size_t last = reported.size() - std::min(stops, reported.size()) + 1;
+         last <= reported.size(); ++last) {
       std::size_t calls = 0;
       options.progress = [&](double) { return ++calls < last; };
-      const Result<TilingBake> stopped = bakeTiling("reported", {&exemplar, 1}, options);
+      const Result<TilingBake> stopped = bakeTiling("reported", maps, options);
       REQUIRE_FALSE(stopped.ok());
       CHECK(stopped.error().message == "reported: interrupted");
       CHECK(calls == last);
     }
   };
+  constexpr std::size_t kAllStops = 1000;
+  const MapExemplar map = test::threeMaterials(48, 48, 4);
   TilingOptions gaussian;
   gaussian.gaussian = GaussianOnly::yes;
   // At least one step before and after each whitening.
-  check(gaussian, map, 4);
+  check(gaussian, {map}, 4, kAllStops);
   gaussian.periodic = Periodic::no;
-  check(gaussian, map, 4);
-  check({}, greyOf(map), 3);
+  check(gaussian, {map}, 4, kAllStops);
+  check({}, {greyOf(map)}, 3, kAllStops);
+  check({}, {test::threeMaterials(24, 24, 2)}, 5, kAllStops);
+  // Each stop of a set bakes its first map again. The last steps are those of the second map.
+  MapExemplar height = greyOf(test::threeMaterials(32, 32, 5));
+  height.target = MapTarget::emissive;
+  check({}, {test::threeMaterials(32, 32, 4), height}, 5, 4);
 }

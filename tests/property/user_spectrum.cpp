@@ -80,26 +80,6 @@ TEST_CASE("a noise with a ring as its spectrum has its power there, even with tw
   CHECK(powerShare(baked(map, ring, 12), isNear) > 0.93);
 }
 
-TEST_CASE("a noise with a ring as its spectrum has waves of all directions") {
-  const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
-  const SpectrumPicture ring = pictureOf([](int u, int v) {
-    const double magnitude = std::hypot(u, v);
-    return magnitude >= 24.0 && magnitude <= 27.0;
-  });
-  for (const int cosines : {16, 50}) {
-    const Bundle bundle = baked(map, ring, cosines);
-    for (int sector = 0; sector < 8; ++sector) {
-      const double share = powerShare(bundle, [&](double u, double v) {
-        const double turns = std::atan2(v, u) / std::numbers::pi + 1.0; // half turns, [0, 2]
-        return int(std::floor(8.0 * turns)) % 8 == sector;
-      });
-      INFO(cosines << " cosines, sector " << sector);
-      CHECK(share > 0.06); // of an eighth
-      CHECK(share < 0.2);
-    }
-  }
-}
-
 TEST_CASE("a noise with a band as its spectrum has its power there, and the exemplar's colours") {
   const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
   const SpectrumPicture band =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Generated photographs of materials with the faults that photographs have, beside what they would
-// be without the fault. None of them tiles. Literals are art direction, as in materials.h.
+// be without the fault. None of them tiles. Literals are art direction, as in samples/exemplars/materials.h.
 #pragma once
 
 #include <lichen/image.h>
@@ -45,10 +45,8 @@ struct Photograph {
   Place object;   ///< around the fold, stain or leaf; empty for other faults
 };
 
-inline constexpr int kLargestPhotograph = 1024; // pixels per side
-
-/// The surface that photographs of this side, in [kSmallestSide, kLargestPhotograph], show a part
-/// of. `material` is one of a PhotographPlan in sixtyPhotographs().
+/// The surface that photographs of this side, in [64, 1024], show a part of.
+/// `material` is one of a PhotographPlan in sixtyPhotographs().
 [[nodiscard]] SrgbImage photographedSurface(const std::string& material, int sidePixels);
 
 /// Takes a square photograph of two thirds of the surface, of 8 bits with the noise of a camera.

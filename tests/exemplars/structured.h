@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Generated photographs of materials with a structure, such as bricks, with ground truth: the cell
-// of each pixel and the periods. Literals are art direction, as in materials.h.
+// of each pixel and the periods. Literals are art direction, as in samples/exemplars/materials.h.
 #pragma once
 
 #include <lichen/image.h>
@@ -52,10 +52,7 @@ struct StructuredPicture {
   std::array<Point, 2> periods;
 };
 
-inline constexpr int kLargestStructured = 1024; // pixels per side
-
-/// Takes a square photograph of `sidePixels` pixels per side, at most kLargestStructured, of 8
-/// bits. Details keep their size in pixels. Deterministic.
+/// Takes a square photograph of `sidePixels` pixels per side, of 8 bits. Details keep their size in pixels. Deterministic.
 [[nodiscard]] StructuredPicture structured(int sidePixels, const StructuredPlan& plan);
 
 /// Maps of 8 bits that show the same as a photograph without light, lens and camera. All but color
@@ -70,8 +67,5 @@ struct StructuredMaps {
 
 /// All materials under all conditions.
 [[nodiscard]] std::vector<StructuredPlan> structuredPlans();
-
-/// Every cell in a random colour, joints in black.
-[[nodiscard]] SrgbImage coloredCells(int sidePixels, const std::vector<int>& cells);
 
 } // namespace lichen::exemplars

@@ -319,15 +319,4 @@ std::vector<StructuredPlan> structuredPlans() {
   return plans;
 }
 
-SrgbImage coloredCells(int side, const std::vector<int>& cells) {
-  SrgbImage image(side, side, 3);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    for (std::size_t c = 0; c < 3; ++c)
-      if (cells[i] >= 0) {
-        const std::uint32_t byte = 64u + (pcg3d({std::uint32_t(cells[i]), 3, 4})[c] >> 16) % 192u;
-        image.values[3 * i + c] = float(byte) / 255.0f;
-      }
-  return image;
-}
-
 } // namespace lichen::exemplars
