@@ -16,8 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <optional>
 #include <held_back_decisions.h>
+#include <optional>
 
 namespace lichen::bench {
 namespace {

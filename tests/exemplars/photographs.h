@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Generated photographs of materials with the faults that photographs have, beside what they would
-// be without the fault. None of them tiles. Literals are art direction, as in samples/exemplars/materials.h.
+// be without the fault. None of them tiles. Literals are art direction, as in
+// samples/exemplars/materials.h.
 #pragma once
 
 #include <lichen/image.h>

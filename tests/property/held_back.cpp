@@ -52,7 +52,7 @@ TEST_CASE(
   for (std::size_t k = 0; k < faultyKinds().size(); ++k)
     faulty.wrong.push_back(mistakeAboutFaulty(k, kSide, ++seed));
   for (ErrorRate* const rate : {&sound, &faulty}) {
-    rate->pictures = rate->wrong.size();
+    rate->pictures = int(rate->wrong.size());
     std::erase(rate->wrong, "");
     INFO(reportOf(*rate));
     CHECK(rate->wrong.size() <= 1);

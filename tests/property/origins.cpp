@@ -30,11 +30,10 @@ constexpr int kSide = 64;
 // A lattice coordinate below 6 has some five roundings of at most 2^-22. Tiling: this moves two
 // weights by 1.2e-6 and G by 4e-6, and as much again through the norm, both over W >= 1 / sqrt(3);
 // dU/dG <= 2.4, a unit of U has 32 cells on each of 3 axes, and neighbouring cells differ by at
-// most
-// 1. Quilting: each of two heights of tiles has these roundings. Cuts multiply their difference by
-// 16 and divide by the sum of the weights, taken as 1/2, since it is less only near where three
-// tiles meet; values differ by at most 1. Sums of impacts and of cosines: slopes of 30 are below 1
-// per texel, at positions rounded to 2^-17 texels.
+// most 1. Quilting: each of two heights of tiles has these roundings. Cuts multiply their
+// difference by 16 and divide by the sum of the weights, taken as 1/2, since it is less only near
+// where three tiles meet; values differ by at most 1. Sums of impacts and of cosines: slopes of 30
+// are below 1 per texel, at positions rounded to 2^-17 texels.
 constexpr double kOfTiling = 9e-4, kOfQuilting = 5.0 * 2.0 * 16.0 * 2.0 / 4194304.0, kOfSums = 1e-3;
 
 struct Kind {
