@@ -3,7 +3,6 @@
 #pragma once
 
 #include "bake_risks.h"
-#include "bake_verdict.h"
 #include "command.h"
 
 #include <lichen/bundle.h>

@@ -1,44 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The risks that a bake reports before it starts, and the flattening that removes some of them.
+// The risks of a noise and the verdict on it, in words and JSON.
 #pragma once
 
-#include "command.h"
-#include "options.h"
-
 #include <lichen/exemplar.h>
-#include <lichen/suitability.h>
+#include <lichen/noise_verdict.h>
 
 #include <nlohmann/json_fwd.hpp>
 
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace lichen::cli {
-
-/// --flatten none|auto|PERIOD.
-struct Flattening {
-  bool automatic = false;
-  double periodPixels = 0.0;   ///< pixels of the first map; 0 for none
-  std::vector<MapTarget> maps; ///< that are flattened by it; empty: all but opacity
-
-  [[nodiscard]] bool isWanted() const { return automatic || periodPixels > 0.0; }
-};
-[[nodiscard]] Accepted<Flattening> flattening();
-
-/// The flattened maps, and the cut-off period in pixels of the first map.
-struct Flattened {
-  std::vector<MapTarget> maps;
-  double periodPixels = 0.0;
-};
-
-/// Flattens the maps as --flatten asks. `auto` calls removeUnevenLight() for the base colour. Adds
-/// a sentence to `notes` that says what was removed.
-[[nodiscard]] Result<Flattened> applyFlattening(std::vector<MapExemplar>& maps,
-                                                const Flattening& requested, Periodic periodic,
-                                                const SharedOptions& options,
-                                                std::vector<std::string>& notes);
 
 /// A risk, and the map where it is greatest.
 struct MapRisk {
@@ -51,7 +24,7 @@ struct MapRisk {
 [[nodiscard]] std::vector<MapRisk> leadingRisks(std::span<const MapExemplar> maps,
                                                 std::span<const std::vector<Risk>> risks);
 
-/// An option of `lichen bake`: "--flatten 128".
+/// An option of `lichen bake`: "--flatten 128", or "--flatten".
 [[nodiscard]] std::string optionOf(const BakeSetting& setting);
 
 /// One line for each risk above level none; names the map if `severalMaps`.
@@ -60,5 +33,11 @@ struct MapRisk {
 
 /// All risks of a bake, including risks of level none.
 [[nodiscard]] nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks);
+
+/// The line to print: "verdict: good".
+[[nodiscard]] std::string verdictLine(const Verdict& verdict, bool severalMaps);
+
+/// {"level", "map", "risk", "score", "sentence"}.
+[[nodiscard]] nlohmann::ordered_json jsonOf(const Verdict& verdict);
 
 } // namespace lichen::cli

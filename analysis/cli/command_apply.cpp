@@ -44,7 +44,7 @@ struct Arguments {
   std::optional<std::uint32_t> seed;
   std::optional<double> contrast;
   std::optional<double> planeSharpness;
-  std::vector<std::unique_ptr<const UseOptions>> methods; ///< in the order of Method
+  std::vector<UseOptions> methods; ///< in the order of Method
   const CLI::App* verb = nullptr;
   std::optional<Vector3> grain;
   bool setsFactors = false;
@@ -80,7 +80,7 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
   use.contrast = arguments.contrast.value_or(use.contrast);
   use.planeSharpness = arguments.planeSharpness.value_or(use.planeSharpness);
   EvaluationOptions none; // a material stores none
-  arguments.methods[std::size_t(bundle.noises[noise].method())]->replace(use, none);
+  arguments.methods[std::size_t(bundle.noises[noise].method())](use, none);
   return use;
 }
 

@@ -2,26 +2,23 @@
 // lichen bake: photograph -> glTF file with the noise and a preview scene.
 #include "bake_report.h"
 #include "bake_risks.h"
-#include "bake_verdict.h"
 #include "command.h"
 #include "exemplar_options.h"
 #include "html_report.h"
-#include "layers_option.h"
 #include "methods/method_command.h"
-#include "noise_name.h"
+#include "noise_choice.h"
 #include "options.h"
-#include "preview_images.h"
-#include "progress_line.h"
+#include "srgb_picture.h"
+#include "steps_shown.h"
 
-#include <lichen/bundle_writer.h>
+#include <lichen/bake_material.h>
 #include <lichen/layered_noise.h>
+#include <lichen/layers.h>
 
 #include <CLI/App.hpp>
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <filesystem>
 #include <memory>
 
 namespace lichen::cli {
@@ -33,23 +30,18 @@ struct Arguments {
   const SharedOptions& shared;
   std::vector<std::string> inputs;
   std::string output;
-  std::string name;
-  std::uint32_t seed = 0;
-  double tileMetres = 0.0;
-  ExemplarOptions exemplar;
+  BakeOptions bake; ///< without what follows
   std::optional<Method> wanted;
-  Method method{}; ///< what was wanted, or chosen
-  int bits = 0;    ///< per channel of the tables
   CommonOptions common;
-  std::vector<std::unique_ptr<const BakeOptions>> methods; ///< in the order of Method
-  LayersOption layers;
+  std::vector<BakeOptionsReader> methods; ///< in the order of Method
+  std::string labels;                     ///< a picture; empty for none
+  std::optional<int> layers;
+  std::optional<double> softness;
   const CLI::App* verb = nullptr;
   PreviewShape preview{};
   std::string report;
 
-  [[nodiscard]] const BakeOptions& optionsOf(Method one) const {
-    return *methods[std::size_t(one)];
-  }
+  [[nodiscard]] bool hasLayers() const { return !labels.empty() || layers; }
 };
 
 /// The error of an option that only some methods take.
@@ -64,197 +56,100 @@ Error foreignTo(Method method, const char* option, bool (MethodCommand::*takes)(
 
 /// Whether no option but --guide decides the method.
 bool leavesMethodOpen(const Arguments& arguments) {
-  return !arguments.wanted && !arguments.layers.isGiven() && !arguments.common.spectrum &&
+  return !arguments.wanted && !arguments.hasLayers() && !arguments.common.spectrum &&
          !givenOf(*arguments.verb, commandOf(Method::tiling).heading());
 }
 
-/// Whether the method depends on what repeats in the exemplar, which no option decides.
-bool choosesByStructure(const Arguments& arguments) {
-  return leavesMethodOpen(arguments) && !arguments.common.guide;
-}
-
-/// The method before the exemplar is known.
-Method usualMethod(const Arguments& arguments) {
-  const bool isGuided = arguments.common.guide.value_or(0.0) > 0.0;
-  return arguments.wanted.value_or(isGuided ? Method::quilting : Method::tiling);
-}
-
-/// What the method needs, or the larger needs if the exemplar decides between tiling and quilting.
-BakeMemory memoryOf(const Arguments& arguments) {
-  BakeMemory memory = arguments.optionsOf(arguments.method).memory();
-  if (choosesByStructure(arguments)) {
-    const BakeMemory other = arguments.optionsOf(Method::quilting).memory();
-    memory = {std::max(memory.map, other.map), std::max(memory.largest, other.largest)};
-  }
-  return memory;
+/// The method that the options decide, if they do.
+std::optional<Method> methodOf(const Arguments& arguments) {
+  const std::optional<double>& guide = arguments.common.guide;
+  if (arguments.wanted || (leavesMethodOpen(arguments) && !guide))
+    return arguments.wanted;
+  return guide.value_or(0.0) > 0.0 ? Method::quilting : Method::tiling;
 }
 
 /// Checks that the user gave no options of another method than the chosen one.
-Result<void> checkMethodOptions(const Arguments& arguments) {
-  if (!arguments.layers.labels.empty() && arguments.layers.count)
+Result<void> checkMethodOptions(const Arguments& arguments, Method method) {
+  if (!arguments.labels.empty() && arguments.layers)
     return Error{ErrorKind::usage, "--layers: given with --labels; expected one of the two"};
-  if (arguments.layers.softness && !arguments.layers.isGiven())
+  if (arguments.softness && !arguments.hasLayers())
     return Error{ErrorKind::usage, "--softness: belongs to --labels and --layers"};
-  if (arguments.layers.isGiven() && !isLayerable(arguments.method))
+  if (arguments.hasLayers() && !isLayerable(method))
     return Error{ErrorKind::usage,
                  fmt::format("{}: layers do not take the method {}; expected --method {}",
-                             arguments.layers.count ? "--layers" : "--labels",
-                             nameOf(arguments.method), layerableMethods())};
-  const MethodCommand& command = commandOf(arguments.method);
+                             arguments.layers ? "--layers" : "--labels", nameOf(method),
+                             layerableMethods())};
+  const MethodCommand& command = commandOf(method);
   if (arguments.common.spectrum && !command.takesSpectrum())
-    return foreignTo(arguments.method, "--spectrum", &MethodCommand::takesSpectrum);
+    return foreignTo(method, "--spectrum", &MethodCommand::takesSpectrum);
   if (arguments.wanted && arguments.common.guide && !command.takesGuide())
-    return foreignTo(arguments.method, "--guide", &MethodCommand::takesGuide);
-  const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, arguments.method);
+    return foreignTo(method, "--guide", &MethodCommand::takesGuide);
+  const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, method);
   if (!foreign)
     return {};
   return Error{ErrorKind::usage,
                arguments.wanted
                    ? fmt::format("{}: belongs to --method {}, not to {}", foreign->name,
-                                 nameOf(foreign->method), nameOf(arguments.method))
+                                 nameOf(foreign->method), nameOf(method))
                    : fmt::format("{}: belongs to --method {}, which was not given", foreign->name,
                                  nameOf(foreign->method))};
 }
 
-/// The notes of a bake: printed as they arise, or part of the JSON report.
-class Notes {
-public:
-  explicit Notes(const SharedOptions& options) : options_(options) {}
-
-  void add(std::string line) { lines_.push_back(std::move(line)); }
-  /// Prints the notes that were added since the last call.
-  void say() {
-    for (; said_ < lines_.size(); ++said_)
-      if (!options_.json)
-        note(options_, lines_[said_]);
-  }
-  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
-
-private:
-  const SharedOptions& options_;
-  std::vector<std::string> lines_;
-  std::size_t said_ = 0;
-};
-
-/// The exemplar as it will be baked.
-struct Exemplar {
-  std::string name;
-  std::vector<MapExemplar> maps;
-  Periodic borders{};                  ///< from --periodic, or decided before resampling
-  std::vector<ExemplarOrigin> origins; ///< one per map
-  Preparation preparation;
-  double widthShare = 1.0; ///< as in ReadExemplar
-};
-
-/// Also chooses the method, if the user left that to it.
-Result<Exemplar> readAndChoose(Arguments& arguments, Notes& notes) {
-  if (!arguments.layers.labels.empty())
-    arguments.exemplar.set.cutsFrame = false; // the labels are of the whole picture
-  const bool byStructure = choosesByStructure(arguments);
-  arguments.exemplar.findsStructure =
-      !arguments.layers.isGiven() && (byStructure || arguments.method == Method::quilting);
-  Result<ReadExemplar> read = readExemplar(arguments.inputs, arguments.exemplar, arguments.shared);
-  if (!read)
-    return read.error();
-  MaterialSet& set = read.value().set;
-  const Structure& structure = read.value().structure;
-  if (leavesMethodOpen(arguments) && arguments.common.guide == kGuideRange.least)
-    notes.add("--guide 0: tiles are placed anywhere, so the noise is baked by tiling; --method "
-              "quilting cuts them along outlines");
-  if (byStructure && structure.isClear()) {
-    arguments.method = Method::quilting;
-    notes.add(structure.repeats()
-                  ? "the exemplar repeats, so it is baked by quilting, which keeps what repeats; "
-                    "--method tiling scatters it"
-                  : "outlines hold the exemplar together, so it is baked by quilting, which keeps "
-                    "what they enclose; --method tiling blends it");
-  }
-  if (arguments.method == Method::quilting && !arguments.common.guide)
-    arguments.common.guide = structure.guide();
-  for (std::string& line : set.notes)
-    notes.add(std::move(line));
-  return Exemplar{arguments.name.empty() ? asUtf8(set.name) : arguments.name,
-                  std::move(set.maps),
-                  set.periodic,
-                  std::move(read.value().origins),
-                  std::move(read.value().preparation),
-                  read.value().widthShare};
+/// Reads the options of the method, if they decide it. `maps` as BakeOptionsReader has them.
+Result<void> setMethod(Arguments& arguments, std::span<const MapExemplar> maps,
+                       std::vector<std::string>& notes) {
+  const std::optional<Method> method = methodOf(arguments);
+  if (!method)
+    return {};
+  Result<MethodOptions> own = arguments.methods[std::size_t(*method)](maps, notes);
+  if (!own)
+    return own.error();
+  arguments.bake.method = std::move(own).value();
+  return {};
 }
 
-/// A finished noise, noise 0 of the bundle, with what the method reports of it, and the verdict.
-struct JudgedBake {
-  LayeredBake baked;
-  BakeVerdict judged;
-};
-
-/// Bakes, and judges what it baked.
-Result<JudgedBake> bakeNoise(const Arguments& arguments, const Exemplar& exemplar, Notes& notes) {
-  ProgressLine progress("bake", arguments.shared);
-  const auto bake = [&](std::span<const MapExemplar> maps) {
-    return arguments.optionsOf(arguments.method)
-        .bake({exemplar.name, maps, exemplar.borders, arguments.bits, progress.asProgress()});
-  };
-  LayeredBake result;
-  if (arguments.layers.isGiven()) {
-    Result<LayeredBake> layered = bakeLayers(arguments.layers, exemplar.name, exemplar.maps, bake);
-    if (!layered)
-      return layered.error();
-    result = std::move(layered).value();
-  } else {
-    Result<MethodBake> baked = bake(exemplar.maps);
-    if (!baked)
-      return baked.error();
-    result.about = std::move(baked).value();
-    result.bundle.noises.push_back(std::move(result.about.noise));
-    result.bundle.tables = std::move(result.about.tables);
-  }
-  progress.erase();
-  for (Noise& noise : result.bundle.noises)
-    noise.tileSizeMetres =
-        std::max(kTileSizeRange.least, arguments.tileMetres * exemplar.widthShare);
-  result.bundle.noises.front().preparation = exemplar.preparation;
-  result.about.material.seed = arguments.seed;
-  result.bundle.materialNames = {result.bundle.noises.front().name};
-  result.bundle.materials = {result.about.material};
-  if (arguments.exemplar.set.periodic == Periodic::detect && result.about.bordersWereBlended)
-    notes.add(fmt::format("the exemplar's borders do not fit together; the bake {} them",
-                          result.about.borderTreatment));
-  Result<BakeVerdict> judged =
-      judgeNoise(result.bundle, *result.bundle.materials.front(), exemplar.maps, exemplar.borders,
-                 !result.about.bordersWereBlended, arguments.shared);
-  if (!judged)
-    return judged.error();
-  return JudgedBake{std::move(result), std::move(judged).value()};
+Result<void> setLayers(Arguments& arguments) {
+  if (!arguments.hasLayers())
+    return {};
+  LayersOptions& layers = arguments.bake.layers.emplace();
+  layers.count = arguments.layers;
+  layers.softness = arguments.softness.value_or(layers.softness);
+  if (arguments.labels.empty())
+    return {};
+  Result<SrgbImage> picture = readSrgb(arguments.labels);
+  if (!picture)
+    return picture.error();
+  layers.labels.emplace(std::move(picture).value(), arguments.labels);
+  return {};
 }
 
-Result<BundleFile> makeBundleFile(const Arguments& arguments, LayeredBake& bake) {
-  BundleFile file;
-  file.shape = arguments.preview;
-  file.generator = "lichen " LICHEN_VERSION;
-  file.bundle = std::move(bake.bundle);
-  Result<PreviewImages> previews = previewImages(file.bundle, bake.about.material);
-  if (!previews)
-    return previews.error();
-  file.previews.push_back(std::move(previews).value());
-  return file;
+/// Members of the report that only this bake has.
+Result<nlohmann::ordered_json> figuresOf(const BakedMaterial& baked) {
+  Result<nlohmann::ordered_json> json =
+      commandOf(baked.bundle.noises.front().method()).figures(baked);
+  if (json && !baked.proportions.empty()) {
+    json.value()["indexSpectrumErrors"] = baked.indexSpectrumErrors;
+    json.value()["proportions"] = baked.proportions;
+  }
+  return json;
 }
 
 /// Writes the page of --report and returns the lines to print about it; nothing without --report.
-Result<std::vector<std::string>> writeReport(const Arguments& arguments, const Exemplar& exemplar,
-                                             const JudgedBake& bake, const Bundle& bundle,
-                                             const Notes& notes, StepTimes& times) {
-  const ReportedInput input{.name = exemplar.name,
-                            .exemplars = exemplar.maps,
-                            .risks = bake.judged.assessed,
-                            .origins = exemplar.origins};
+Result<std::vector<std::string>> writeReport(const Arguments& arguments, const Bundle& bundle,
+                                             const BakedMaterial& baked, const Facts& facts,
+                                             StepTimes& times) {
+  const ReportedInput input{.name = bundle.noises.front().name,
+                            .exemplars = baked.exemplars,
+                            .risks = baked.judgement.risks,
+                            .origins = baked.origins};
   Result<std::vector<std::string>> lines = writeHtmlReport(arguments.report,
                                                            {.files = arguments.inputs,
                                                             .output = arguments.output,
                                                             .bundle = bundle,
                                                             .inputs = {&input, 1},
-                                                            .verdict = bake.judged.verdict,
-                                                            .facts = bake.baked.about.facts,
-                                                            .notes = notes.lines(),
+                                                            .verdict = baked.judgement.verdict,
+                                                            .facts = facts,
+                                                            .notes = baked.notes,
                                                             .timings = times.steps()},
                                                            arguments.shared);
   if (!arguments.report.empty())
@@ -262,65 +157,102 @@ Result<std::vector<std::string>> writeReport(const Arguments& arguments, const E
   return lines;
 }
 
+/// Reads the images, and bakes them. Adds the notes on options to those of the bake.
+Result<BakedMaterial> readAndBake(Arguments& arguments, StepTimes& times) {
+  std::vector<std::string> notes;
+  if (leavesMethodOpen(arguments) && arguments.common.guide == kGuideRange.least)
+    notes.emplace_back(
+        "--guide 0: tiles are placed anywhere, so the noise is baked by tiling; --method "
+        "quilting cuts them along outlines");
+  if (Result<void> set = setMethod(arguments, {}, notes); !set)
+    return set.error();
+  if (Result<void> set = setLayers(arguments); !set)
+    return set.error();
+  Result<MaterialSet> set =
+      readMaterial(arguments.inputs, readingOf(arguments.bake), bakeMemoryOf(arguments.bake));
+  if (!set)
+    return set.error();
+  if (std::vector<std::string> again; arguments.common.spectrum)
+    if (Result<void> sized = setMethod(arguments, set.value().maps, again); !sized)
+      return sized.error();
+  StepsShown steps(arguments.shared);
+  BakeObserver observer = steps.observer();
+  observer.progress = [&times, isPreparing = true,
+                       show = observer.progress](std::string_view step, double fraction) mutable {
+    if (isPreparing && step == "bake")
+      times.end("Reading and preparing the images");
+    isPreparing = isPreparing && step != "bake";
+    return show(step, fraction);
+  };
+  for (const std::string& line : notes)
+    observer.note(line);
+  Result<BakedMaterial> baked = bakeMaterial(std::move(set).value(), arguments.bake, observer);
+  if (baked)
+    baked.value().notes.insert(baked.value().notes.begin(), notes.begin(), notes.end());
+  times.end("Baking and judging the noise");
+  return baked;
+}
+
 Result<int> run(Arguments& arguments) {
   StepTimes times;
-  arguments.method = usualMethod(arguments);
-  if (Result<void> checked = checkMethodOptions(arguments); !checked)
+  if (Result<void> checked =
+          checkMethodOptions(arguments, methodOf(arguments).value_or(Method::tiling));
+      !checked)
     return checked.error();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
   if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked.error();
-  arguments.exemplar.keepsOriginals = !arguments.report.empty();
-  arguments.exemplar.bakeMemory = memoryOf(arguments);
-  if (arguments.layers.isGiven()) // a part that occurs once may be a layer
-    arguments.exemplar.outliers.keeps = true;
-  Notes notes(arguments.shared);
-  Result<Exemplar> read = readAndChoose(arguments, notes);
-  if (!read)
-    return read.error();
-  const Exemplar& exemplar = read.value();
-  notes.say(); // before the work: the user may prefer another photograph
-  times.end("Reading and preparing the images");
-
-  Result<JudgedBake> made = bakeNoise(arguments, exemplar, notes);
+  arguments.bake.exemplar.keepsOriginals = !arguments.report.empty();
+  arguments.bake.material = arguments.common.material;
+  Result<BakedMaterial> made = readAndBake(arguments, times);
   if (!made)
     return made.error();
-  times.end("Baking and judging the noise");
-  MethodBake& bake = made.value().baked.about;
-  for (const std::string& line : bake.notes)
-    notes.add(line);
-  const Result<BundleFile> file = makeBundleFile(arguments, made.value().baked);
+  BakedMaterial& baked = made.value();
+  const Facts facts = commandOf(baked.bundle.noises.front().method()).facts(baked);
+  nlohmann::ordered_json figures;
+  if (arguments.shared.json) {
+    Result<nlohmann::ordered_json> json = figuresOf(baked);
+    if (!json)
+      return json.error();
+    figures = std::move(json).value();
+  }
+  const Result<BundleFile> file =
+      withPreviews(std::move(baked.bundle), arguments.preview, "lichen " LICHEN_VERSION);
   if (!file)
     return file.error();
-  const Bundle& bundle = file.value().bundle;
-  if (arguments.shared.json && !arguments.layers.isGiven()) {
-    const Result<nlohmann::ordered_json> measured =
-        arguments.optionsOf(arguments.method).measure(bundle, exemplar.maps, bake);
-    if (!measured)
-      return measured.error();
-    bake.json.update(measured.value());
-  }
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
-  notes.say();
   times.end("Preview and bundle");
-
-  const Result<std::vector<std::string>> page =
-      writeReport(arguments, exemplar, made.value(), bundle, notes, times);
+  const Bundle& bundle = file.value().bundle;
+  const Result<std::vector<std::string>> page = writeReport(arguments, bundle, baked, facts, times);
   if (!page)
     return page.error();
-  const BakeVerdict& judged = made.value().judged;
+  const NoiseJudgement& judged = baked.judgement;
   reportBake(arguments.shared, {.output = arguments.output,
                                 .bundle = bundle,
-                                .notes = notes.lines(),
+                                .notes = baked.notes,
                                 .verdict = judged.verdict,
-                                .risks = leadingRisks(exemplar.maps, judged.assessed),
-                                .ofMethod = bake.json,
+                                .risks = leadingRisks(baked.exemplars, judged.risks),
+                                .ofMethod = figures,
                                 .seconds = times.sum()});
   for (const std::string& line : page.value())
     say(arguments.shared, line);
   return kDone;
+}
+
+void addLayersOptions(CLI::App& verb, Arguments& arguments) {
+  constexpr const char* kHeading = "Layers";
+  addText(verb, "--labels", arguments.labels, "IMAGE",
+          "A picture of 2 to 4 colours that says which pixels are which material: each becomes a "
+          "layer, and the layers alternate as in the picture")
+      .group(kHeading);
+  addValue(verb, "--layers", arguments.layers, optional(wholeNumber(kFewestLabels, kMostLabels)),
+           "", "The same with this many clusters of the exemplar's colours")
+      .group(kHeading);
+  addValue(verb, "--softness", arguments.softness, optional(number(kSoftnessRange)), "",
+           "Width of the transitions between layers, in deviations of the index map [default: 0.1]")
+      .group(kHeading);
 }
 
 } // namespace
@@ -331,12 +263,13 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
            "A photograph, or a folder or files with the maps of a material: PNG, JPEG or EXR")
       .required();
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The bundle").required();
-  addValue(verb, "--name", arguments->name, nameText(), "",
+  addValue(verb, "--name", arguments->bake.name, nameText(), "",
            "Name of the noise and its material [default: the input's]");
-  addValue(verb, "--seed", arguments->seed, seedNumber(), "1", "Seed of the pattern");
-  addValue(verb, "--tile", arguments->tileMetres, number(kTileSizeRange, "metres"), "1",
+  addValue(verb, "--seed", arguments->common.material.seed, seedNumber(), "1",
+           "Seed of the pattern");
+  addValue(verb, "--tile", arguments->bake.tileSizeMetres, number(kTileSizeRange, "metres"), "1",
            "Width of the exemplar in metres, before --rectify: 0.5 for 50 cm");
-  addExemplarOptions(verb, arguments->exemplar, ExemplarUse::bake);
+  addExemplarOptions(verb, arguments->bake.exemplar, ExemplarUse::bake);
   addPreviewShape(verb, arguments->preview);
   addReport(verb, arguments->report);
   Choices<Method> methods;
@@ -349,7 +282,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "multiple-kernels does so with few kernels, for painted spectra; quilting keeps bricks, "
       "boards and threads whole [default: quilting if something repeats clearly or has clear "
       "outlines, otherwise tiling]");
-  addValue(verb, "--precision", arguments->bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
+  addValue(verb, "--precision", arguments->bake.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "Bits per channel of the tables; for textons 16- or 32-bit floats");
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addBakeOptions(verb, arguments->common));
@@ -363,7 +296,7 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "frequency 0 in the middle and a cycle per tile a pixel; or parts with commas between them, "
       "in cycles per tile: ring:FROM:TO, band:LEFT:RIGHT:TOP:BOTTOM, lobe:U:V:RADIUS")
       .group("Local random phase and multiple kernels");
-  addLayersOption(verb, arguments->layers);
+  addLayersOptions(verb, *arguments);
   arguments->verb = &verb;
   verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // lichen compare: compares a result or a bundle's noise with the exemplar.
-#include "bake_verdict.h"
+#include "bake_risks.h"
 #include "command.h"
 #include "exemplar_options.h"
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
 
+#include <lichen/bake_material.h>
 #include <lichen/judgement_json.h>
 #include <lichen/noise_comparison.h>
 
@@ -69,8 +70,8 @@ struct AsBaked {
 };
 
 Result<AsBaked> readAsBaked(const Arguments& arguments) {
-  Result<ReadExemplar> read =
-      readExemplar({arguments.exemplar}, arguments.asBaked, arguments.shared);
+  Result<PreparedExemplar> read =
+      readExemplar(arguments.exemplar, arguments.asBaked, arguments.shared);
   if (!read)
     return read.error();
   AsBaked baked{std::move(read.value().set), 0, 0};
@@ -99,10 +100,9 @@ Result<std::vector<MapMeasures>> compareImage(const Arguments& arguments, Materi
                  fmt::format("{}: has no base colour to compare with an image; expected one, or a "
                              "bundle as the result",
                              arguments.exemplar)};
-  ExemplarOptions asItIs;
-  asItIs.outliers.keeps = true;
+  ExemplarOptions asItIs{.flattening = {}, .outliers = {.keeps = true}, .rectification = {}};
   asItIs.set.cutsFrame = false;
-  const Result<ReadExemplar> result = readExemplar({arguments.result}, asItIs, arguments.shared);
+  const Result<PreparedExemplar> result = readExemplar(arguments.result, asItIs, arguments.shared);
   if (!result)
     return result.error();
   const MapExemplar& image = result.value().set.maps.front();
@@ -152,9 +152,10 @@ void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) 
 /// The verdict on a bundle's noise, as `bake` gives it: from the measures of a small result.
 Result<Verdict> verdictOf(const BakedNoise& baked, const MaterialSet& set,
                           const SharedOptions& shared) {
-  Result<BakeVerdict> judged =
+  ProgressLine line("judge", shared);
+  Result<NoiseJudgement> judged =
       judgeNoise(baked.bundle, materialOf(baked.bundle, baked.index), set.maps, set.periodic,
-                 bordersFit(set.maps, set.periodic), shared);
+                 bordersFit(set.maps, set.periodic), line.asProgress());
   if (!judged)
     return judged.error();
   return std::move(judged).value().verdict;

@@ -23,8 +23,6 @@
 namespace lichen::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
 
@@ -36,12 +34,12 @@ const MethodCommand& commandOf(const Noise& noise) { return cli::commandOf(noise
 
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   const Noise& described = bundle.noises[noise];
-  return commandOf(described).fetches(bundle, described, map, materialOf(bundle, noise));
+  return commandOf(described).fetches(described, map, materialOf(bundle, noise));
 }
 
 /// Returns the bits per channel of the image that the shader samples.
 int bitsOf(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
-  return formatName(commandOf(bundle.noises[noise]).imageOf(bundle, map).format).bits;
+  return formatName(bundle.tables[commandOf(bundle.noises[noise]).imageOf(map)].format).bits;
 }
 
 /// The sum over all maps and layers, and the index maps.
@@ -141,7 +139,7 @@ Json describe(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
             {"mean", map.mean},
             {"covariance", map.covariance},
             {"fetchesPerPixel", fetchesPerPixel(bundle, noise, map)}};
-  commandOf(bundle.noises[noise]).describe(bundle, map, json);
+  commandOf(bundle.noises[noise]).describe(map, json);
   return json;
 }
 

@@ -3,12 +3,10 @@
 #include "command.h"
 #include "methods/spectrum_option.h"
 #include "noise_choice.h"
-#include "noise_name.h"
 #include "options.h"
-#include "preview_images.h"
 
+#include <lichen/bake_material.h>
 #include <lichen/bundle_merge.h>
-#include <lichen/bundle_writer.h>
 #include <lichen/index_map.h>
 #include <lichen/layered_noise.h>
 
@@ -177,23 +175,19 @@ Result<int> run(const Arguments& arguments) {
   Result<Bundle> bundle = layered(arguments);
   if (!bundle)
     return bundle.error();
-  BundleFile file;
-  file.bundle = std::move(bundle).value();
-  file.shape = arguments.preview;
-  file.generator = "lichen " LICHEN_VERSION;
-  Result<PreviewImages> images = previewImages(file.bundle, *file.bundle.materials.front());
-  if (!images)
-    return images.error();
-  file.previews.push_back(std::move(images).value());
-  if (Result<void> written = writeBundle(arguments.output, file); !written)
+  const Result<BundleFile> file =
+      withPreviews(std::move(bundle).value(), arguments.preview, "lichen " LICHEN_VERSION);
+  if (!file)
+    return file.error();
+  if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const std::string& name = file.bundle.noises.front().name;
+  const std::string& name = file.value().bundle.noises.front().name;
   if (arguments.shared.json) {
     printLine(toText(nlohmann::ordered_json{{"output", arguments.output},
                                             {"name", name},
                                             {"layers", arguments.inputs.size()},
-                                            {"tableBytes", texelBytes(file.bundle)},
+                                            {"tableBytes", texelBytes(file.value().bundle)},
                                             {"seconds", seconds.count()}}));
     return kDone;
   }

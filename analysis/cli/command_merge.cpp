@@ -2,11 +2,10 @@
 // lichen merge: combines the noises of several bundles in one, with a preview scene.
 #include "command.h"
 #include "options.h"
-#include "preview_images.h"
 #include "progress_line.h"
 
+#include <lichen/bake_material.h>
 #include <lichen/bundle_merge.h>
-#include <lichen/bundle_writer.h>
 #include <lichen/counted.h>
 
 #include <fmt/format.h>
@@ -76,22 +75,14 @@ Result<int> run(const Arguments& arguments) {
   Result<MergedBundle> merged = readAndMerge(arguments.inputs);
   if (!merged)
     return merged.error();
-  BundleFile file;
-  file.bundle = merged.value().bundle;
-  file.shape = arguments.preview;
-  file.generator = "lichen " LICHEN_VERSION;
-  if (Result<void> checked = checkTexCoords(file.bundle, file.shape); !checked)
+  if (Result<void> checked = checkTexCoords(merged.value().bundle, arguments.preview); !checked)
     return checked.error();
   ProgressLine progress("merge", arguments.shared);
-  const std::size_t materials = file.bundle.materials.size();
-  for (std::size_t m = 0; m < materials; ++m) {
-    Result<PreviewImages> images = previewImages(file.bundle, *file.bundle.materials[m]);
-    if (!images)
-      return images.error();
-    file.previews.push_back(std::move(images).value());
-    progress.show(double(m + 1) / double(materials));
-  }
-  if (Result<void> written = writeBundle(arguments.output, file); !written)
+  const Result<BundleFile> file = withPreviews(merged.value().bundle, arguments.preview,
+                                               "lichen " LICHEN_VERSION, progress.asProgress());
+  if (!file)
+    return file.error();
+  if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
   progress.erase();
   for (const std::string& text : merged.value().notes)

@@ -4,14 +4,12 @@
 #include "command.h"
 #include "exemplar_options.h"
 #include "html_report.h"
-#include "methods/texton_command.h"
+#include "methods/texton_options.h"
 #include "noise_choice.h"
-#include "noise_name.h"
 #include "options.h"
-#include "preview_images.h"
 #include "progress_line.h"
 
-#include <lichen/bundle_writer.h>
+#include <lichen/bake_material.h>
 #include <lichen/layered_noise.h>
 #include <lichen/texton_mix.h>
 
@@ -38,7 +36,7 @@ struct Arguments {
   std::string name;
   std::uint32_t seed = 0;
   double tileMetres = 0.0;
-  ExemplarOptions exemplar{.bakeMemory = kTextonMemory};
+  ExemplarOptions exemplar;
   TextonMixOptions mix;
   MaterialNoise material;
   PreviewShape preview{};
@@ -102,7 +100,8 @@ Result<void> check(const Arguments& arguments) {
 Result<Inputs> readInputs(const Arguments& arguments) {
   Inputs inputs;
   for (const std::string& path : arguments.inputs) {
-    Result<ReadExemplar> read = readExemplar({path}, arguments.exemplar, arguments.shared);
+    Result<PreparedExemplar> read = readExemplar(path, arguments.exemplar, arguments.shared,
+                                                 bakeMemoryOf(MethodOptions(TextonOptions{})));
     if (!read)
       return read.error();
     MaterialSet& set = read.value().set;
@@ -128,8 +127,9 @@ Result<void> judge(const Arguments& arguments, Inputs& inputs) {
     for (const MapExemplar& map : exemplar.maps)
       widest = std::max(widest, map.width);
   for (const MixedExemplar& exemplar : inputs.exemplars) {
+    ProgressLine progress("assess", arguments.shared);
     Result<std::vector<std::vector<Risk>>> assessed =
-        assessTextonMaps(exemplar.maps, arguments.mix.texton.support, arguments.shared, widest);
+        assessMixed(exemplar.maps, arguments.mix.texton.support, widest, progress.asProgress());
     if (!assessed)
       return assessed.error();
     const std::vector<MapRisk> risks = leadingRisks(exemplar.maps, assessed.value());
@@ -145,28 +145,22 @@ std::string nameOfMix(const Arguments& arguments, const std::vector<std::string>
   return arguments.name.empty() ? asUtf8(fmt::format("{}", fmt::join(names, "-"))) : arguments.name;
 }
 
-Result<BundleFile> makeBundleFile(const Arguments& arguments, TextonMixBake bake) {
+Bundle bundleOf(const Arguments& arguments, TextonMixBake bake) {
   // Texture coordinates visible on the ball and on the ground in front of it; the centre of the
   // ball has 0.5.
   constexpr std::array<double, 2> kPreviewStart{-1.0, 0.0};
   constexpr std::array<double, 2> kPreviewEnd{2.0, 0.0};
-  BundleFile file;
-  file.shape = arguments.preview;
-  file.generator = "lichen " LICHEN_VERSION;
   bake.noise.tileSizeMetres = arguments.tileMetres;
   MaterialNoise material = arguments.material;
   material.seed = arguments.seed;
   if (isMix(bake.noise))
     material.mix = {.source = MixSource::direction, .start = kPreviewStart, .end = kPreviewEnd};
-  file.bundle.tables = std::move(bake.tables);
-  file.bundle.materialNames = {bake.noise.name};
-  file.bundle.noises = {std::move(bake.noise)};
-  file.bundle.materials = {material};
-  Result<PreviewImages> previews = previewImages(file.bundle, material);
-  if (!previews)
-    return previews.error();
-  file.previews.push_back(std::move(previews).value());
-  return file;
+  Bundle bundle;
+  bundle.tables = std::move(bake.tables);
+  bundle.materialNames = {bake.noise.name};
+  bundle.noises = {std::move(bake.noise)};
+  bundle.materials = {material};
+  return bundle;
 }
 
 std::vector<std::pair<std::string, std::string>>
@@ -237,10 +231,13 @@ Result<int> run(Arguments& arguments) {
   times.end("Baking the noise");
   const TextonMixQuality quality = std::move(baked.value().quality);
   const TextonShape shape = baked.value().noise.as<TextonShape>();
-  if (std::optional<std::string> line = supportNote(arguments.mix.texton.support, shape))
+  if (std::optional<std::string> line =
+          supportNote(arguments.mix.texton.support, shape, mixOptionOf))
     notes.push_back(std::move(*line));
-  notes.push_back(qualityNote(quality, baked.value().noise));
-  const Result<BundleFile> file = makeBundleFile(arguments, std::move(baked).value());
+  notes.push_back(mixNote(quality, baked.value().noise, mixOptionOf,
+                          "lichen bake --method tiling for each input alone"));
+  const Result<BundleFile> file = withPreviews(bundleOf(arguments, std::move(baked).value()),
+                                               arguments.preview, "lichen " LICHEN_VERSION);
   if (!file)
     return file.error();
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)

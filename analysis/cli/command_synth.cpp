@@ -38,7 +38,7 @@ struct Arguments {
   std::optional<std::uint32_t> seed;
   std::optional<double> contrast;
   std::optional<std::array<double, 2>> mix;
-  std::vector<std::unique_ptr<const UseOptions>> methods; ///< in the order of Method
+  std::vector<UseOptions> methods; ///< in the order of Method
   SynthesisOptions synthesis;
   bool allMaps = false;
   // For --all-maps; absent where not given.
@@ -88,7 +88,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   MaterialNoise& material = synthesis.material;
   material.seed = arguments.seed.value_or(material.seed);
   material.contrast = arguments.contrast.value_or(material.contrast);
-  arguments.methods[std::size_t(chosen.method())]->replace(material, synthesis.evaluation);
+  arguments.methods[std::size_t(chosen.method())](material, synthesis.evaluation);
   if (arguments.mix && !isMix(chosen))
     return notMixed("--mix", chosen);
   constexpr std::array<double, 2> kFullPath{0.0, 1.0}, kMiddle{0.5, 0.5};

@@ -2,91 +2,88 @@
 // Files and options -> exemplars.
 #include "exemplar_options.h"
 
-#include "available_memory.h"
-
-#include <lichen/image_io.h>
+#include "bake_risks.h"
+#include "options.h"
+#include "steps_shown.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <filesystem>
+#include <string_view>
 
 namespace lichen::cli {
 namespace {
 
-/// Describes how map `m` was made. Moves its unflattened original out of `originals`, unless that
-/// is empty.
-ExemplarOrigin originOf(std::size_t m, const ExemplarOptions& options, const Flattened& flattened,
-                        std::size_t filled, const RectifiedPart& part, const MaterialSet& set,
-                        std::vector<MapExemplar>& originals) {
-  const std::vector<MapExemplar>& maps = set.maps;
-  ExemplarOrigin origin;
-  if (set.crop)
-    origin.steps.emplace_back("cropped");
-  if (options.set.size)
-    origin.steps.emplace_back("resized");
-  const std::vector<MapTarget>& targets = flattened.maps;
-  const bool isFlattened = std::ranges::count(targets, maps[m].target) > 0;
-  const double period = flattened.periodPixels * maps[m].width / maps.front().width;
-  if (isFlattened)
-    origin.steps.push_back(fmt::format("without variation slower than {:.0f} pixels", period));
-  if (filled > 0)
-    origin.steps.push_back(filled == 1 ? "one part filled"
-                                       : fmt::format("{} parts filled", filled));
-  if (part.corners)
-    origin.steps.emplace_back("straightened");
-  if (!originals.empty() && (isFlattened || filled > 0 || part.corners))
-    origin.original = std::move(originals[m]);
-  return origin;
-}
-
 /// Returns the pixels per map, if --size or --crop determine them.
-std::optional<std::uint64_t> keptPixels(const ExemplarOptions& options) {
+std::optional<std::uint64_t> keptPixels(const MaterialSetOptions& options) {
   const auto product = [](int a, int b) { return std::uint64_t(a) * std::uint64_t(b); };
-  if (options.set.size)
-    return product((*options.set.size)[0], (*options.set.size)[1]);
+  if (options.size)
+    return product((*options.size)[0], (*options.size)[1]);
   if (options.crop)
-    return product((*options.crop)[2], (*options.crop)[3]);
+    return product(options.crop->width, options.crop->height);
   return std::nullopt;
 }
 
-bool has(std::span<const MapExemplar> maps, MapTarget target) {
-  return std::ranges::count(maps, target, &MapExemplar::target) > 0;
+/// --flatten none|auto|PERIOD.
+Accepted<Flattening> flattening() {
+  const Accepted<double> period = number(kFlattenPeriodRange);
+  return {"none|auto|PERIOD", "none, auto or " + period.sentence,
+          [read = period.read](const std::string& text) -> std::optional<Flattening> {
+            if (text == "none")
+              return Flattening{};
+            if (text == "auto")
+              return Flattening{true, 0.0, {}};
+            const std::optional<double> pixels = read(text);
+            return pixels ? std::optional(Flattening{false, *pixels, {}}) : std::nullopt;
+          }};
 }
 
-/// The part of the largest file that was used, unless --size hides how large that is.
-std::optional<PhotographPart> photographPart(const ExemplarOptions& options,
-                                             const MaterialSet& set) {
-  if (set.crop)
-    return PhotographPart{double(set.crop->x), double(set.crop->y), double(set.crop->width),
-                          double(set.crop->height)};
-  if (options.set.size)
-    return std::nullopt;
-  const auto largest = std::ranges::max_element(
-      set.maps, {}, [](const MapExemplar& map) { return double(map.width) * map.height; });
-  return PhotographPart{0.0, 0.0, double(largest->width), double(largest->height)};
+Accepted<std::optional<PixelRectangle>> crop() {
+  const Accepted<std::array<int, 4>> rectangle = pixelRectangle(kMaxImageSide);
+  return {rectangle.placeholder, rectangle.sentence,
+          [read = rectangle.read](const std::string& text) {
+            const auto part = read(text);
+            return part ? std::optional(std::optional(
+                              PixelRectangle{(*part)[0], (*part)[1], (*part)[2], (*part)[3]}))
+                        : std::nullopt;
+          }};
 }
 
-Preparation preparationOf(const ExemplarOptions& options, const MaterialSet& set,
-                          const Flattened& flattened, std::vector<FilledPlace> filled,
-                          const std::optional<TileCorners>& corners) {
-  Preparation made;
-  if (set.crop)
-    made.crop = {std::uint32_t(set.crop->x), std::uint32_t(set.crop->y),
-                 std::uint32_t(set.crop->width), std::uint32_t(set.crop->height)};
-  if (options.set.size)
-    std::ranges::copy(*options.set.size, made.size.emplace().begin());
-  made.isGreenDown =
-      options.set.normal == NormalConvention::directX && has(set.maps, MapTarget::normal);
-  made.usesAlpha = options.set.alpha == AlphaUse::opacity && has(set.maps, MapTarget::opacity);
-  if (set.periodic != Periodic::detect)
-    made.periodic = set.periodic == Periodic::yes;
-  if (!flattened.maps.empty())
-    made.flattenPeriod = flattened.periodPixels;
-  made.flattened = flattened.maps;
-  made.filled = std::move(filled);
-  made.corners = corners;
-  return made;
+/// Eight numbers from 0, with commas or spaces between them.
+std::optional<TileCorners> cornersFrom(const std::string& text) {
+  TileCorners corners{};
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  for (std::size_t k = 0; k < 2 * corners.size(); ++k) {
+    if (k > 0 && (at == end || std::string_view(", ").find(*at++) == std::string_view::npos))
+      return std::nullopt;
+    double& value = corners[k / 2][k % 2];
+    const auto [rest, fault] = std::from_chars(at, end, value);
+    if (fault != std::errc() || !(value >= 0.0))
+      return std::nullopt;
+    at = rest;
+  }
+  return at == end && areConvex(corners) ? std::optional(corners) : std::nullopt;
+}
+
+/// "off", or "X,Y,X,Y,X,Y,X,Y", the corners, commas or spaces between them; "auto" too if
+/// `findsPeriods`.
+Accepted<Rectification> rectification(bool findsPeriods) {
+  return {findsPeriods ? "auto|off|X,Y,..." : "off|X,Y,...",
+          std::string(findsPeriods ? "auto, off" : "off") +
+              ", or 8 numbers from 0 with commas between them: X,Y of the upper left, upper right, "
+              "lower right and lower left corner, in this order and in pixels; the corners must be "
+              "convex",
+          [findsPeriods](const std::string& text) -> std::optional<Rectification> {
+            if (text == "auto" && findsPeriods)
+              return Rectification{true, std::nullopt};
+            if (text == "off")
+              return Rectification{};
+            const std::optional<TileCorners> corners = cornersFrom(text);
+            return corners ? std::optional(Rectification{false, corners}) : std::nullopt;
+          }};
 }
 
 } // namespace
@@ -112,7 +109,8 @@ Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, Exempla
   else
     options.rectification.corners = recorded.corners;
   if (recorded.crop)
-    std::ranges::copy(*recorded.crop, options.crop.emplace().begin());
+    options.set.crop = {int((*recorded.crop)[0]), int((*recorded.crop)[1]),
+                        int((*recorded.crop)[2]), int((*recorded.crop)[3])};
   if (recorded.size)
     std::ranges::copy(*recorded.size, options.set.size.emplace().begin());
   if (recorded.isGreenDown)
@@ -157,7 +155,7 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse us
     if (use == ExemplarUse::comparison)
       option.shownDefault("as the bundle says" + (preset.empty() ? "" : ", else " + preset));
   };
-  add("--crop", options.crop, optional(pixelRectangle(kMaxImageSide)), "",
+  add("--crop", options.set.crop, crop(), "",
       "Use only the W x H pixels from column X and row Y on, counted in the largest map; a bake "
       "without it cuts off a frame around the picture");
   add("--size", options.set.size, optional(imageSize(kMaxImageSide)), "",
@@ -190,46 +188,23 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse us
       "Whether opposite borders fit together: yes leaves them, no blends them, auto measures");
 }
 
-Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
-                                  const ExemplarOptions& options, const SharedOptions& shared) {
-  MaterialSetOptions reading = options.set;
-  if (options.crop) {
-    const auto [x, y, width, height] = *options.crop;
-    reading.crop = PixelRectangle{x, y, width, height};
-  }
-  MemoryNeed need(options.bakeMemory, keptPixels(options), availableMemory());
+Result<MaterialSet> readMaterial(const std::vector<std::string>& inputs, MaterialSetOptions reading,
+                                 const BakeMemory& memory) {
+  MemoryNeed need(memory, keptPixels(reading), availableMemory(), optionOf);
   reading.sizeCheck = [&](const std::filesystem::path& file, int width, int height) {
     return need.add(file.string(), width, height);
   };
   const std::vector<std::filesystem::path> paths(inputs.begin(), inputs.end());
-  Result<MaterialSet> set = readMaterialSet(paths, reading);
+  return readMaterialSet(paths, reading);
+}
+
+Result<PreparedExemplar> readExemplar(const std::string& input, const ExemplarOptions& options,
+                                      const SharedOptions& shared, const BakeMemory& memory) {
+  Result<MaterialSet> set = readMaterial({input}, options.set, memory);
   if (!set)
     return set.error();
-  std::vector<MapExemplar>& maps = set.value().maps;
-  std::vector<MapExemplar> originals;
-  if (options.keepsOriginals)
-    originals = maps;
-  const Result<Flattened> flattened =
-      applyFlattening(maps, options.flattening, set.value().periodic, shared, set.value().notes);
-  if (!flattened)
-    return flattened.error();
-  Result<std::vector<FilledPlace>> filled =
-      applyOutliers(maps, options.outliers, set.value().periodic,
-                    photographPart(options, set.value()), shared, set.value().notes);
-  if (!filled)
-    return filled.error();
-  Result<RectifiedPart> part = applyRectification(maps, options.rectification, set.value().periodic,
-                                                  options.findsStructure, set.value().notes);
-  if (!part)
-    return part.error();
-  ReadExemplar read{
-      std::move(set).value(), {}, {}, part.value().structure, part.value().widthShare};
-  for (std::size_t m = 0; m < read.set.maps.size(); ++m)
-    read.origins.push_back(originOf(m, options, flattened.value(), filled.value().size(),
-                                    part.value(), read.set, originals));
-  read.preparation = preparationOf(options, read.set, flattened.value(), std::move(filled).value(),
-                                   part.value().corners);
-  return read;
+  StepsShown steps(shared);
+  return prepareExemplar(std::move(set).value(), options, false, steps.observer());
 }
 
 } // namespace lichen::cli

@@ -3,43 +3,15 @@
 // bundle, so that a comparison makes exactly the exemplar that was baked.
 #pragma once
 
-#include "bake_risks.h"
 #include "command.h"
-#include "memory_need.h"
-#include "outliers_option.h"
-#include "rectify_option.h"
 
-#include <lichen/material_set.h>
-#include <lichen/noise_report.h>
-#include <lichen/structure.h>
+#include <lichen/bake_memory.h>
+#include <lichen/exemplar_preparation.h>
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace lichen::cli {
-
-struct ExemplarOptions {
-  MaterialSetOptions set{}; ///< `crop` below replaces its crop
-  std::optional<std::array<int, 4>> crop{};
-  Flattening flattening{};
-  OutlierUse outliers{};
-  Rectification rectification{};
-  bool findsStructure =
-      false; ///< whether to measure what repeats, as automatic rectification needs
-  bool keepsOriginals = false; ///< whether to return the maps before flattening and filling
-  BakeMemory bakeMemory{};     ///< of the method that bakes; zeros if none does
-};
-
-/// Exemplars, and how each was made from its file.
-struct ReadExemplar {
-  MaterialSet set;
-  std::vector<ExemplarOrigin> origins; ///< one per map
-  Preparation preparation;             ///< what the options came to
-  Structure structure;                 ///< if that was to be found
-  double widthShare = 1.0;             ///< of the first map, over what it was before --rectify
-};
 
 /// What a verb does with exemplars, which decides the defaults of their options.
 enum class ExemplarUse {
@@ -58,10 +30,14 @@ Preparation adoptPreparation(Preparation recorded, const CLI::App& verb, Exempla
 /// A preparation in words, of the options where there is one; empty if nothing was done.
 [[nodiscard]] std::string describe(const Preparation& preparation);
 
-/// Reads the files with readMaterialSet(), and flattens, fills and rectifies the maps as the
-/// options ask. The notes of the set describe all.
-[[nodiscard]] Result<ReadExemplar> readExemplar(const std::vector<std::string>& inputs,
-                                                const ExemplarOptions& options,
-                                                const SharedOptions& shared);
+/// Reads the files with readMaterialSet(), if there is memory for them and for a bake.
+[[nodiscard]] Result<MaterialSet> readMaterial(const std::vector<std::string>& inputs,
+                                               MaterialSetOptions reading,
+                                               const BakeMemory& memory = {});
+/// The same, and makes an exemplar of the maps, with a line of progress.
+[[nodiscard]] Result<PreparedExemplar> readExemplar(const std::string& input,
+                                                    const ExemplarOptions& options,
+                                                    const SharedOptions& shared,
+                                                    const BakeMemory& memory = {});
 
 } // namespace lichen::cli

@@ -2,7 +2,7 @@
 // Names of noises -> indices; see noise_choice.h.
 #include "noise_choice.h"
 
-#include "options.h"
+#include <lichen/bake_material.h>
 
 #include <fmt/format.h>
 
@@ -35,6 +35,12 @@ Result<std::size_t> indexOf(const std::string& wanted, const std::vector<std::st
     return wanted.empty() ? 0 : std::size_t(found - names.begin());
   return Error{ErrorKind::usage, fmt::format("{} {}: {} has no such {}; expected {}", option,
                                              wanted, owner, option.substr(2), alternatives(names))};
+}
+
+Accepted<std::string> nameText() {
+  return {"NAME", "UTF-8 text", [](const std::string& text) {
+            return asUtf8(text) == text ? std::optional(text) : std::nullopt;
+          }};
 }
 
 bool namesBundle(const std::string& file) {

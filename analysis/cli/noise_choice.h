@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Which noise of a bundle a verb uses.
+// Names of noises: which one of a bundle a verb uses, and what a new one is called.
 #pragma once
+
+#include "options.h"
 
 #include <lichen/bundle.h>
 
@@ -15,6 +17,9 @@ namespace lichen::cli {
 [[nodiscard]] Result<std::size_t> indexOf(const std::string& wanted,
                                           const std::vector<std::string>& names,
                                           const std::string& option, const std::string& owner);
+
+/// The option --name of the verbs that make noises.
+[[nodiscard]] Accepted<std::string> nameText();
 
 /// Whether a file name has the extension of a bundle: .glb, .gltf or .lichen.
 [[nodiscard]] bool namesBundle(const std::string& file);

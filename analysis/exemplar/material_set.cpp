@@ -132,13 +132,14 @@ FileRole loneRole(const NamedImage& image, FileRole named, std::vector<std::stri
   return fits ? named : FileRole::baseColor;
 }
 
+/// Decodes the image of a file.
+using Decode = std::function<Result<ImageFile>(const std::filesystem::path&)>;
+
 /// Appends the map of one file, and, if wanted, its alpha as a map.
 Result<void> appendMaps(SetFile source, const SetFiles& files, const MaterialSetOptions& options,
-                        std::vector<NamedMap>& maps, std::vector<std::string>& notes) {
-  SizeCheck check;
-  if (options.sizeCheck)
-    check = [&](int width, int height) { return options.sizeCheck(source.path, width, height); };
-  Result<ImageFile> file = readImage(source.path, check);
+                        const Decode& decode, std::vector<NamedMap>& maps,
+                        std::vector<std::string>& notes) {
+  Result<ImageFile> file = decode(source.path);
   if (!file)
     return file.error();
   const std::string name = files.isSingleImage ? "the image" : source.path.filename().string();
@@ -322,19 +323,20 @@ std::optional<PixelRectangle> withoutFrame(const std::vector<NamedMap>& maps,
   return part;
 }
 
-/// As readMaterialSet(), but throws std::bad_alloc.
-Result<MaterialSet> readMaps(std::span<const std::filesystem::path> inputs,
-                             const MaterialSetOptions& options) {
-  Result<SetFiles> found =
-      findSetFiles(inputs, options.normal == NormalConvention::directX ? FileRole::normalDx
-                                                                       : FileRole::normalGl);
+FileRole plainNormal(const MaterialSetOptions& options) {
+  return options.normal == NormalConvention::directX ? FileRole::normalDx : FileRole::normalGl;
+}
+
+/// The maps of the files that were found. Throws std::bad_alloc.
+Result<MaterialSet> readMaps(const Result<SetFiles>& found, const MaterialSetOptions& options,
+                             const Decode& decode) {
   if (!found)
     return found.error();
   const SetFiles& files = found.value();
   MaterialSet set{files.name, {}, options.periodic, {}, files.notes};
   std::vector<NamedMap> maps;
   for (const SetFile& file : files.files)
-    if (Result<void> read = appendMaps(file, files, options, maps, set.notes); !read)
+    if (Result<void> read = appendMaps(file, files, options, decode, maps, set.notes); !read)
       return read.error();
   if (Result<void> checked = checkOneOpacity(maps); !checked)
     return checked.error();
@@ -364,7 +366,31 @@ Result<MaterialSet> readMaterialSet(std::span<const std::filesystem::path> input
     return (inputs.empty() ? std::string() : inputs.front().string() + ": ") +
            "not enough memory to read the images";
   };
-  return withinMemory(exhausted, [&] { return readMaps(inputs, options); });
+  const auto decode = [&](const std::filesystem::path& path) {
+    SizeCheck check;
+    if (options.sizeCheck)
+      check = [&](int width, int height) { return options.sizeCheck(path, width, height); };
+    return readImage(path, check);
+  };
+  return withinMemory(exhausted, [&] {
+    return readMaps(findSetFiles(inputs, plainNormal(options)), options, decode);
+  });
+}
+
+Result<MaterialSet> materialSetOf(std::vector<Photograph> photographs,
+                                  const MaterialSetOptions& options) {
+  // Images of the same name have the same role, which is refused.
+  const auto decode = [&](const std::filesystem::path& name) -> Result<ImageFile> {
+    return std::move(std::ranges::find(photographs, name.string(), &Photograph::name)->image);
+  };
+  return withinMemory([] { return "not enough memory for the images"; },
+                      [&] {
+                        std::vector<std::filesystem::path> names;
+                        for (const Photograph& photograph : photographs)
+                          names.emplace_back(photograph.name);
+                        return readMaps(chooseSetFiles(names, plainNormal(options)), options,
+                                        decode);
+                      });
 }
 
 } // namespace lichen

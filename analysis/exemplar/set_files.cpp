@@ -288,18 +288,12 @@ Result<Listed> listFiles(std::span<const fs::path> inputs) {
   return listed;
 }
 
-} // namespace
-
-Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNormal) {
-  if (inputs.empty())
-    return Error{ErrorKind::usage, "no image to bake; expected at least one"};
-  const Result<Listed> listed = listFiles(inputs);
-  if (!listed)
-    return listed.error();
-  const std::vector<fs::path>& files = listed.value().files;
+/// The maps among the files of `inputs`.
+Result<SetFiles> chosenOf(const Listed& listed, const fs::path& firstInput, FileRole plainNormal) {
+  const std::vector<fs::path>& files = listed.files;
   SetFiles set;
-  set.notes = listed.value().notes;
-  if (inputs.size() == 1 && files.size() == 1 && !listed.value().fromFolder.front()) {
+  set.notes = listed.notes;
+  if (files.size() == 1 && !listed.fromFolder.front()) {
     set.name = files.front().stem().string();
     const FileRole role = fileRole(set.name).value_or(FileRole::baseColor);
     set.files = {{files.front(), role == FileRole::normal ? plainNormal : role, {}}};
@@ -310,21 +304,38 @@ Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNo
     const std::string name = files[f].filename().string();
     if (const auto role = fileRole(files[f].stem().string()))
       set.files.push_back({files[f], *role == FileRole::normal ? plainNormal : *role, {}});
-    else if (listed.value().fromFolder[f])
+    else if (listed.fromFolder[f])
       set.notes.push_back(name + " is not used: its name does not say which map it is");
     else
       return noMapAmong(files[f], files);
   }
   if (set.files.empty())
-    return noMapIn(inputs.front(), files);
-  const bool isFolder = listed.value().fromFolder.front();
-  set.name = isFolder ? folderName(inputs.front()) : commonName(files);
+    return noMapIn(firstInput, files);
+  set.name = listed.fromFolder.front() ? folderName(firstInput) : commonName(files);
   dropSecondConvention(set);
   preferOwnFiles(set);
   noteOtherMaterials(set);
   if (Result<void> checked = checkSlots(set.files); !checked)
     return checked.error();
   return set;
+}
+
+Error noImage() { return {ErrorKind::usage, "no image to bake; expected at least one"}; }
+
+} // namespace
+
+Result<SetFiles> findSetFiles(std::span<const fs::path> inputs, FileRole plainNormal) {
+  if (inputs.empty())
+    return noImage();
+  const Result<Listed> listed = listFiles(inputs);
+  return listed ? chosenOf(listed.value(), inputs.front(), plainNormal) : listed.error();
+}
+
+Result<SetFiles> chooseSetFiles(std::span<const fs::path> files, FileRole plainNormal) {
+  if (files.empty())
+    return noImage();
+  return chosenOf({{files.begin(), files.end()}, std::vector<bool>(files.size(), false), {}},
+                  files.front(), plainNormal);
 }
 
 } // namespace lichen::exemplar

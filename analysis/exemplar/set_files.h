@@ -36,6 +36,9 @@ struct SetFiles {
 /// readMaterialSet().
 [[nodiscard]] Result<SetFiles> findSetFiles(std::span<const std::filesystem::path> inputs,
                                             FileRole plainNormal);
+/// The same for files that are not looked for: each is named by itself.
+[[nodiscard]] Result<SetFiles> chooseSetFiles(std::span<const std::filesystem::path> files,
+                                              FileRole plainNormal);
 
 /// Returns the glTF channels that a role fills, by their names in messages.
 [[nodiscard]] std::vector<std::string_view> slotsOf(FileRole role);

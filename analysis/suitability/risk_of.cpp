@@ -23,7 +23,8 @@ std::string_view nameOf(Risk::Level level) {
 }
 
 std::string plainWords(const BakeSetting& setting) {
-  return fmt::format("{} {}", setting.name, setting.value);
+  return setting.value.empty() ? std::string(setting.name)
+                               : fmt::format("{} {}", setting.name, setting.value);
 }
 
 std::string remedyOf(const Risk& risk, SettingWords words) {

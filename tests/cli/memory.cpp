@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // availableMemory(), and `lichen bake` on images that need more than that.
-#include "available_memory.h"
 #include "command_run.h"
 
-#include <lichen/result.h>
+#include <lichen/bake_memory.h>
 
 #include <catch2/catch.hpp>
 
@@ -23,7 +22,7 @@ public:
     std::ofstream(path) << text;
   }
   [[nodiscard]] std::optional<std::uint64_t> available() const {
-    return cli::availableMemory(folder_ / "proc", folder_ / "cgroup");
+    return availableMemory(folder_ / "proc", folder_ / "cgroup");
   }
 
 private:

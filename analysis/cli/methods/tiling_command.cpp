@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Tiling: options, bake reports, and descriptions for `inspect`.
-#include "tiling_command.h"
-
+// Tiling on the command line: options, bake reports, and descriptions for `inspect`.
 #include "../table_words.h"
+#include "method_command.h"
 
-#include <lichen/tiling.h>
 #include <lichen/tiling_precision.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <memory>
 
 namespace lichen::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr const char* kHeading = "Tiling";
-
-// ---- bake ----
 
 Json asJson(const PrecisionLoss& loss) {
   Json json{
@@ -28,72 +22,21 @@ Json asJson(const PrecisionLoss& loss) {
   return json;
 }
 
-class Bake final : public BakeOptions {
-public:
-  TilingOptions options;
-
-  /// Measured: 139 to 148 bytes per pixel for one map of 512 to 2048 pixels a side, 161 for one of
-  /// 8192 (docs/benchmarks.md), 238 for four maps of 1024.
-  [[nodiscard]] BakeMemory memory() const override { return {32.0, 128.0}; }
-
-  [[nodiscard]] Result<MethodBake> bake(const BakeInput& input) const override {
-    TilingOptions tiling = options;
-    tiling.bits = input.bits;
-    tiling.periodic = input.borders;
-    tiling.progress = input.progress;
-    Result<TilingBake> baked = bakeTiling(input.name, input.maps, tiling);
-    if (!baked)
-      return baked.error();
-    TilingBake& bake = baked.value();
-    MethodBake result;
-    result.bordersWereBlended = !bake.exemplarWasPeriodic;
-    const auto& first = bake.noise.maps.front().as<TilingMap>();
-    constexpr int kMostDimensions = 3; // a fourth channel is unused
-    result.json["dimensions"] =
-        std::min(kMostDimensions, channelCount(bake.tables[first.gaussian].format));
-    result.json["periodic"] = bake.exemplarWasPeriodic;
-    result.json["table"] = nameOf(tableKindOf(first));
-    result.facts.emplace_back("Borders", bake.exemplarWasPeriodic ? "fit together" : "blended");
-    if (const Grain grain = bake.noise.as<TilingNoise>().grain; grain != Grain::none) {
-      result.json["grain"] = nameOf(grain);
-      result.facts.emplace_back("Grain", fmt::format("along {}", nameOf(grain)));
-      result.notes.push_back(
-          fmt::format("long streaks along {}: cells are twice as long along them; "
-                      "a streak ends after about the length of the picture",
-                      nameOf(grain)));
-    }
-    result.noise = std::move(bake.noise);
-    result.tables = std::move(bake.tables);
-    return result;
-  }
-
-  [[nodiscard]] Result<Json> measure(const Bundle& bundle, std::span<const MapExemplar> maps,
-                                     const MethodBake& bake) const override {
-    const Result<PrecisionLoss> loss =
-        precisionLoss(bundle, 0, 0, maps.front(), !bake.bordersWereBlended);
-    if (!loss)
-      return loss.error();
-    return Json{{"precisionLoss", asJson(loss.value())}};
-  }
-};
-
-// ---- use of a noise ----
-
-class Use final : public UseOptions {
-public:
+/// The options of a use.
+struct Use {
   std::optional<double> sharpness;
   std::optional<std::uint32_t> tileRotation;
   bool nearestTableLevel = false;
 
-  void replace(MaterialNoise& material, EvaluationOptions& chosen) const override {
+  void operator()(MaterialNoise& material, EvaluationOptions& evaluation) const {
     material.blendSharpness = sharpness.value_or(material.blendSharpness);
     material.tileRotation = tileRotation.value_or(material.tileRotation);
-    chosen.nearestTableLevel = nearestTableLevel;
+    evaluation.nearestTableLevel = nearestTableLevel;
   }
 };
 
-std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
-  auto options = std::make_unique<Use>();
+std::shared_ptr<Use> addUseOptions(CLI::App& verb) {
+  auto options = std::make_shared<Use>();
   addValue(verb, "--sharpness", options->sharpness, optional(number(kBlendSharpnessRange)), "",
            "Exponent of the blend weights [default: the bundle's]")
       .group(kHeading);
@@ -105,82 +48,108 @@ std::unique_ptr<Use> addUseOptions(CLI::App& verb) {
   return options;
 }
 
-// ---- inspect ----
-
-/// Texture fetches of shaders_glsl/noise/tiling.glsl for one pixel of a map on one plane: three
-/// taps, and one of the inverse table.
-int fetchesOfTiling(const TilingMap& map) {
-  constexpr int kTaps = 3;
-  return tableKindOf(map) == TableKind::none ? kTaps : kTaps + 1;
+UseOptions useOf(std::shared_ptr<Use> options) {
+  return [options = std::move(options)](MaterialNoise& material, EvaluationOptions& evaluation) {
+    (*options)(material, evaluation);
+  };
 }
+
+class TilingCommand final : public MethodCommand {
+  std::string heading() const override { return kHeading; }
+
+  BakeOptionsReader addBakeOptions(CLI::App& verb, CommonOptions&) const override {
+    auto options = std::make_shared<TilingOptions>();
+    const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
+                                           {"default", TransportEffort::standard}};
+    addValue(verb, "--transport", options->transport, oneOf(efforts), "default",
+             "Quality of the colour matching (optimal transport)")
+        .group(kHeading);
+    const Choices<GaussianOnly> gaussian{
+        {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
+    addValue(verb, "--gaussian", options->gaussian, oneOf(gaussian), "auto",
+             "Omit the inverse table; auto omits it if the values are Gaussian")
+        .group(kHeading);
+    return [options](std::span<const MapExemplar>, std::vector<std::string>&) {
+      return MethodOptions(*options);
+    };
+  }
+
+  UseOptions addSynthOptions(CLI::App& verb) const override {
+    std::shared_ptr<Use> options = addUseOptions(verb);
+    addValue(verb, "--table-levels", options->nearestTableLevel,
+             oneOf(Choices<bool>{{"blended", false}, {"nearest", true}}), "blended",
+             "Mip levels of the inverse table: blend two, or fetch the nearest")
+        .group(kHeading);
+    return useOf(std::move(options));
+  }
+  UseOptions addApplyOptions(CLI::App& verb) const override { return useOf(addUseOptions(verb)); }
+
+  Result<Json> figures(const BakedMaterial& baked) const override {
+    const Noise& noise = baked.bundle.noises.front();
+    const auto& first = noise.maps.front().as<TilingMap>();
+    Json json{{"dimensions", first.dimensions},
+              {"periodic", baked.figures.bordersWereKept},
+              {"table", nameOf(tableKindOf(first))}};
+    describe(noise, json);
+    if (noise.layers)
+      return json;
+    const Result<PrecisionLoss> loss =
+        precisionLoss(baked.bundle, 0, 0, baked.exemplars.front(), baked.figures.bordersWereKept);
+    if (!loss)
+      return loss.error();
+    json["precisionLoss"] = asJson(loss.value());
+    return json;
+  }
+
+  Facts facts(const BakedMaterial& baked) const override {
+    Facts facts{{"Borders", baked.figures.bordersWereKept ? "fit together" : "blended"}};
+    if (const Grain grain = baked.bundle.noises.front().as<TilingNoise>().grain;
+        grain != Grain::none)
+      facts.emplace_back("Grain", fmt::format("along {}", nameOf(grain)));
+    return facts;
+  }
+
+  void describe(const Noise& noise, Json& json) const override {
+    if (const Grain grain = noise.as<TilingNoise>().grain; grain != Grain::none)
+      json["grain"] = nameOf(grain);
+  }
+
+  std::vector<std::string> linesOf(const Noise& noise, const MaterialNoise& use) const override {
+    const Grain grain = noise.as<TilingNoise>().grain;
+    if (grain == Grain::none)
+      return {};
+    return {fmt::format("grain along {}{}", nameOf(grain),
+                        use.tileRotation > 1 ? ", unused with tile rotation" : "")};
+  }
+
+  void describe(const NoiseMap& map, Json& json) const override {
+    const auto& tiling = map.as<TilingMap>();
+    json["gaussian"] = tiling.gaussian;
+    json["inverseTable"] = tiling.inverseTable ? Json(*tiling.inverseTable) : Json();
+    json["table"] = nameOf(tableKindOf(tiling));
+    json["dimensions"] = tiling.dimensions;
+  }
+
+  std::vector<std::string> linesOf(const Bundle& bundle, const NoiseMap& map) const override {
+    const auto& tiling = map.as<TilingMap>();
+    return {fmt::format("Gaussian image: table {}", tiling.gaussian),
+            inverseTableWords(tiling.inverseTable, tiling.dimensions, bundle.tables)};
+  }
+
+  /// Texture fetches of shaders_glsl/noise/tiling.glsl: three taps, and one of the inverse table.
+  int fetches(const Noise&, const NoiseMap& map, const MaterialNoise&) const override {
+    constexpr int kTaps = 3;
+    return tableKindOf(map.as<TilingMap>()) == TableKind::none ? kTaps : kTaps + 1;
+  }
+
+  std::size_t imageOf(const NoiseMap& map) const override { return map.as<TilingMap>().gaussian; }
+};
 
 } // namespace
 
-std::unique_ptr<const BakeOptions> TilingCommand::addBakeOptions(CLI::App& verb,
-                                                                 const CommonOptions&) const {
-  auto options = std::make_unique<Bake>();
-  TilingOptions& tiling = options->options;
-  const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
-                                         {"default", TransportEffort::standard}};
-  addValue(verb, "--transport", tiling.transport, oneOf(efforts), "default",
-           "Quality of the colour matching (optimal transport)")
-      .group(kHeading);
-  const Choices<GaussianOnly> gaussian{
-      {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
-  addValue(verb, "--gaussian", tiling.gaussian, oneOf(gaussian), "auto",
-           "Omit the inverse table; auto omits it if the values are Gaussian")
-      .group(kHeading);
-  return options;
-}
-
-std::unique_ptr<const UseOptions> TilingCommand::addSynthOptions(CLI::App& verb) const {
-  std::unique_ptr<Use> options = addUseOptions(verb);
-  addValue(verb, "--table-levels", options->nearestTableLevel,
-           oneOf(Choices<bool>{{"blended", false}, {"nearest", true}}), "blended",
-           "Mip levels of the inverse table: blend two, or fetch the nearest")
-      .group(kHeading);
-  return options;
-}
-
-std::unique_ptr<const UseOptions> TilingCommand::addApplyOptions(CLI::App& verb) const {
-  return addUseOptions(verb);
-}
-
-void TilingCommand::describe(const Noise& noise, Json& json) const {
-  if (const Grain grain = noise.as<TilingNoise>().grain; grain != Grain::none)
-    json["grain"] = nameOf(grain);
-}
-
-std::vector<std::string> TilingCommand::linesOf(const Noise& noise,
-                                                const MaterialNoise& use) const {
-  const Grain grain = noise.as<TilingNoise>().grain;
-  if (grain == Grain::none)
-    return {};
-  return {fmt::format("grain along {}{}", nameOf(grain),
-                      use.tileRotation > 1 ? ", unused with tile rotation" : "")};
-}
-
-void TilingCommand::describe(const Bundle&, const NoiseMap& map, Json& json) const {
-  const auto& tiling = map.as<TilingMap>();
-  json["gaussian"] = tiling.gaussian;
-  json["inverseTable"] = tiling.inverseTable ? Json(*tiling.inverseTable) : Json();
-  json["table"] = nameOf(tableKindOf(tiling));
-  json["dimensions"] = tiling.dimensions;
-}
-
-std::vector<std::string> TilingCommand::linesOf(const Bundle& bundle, const NoiseMap& map) const {
-  const auto& tiling = map.as<TilingMap>();
-  return {fmt::format("Gaussian image: table {}", tiling.gaussian),
-          inverseTableWords(tiling.inverseTable, tiling.dimensions, bundle.tables)};
-}
-
-int TilingCommand::fetches(const Bundle&, const Noise&, const NoiseMap& map,
-                           const MaterialNoise&) const {
-  return fetchesOfTiling(map.as<TilingMap>());
-}
-
-const Table& TilingCommand::imageOf(const Bundle& bundle, const NoiseMap& map) const {
-  return bundle.tables[map.as<TilingMap>().gaussian];
+const MethodCommand& tilingCommand() {
+  static const TilingCommand command;
+  return command;
 }
 
 } // namespace lichen::cli

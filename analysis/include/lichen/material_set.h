@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lichen/exemplar.h>
+#include <lichen/image_io.h>
 #include <lichen/result.h>
 
 #include <array>
@@ -77,5 +78,15 @@ struct MaterialSet {
 /// and the errors of `sizeCheck`. Thread-safe; same result for any number of threads.
 [[nodiscard]] Result<MaterialSet> readMaterialSet(std::span<const std::filesystem::path> inputs,
                                                   const MaterialSetOptions& options);
+
+/// A decoded image. Its name says which map it is, as the name of a file does: "rock_nor_gl.png".
+struct Photograph {
+  std::string name;
+  ImageFile image;
+};
+
+/// The same for images in memory, whose pixels are upright. `sizeCheck` is not called.
+[[nodiscard]] Result<MaterialSet> materialSetOf(std::vector<Photograph> photographs,
+                                                const MaterialSetOptions& options);
 
 } // namespace lichen

@@ -71,4 +71,7 @@ struct MultipleKernelsBake {
 bakeMultipleKernels(std::string name, std::span<const MapExemplar> maps,
                     const MultipleKernelsOptions& options);
 
+/// "7 kernels with the window gabor, 2 of them rings, and a pattern of 3 cosines".
+[[nodiscard]] std::string kernelWords(const MultipleKernelsNoise& noise);
+
 } // namespace lichen

@@ -14,10 +14,10 @@
 
 namespace lichen {
 
-/// A setting of a bake that helps against a risk.
+/// A setting of a bake, such as one that helps against a risk.
 struct BakeSetting {
-  std::string_view name; ///< "flatten", "support", "structure" or "method"
-  std::string value;     ///< a period in pixels; texels; a share; the name of a method
+  std::string_view name; ///< as an option of the command line: "flatten", "support", "method"
+  std::string value;     ///< "128"; may be empty where only the setting is named
 };
 
 /// One risk that the noise of an exemplar disappoints.
@@ -37,7 +37,7 @@ struct Risk {
 /// Puts a setting into the words of a program, for example as a command-line option.
 using SettingWords = std::string (*)(const BakeSetting& setting);
 
-/// "flatten 128".
+/// "flatten 128", or "flatten".
 [[nodiscard]] std::string plainWords(const BakeSetting& setting);
 
 /// Returns what helps against a risk: "flatten 128, or even light". Empty if the level is none.

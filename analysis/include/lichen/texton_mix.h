@@ -3,10 +3,13 @@
 // next, or one barycentre of all.
 #pragma once
 
+#include <lichen/suitability.h>
 #include <lichen/texton.h>
 
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lichen {
@@ -62,5 +65,20 @@ struct TextonMixBake {
 [[nodiscard]] Result<TextonMixBake> bakeTextonMix(std::string name,
                                                   std::span<const MixedExemplar> exemplars,
                                                   const TextonMixOptions& options);
+
+/// The risks of each map of one exemplar of a mix, in the order of assessTextonSuitability(). The
+/// noise has `widthTexels` texels across the width of the maps.
+[[nodiscard]] Result<std::vector<std::vector<Risk>>> assessMixed(std::span<const MapExemplar> maps,
+                                                                 int support, int widthTexels,
+                                                                 const Progress& progress = {});
+
+/// Says whether the textons of a mix are close to their Gaussian textures and to each other, in one
+/// sentence. `instead` says how to bake the exemplars by tiling, which may help.
+[[nodiscard]] std::string mixNote(const TextonMixQuality& quality, const Noise& noise,
+                                  SettingWords words, std::string_view instead);
+
+/// A sentence if the exemplar is smaller than the support that a bake or a mix asked for.
+[[nodiscard]] std::optional<std::string> supportNote(int supportWanted, const TextonShape& shape,
+                                                     SettingWords words);
 
 } // namespace lichen

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files of the kernel -> available bytes. Sources: proc(5); Linux,
 // Documentation/admin-guide/cgroup-v2.rst and cgroup-v1/memory.rst.
-#include "available_memory.h"
+#include <lichen/bake_memory.h>
 
 #include <algorithm>
 #include <fstream>
@@ -12,7 +12,7 @@
 #include <unistd.h>
 #endif
 
-namespace lichen::cli {
+namespace lichen {
 namespace {
 
 using Bytes = std::optional<std::uint64_t>;
@@ -106,4 +106,4 @@ std::optional<std::uint64_t> availableMemory(const std::filesystem::path& proc,
   return least(least(available, leftInGroups(proc, cgroup)), leftInAddressSpace(proc));
 }
 
-} // namespace lichen::cli
+} // namespace lichen

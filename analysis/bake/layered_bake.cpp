@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Labels -> exemplars of each label -> noises -> one layered noise.
-#include "layers_option.h"
-
-#include "srgb_picture.h"
+#include "layered_bake.h"
 
 #include <lichen/bundle_merge.h>
 #include <lichen/index_map.h>
@@ -15,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-namespace lichen::cli {
+namespace lichen {
 namespace {
 
 constexpr std::uint32_t kFillSeed = 1;
@@ -26,13 +24,10 @@ const MapExemplar& guideOf(std::span<const MapExemplar> maps) {
   return color == maps.end() ? maps.front() : *color;
 }
 
-Result<LabelImage> labelsOf(const LayersOption& option, const MapExemplar& guide,
-                            std::vector<std::string>& notes) {
-  if (!option.labels.empty()) {
-    Result<SrgbImage> picture = readSrgb(option.labels);
-    if (!picture)
-      return picture.error();
-    const SrgbImage& image = picture.value();
+Result<LabelImage> labelsOf(const LayersOptions& options, const MapExemplar& guide,
+                            SettingWords words, std::vector<std::string>& notes) {
+  if (options.labels) {
+    const auto& [image, name] = *options.labels;
     constexpr double kTolerance = 0.01;
     const double wide = double(image.width) * guide.height,
                  high = double(image.height) * guide.width;
@@ -41,18 +36,19 @@ Result<LabelImage> labelsOf(const LayersOption& option, const MapExemplar& guide
           ErrorKind::badInput,
           fmt::format("{}: {} x {} pixels; expected the shape of the exemplar, which is {} x "
                       "{} after cropping",
-                      option.labels, image.width, image.height, guide.width, guide.height)};
-    return labelsFromPicture(image, option.labels);
+                      name, image.width, image.height, guide.width, guide.height)};
+    return labelsFromPicture(image, name);
   }
-  Result<LabelImage> labels = clusterLabels(guide, *option.count);
+  const int count = options.count.value_or(kFewestLabels);
+  Result<LabelImage> labels = clusterLabels(guide, count);
   if (!labels)
     return Error{labels.error().kind,
-                 fmt::format("--layers {}: {}", *option.count, labels.error().message)};
+                 words({"layers", std::to_string(count)}) + ": " + labels.error().message};
   constexpr double kSeparate = 0.3;
   if (const double separation = labelSeparation(guide, labels.value()); separation < kSeparate)
     notes.push_back(fmt::format("the {} clusters of colours overlap (separation {:.2f} of 1): look "
-                                "at where the layers lie, or paint --labels",
-                                *option.count, separation));
+                                "at where the layers lie, or paint {}",
+                                count, separation, words({"labels", ""})));
   return labels;
 }
 
@@ -94,26 +90,12 @@ std::vector<LayerNode> nodesOf(std::span<const LayerSplit> splits, double softne
 
 } // namespace
 
-void addLayersOption(CLI::App& verb, LayersOption& option) {
-  constexpr const char* kHeading = "Layers";
-  addText(verb, "--labels", option.labels, "IMAGE",
-          "A picture of 2 to 4 colours that says which pixels are which material: each becomes a "
-          "layer, and the layers alternate as in the picture")
-      .group(kHeading);
-  addValue(verb, "--layers", option.count, optional(wholeNumber(kFewestLabels, kMostLabels)), "",
-           "The same with this many clusters of the exemplar's colours")
-      .group(kHeading);
-  addValue(verb, "--softness", option.softness, optional(number(kSoftnessRange)), "",
-           "Width of the transitions between layers, in deviations of the index map [default: 0.1]")
-      .group(kHeading);
-}
-
-Result<LayeredBake>
-bakeLayers(const LayersOption& option, const std::string& name, std::span<const MapExemplar> maps,
-           const std::function<Result<MethodBake>(std::span<const MapExemplar> maps)>& bake) {
+Result<LayeredBake> bakeLayers(const LayersOptions& options, const std::string& name,
+                               std::span<const MapExemplar> maps, const MaterialNoise& material,
+                               SettingWords words, const LabelBake& bake) {
   LayeredBake result;
   const MapExemplar& guide = guideOf(maps);
-  Result<LabelImage> labels = labelsOf(option, guide, result.about.notes);
+  Result<LabelImage> labels = labelsOf(options, guide, words, result.about.notes);
   if (!labels)
     return labels.error();
   if (Result<void> sampled = checkSamples(labels.value(), maps); !sampled)
@@ -122,6 +104,7 @@ bakeLayers(const LayersOption& option, const std::string& name, std::span<const 
   for (const MapExemplar& map : maps)
     if (const std::string fault = layerTargetFault(layers.size(), map.target); !fault.empty())
       return Error{ErrorKind::usage, fault + "; leave its file out"};
+  bool bordersWereKept = true;
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     Result<MethodBake> baked = bake(exemplarsOfLabel(maps, labels.value(), int(layer), kFillSeed));
     if (!baked)
@@ -129,15 +112,14 @@ bakeLayers(const LayersOption& option, const std::string& name, std::span<const 
     MethodBake& made = baked.value();
     layers[layer].noises.push_back(std::move(made.noise));
     layers[layer].tables = std::move(made.tables);
-    layers[layer].materials.emplace_back(made.material);
+    layers[layer].materials.emplace_back(material);
     for (const std::string& line : made.notes)
       result.about.notes.push_back(fmt::format("layer {}: {}", layer + 1, line));
-    result.about.bordersWereBlended = result.about.bordersWereBlended || made.bordersWereBlended;
-    if (layer == 0) {
-      result.about.json = std::move(made.json);
-      result.about.facts = std::move(made.facts);
-    }
+    bordersWereKept = bordersWereKept && made.figures.bordersWereKept;
+    if (layer == 0)
+      result.about.figures = std::move(made.figures);
   }
+  result.about.figures.bordersWereKept = bordersWereKept;
   const std::vector<LayerSplit> splits = splitLayers(guide, labels.value());
   std::vector<Bundle> indices;
   for (const LayerSplit& split : splits) {
@@ -145,21 +127,20 @@ bakeLayers(const LayersOption& option, const std::string& name, std::span<const 
     if (!baked)
       return baked.error();
     indices.push_back(std::move(baked.value().bundle));
-    result.about.json["indexSpectrumErrors"].push_back(baked.value().decibels);
-    result.about.json["proportions"].push_back(split.proportion);
+    result.indexSpectrumErrors.push_back(baked.value().decibels);
+    result.proportions.push_back(split.proportion);
   }
   std::vector<BundledNoise> layerNoise, indexNoise;
   for (const Bundle& layer : layers)
     layerNoise.push_back({&layer, 0});
   for (const Bundle& index : indices)
     indexNoise.push_back({&index, 0});
-  Result<Bundle> bundle = layerNoises(name, layerNoise, indexNoise,
-                                      nodesOf(splits, option.softness.value_or(kUsualSoftness)));
+  Result<Bundle> bundle =
+      layerNoises(name, layerNoise, indexNoise, nodesOf(splits, options.softness));
   if (!bundle)
     return bundle.error();
   result.bundle = std::move(bundle).value();
-  result.about.material = *result.bundle.materials.front();
   return result;
 }
 
-} // namespace lichen::cli
+} // namespace lichen

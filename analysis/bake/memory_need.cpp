@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Pixels -> bytes, by measured factors; see memory_need.h.
-#include "memory_need.h"
+// Pixels -> bytes, by measured factors.
+#include <lichen/bake_memory.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace lichen::cli {
+namespace lichen {
 namespace {
 
 /// Bytes per pixel of a file while it is read: the file's bytes and the pixels as floats. Measured
@@ -27,13 +27,15 @@ Result<void> MemoryNeed::add(const std::string& name, int width, int height) {
     return {};
   constexpr double kGiga = 1e9;
   const bool isEnlarged = kept > pixels;
+  const std::string size = words_({"size", ""});
   return Error{
       ErrorKind::resources,
       fmt::format("{}: {} x {} pixels{} need about {:.1f} GB of memory{}, and {:.1f} GB are "
                   "available; use {}",
-                  name, width, height, isEnlarged ? ", enlarged by --size," : "", needed / kGiga,
-                  read_ > pixels ? " with the images before them" : "", double(*available_) / kGiga,
-                  isEnlarged ? "a smaller --size" : "--crop or --size")};
+                  name, width, height, isEnlarged ? ", enlarged by " + size + "," : "",
+                  needed / kGiga, read_ > pixels ? " with the images before them" : "",
+                  double(*available_) / kGiga,
+                  isEnlarged ? "a smaller " + size : words_({"crop", ""}) + " or " + size)};
 }
 
-} // namespace lichen::cli
+} // namespace lichen

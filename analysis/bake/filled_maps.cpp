@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps -> maps without outliers, and notes.
-#include "outliers_option.h"
-
-#include "progress_line.h"
+#include "prepared_maps.h"
 
 #include <lichen/outliers.h>
 
@@ -11,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lichen::cli {
+namespace lichen {
 namespace {
 
 /// Column, row, width and height in whole pixels.
@@ -49,7 +47,7 @@ std::string wordsFor(const Place& place) {
 Result<std::vector<FilledPlace>> applyOutliers(std::vector<MapExemplar>& maps,
                                                const OutlierUse& use, Periodic borders,
                                                const std::optional<PhotographPart>& part,
-                                               const SharedOptions& options,
+                                               const BakeObserver& observer,
                                                std::vector<std::string>& notes) {
   if (use.recorded && use.recorded->empty())
     return std::vector<FilledPlace>{};
@@ -63,24 +61,26 @@ Result<std::vector<FilledPlace>> applyOutliers(std::vector<MapExemplar>& maps,
   if (use.keeps || first.target != MapTarget::baseColor ||
       std::ranges::count(maps, MapTarget::opacity, &MapExemplar::target) > 0)
     return std::vector<FilledPlace>{};
-  ProgressLine line("outliers", options);
-  Result<Outliers> outliers = fillOutliers(maps, bordersFit(maps, borders), line.asProgress());
+  Result<Outliers> outliers =
+      fillOutliers(maps, bordersFit(maps, borders), observer.of("outliers"));
   if (!outliers)
     return outliers.error();
   for (const FilledPlace& filled : outliers.value().filled)
     notes.push_back(wordsFor(inPhotograph(filled.place, first, part)) +
-                    " and is filled from the rest; --keep-outliers keeps it");
+                    " and is filled from the rest; " + observer.words({"keep-outliers", ""}) +
+                    " keeps it");
   if (const auto& left = outliers.value().left) {
     const Place place = inPhotograph(*left, first, part);
     std::string note = wordsFor(place) + " and is too large to fill: the noise will repeat it";
     if (part) {
       const Place crop = cropBeside(place, *part);
       if (4 * crop[2] >= std::lround((*part)[2]) && 4 * crop[3] >= std::lround((*part)[3]))
-        note += fmt::format("; --crop {} leaves it out", fmt::join(crop, ","));
+        note += fmt::format("; {} leaves it out",
+                            observer.words({"crop", fmt::format("{}", fmt::join(crop, ","))}));
     }
     notes.push_back(std::move(note));
   }
   return std::move(outliers.value().filled);
 }
 
-} // namespace lichen::cli
+} // namespace lichen

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Bundle -> PNG files for the core texture slots.
-#include "preview_images.h"
-
+#include <lichen/bake_material.h>
 #include <lichen/core_texture.h>
 #include <lichen/synthesize.h>
 
 #include <map>
 #include <utility>
 
-namespace lichen::cli {
+namespace lichen {
 namespace {
 
 /// Exemplar widths along a side of the preview image: enough that the image repeats less often than
@@ -32,8 +31,7 @@ LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
   return result;
 }
 
-} // namespace
-
+/// Tileable images of the maps of a material's noise.
 Result<PreviewImages> previewImages(const Bundle& bundle, const MaterialNoise& material) {
   std::map<MapTarget, LinearImage> textures;
   for (const NoiseMap& map : bundle.noises[material.noise].maps) {
@@ -70,4 +68,24 @@ Result<PreviewImages> previewImages(const Bundle& bundle, const MaterialNoise& m
   return images;
 }
 
-} // namespace lichen::cli
+} // namespace
+
+Result<BundleFile> withPreviews(Bundle bundle, PreviewShape shape, std::string generator,
+                                const Progress& progress) {
+  BundleFile file;
+  file.bundle = std::move(bundle);
+  file.shape = shape;
+  file.generator = std::move(generator);
+  const auto count = double(file.bundle.materials.size());
+  for (const std::optional<MaterialNoise>& material : file.bundle.materials) {
+    Result<PreviewImages> images = previewImages(file.bundle, *material);
+    if (!images)
+      return images.error();
+    file.previews.push_back(std::move(images).value());
+    if (progress && !progress(double(file.previews.size()) / count))
+      return Error{ErrorKind::environment, "interrupted"};
+  }
+  return file;
+}
+
+} // namespace lichen

@@ -1,35 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Maps -> their part that becomes the tile, and a note.
-#include "rectify_option.h"
+#include "prepared_maps.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
-#include <string_view>
-#include <vector>
 
-namespace lichen::cli {
+namespace lichen {
 namespace {
-
-/// Eight numbers from 0, with commas or spaces between them.
-std::optional<TileCorners> cornersFrom(const std::string& text) {
-  TileCorners corners{};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (std::size_t k = 0; k < 2 * corners.size(); ++k) {
-    if (k > 0 && (at == end || std::string_view(", ").find(*at++) == std::string_view::npos))
-      return std::nullopt;
-    double& value = corners[k / 2][k % 2];
-    const auto [rest, fault] = std::from_chars(at, end, value);
-    if (fault != std::errc() || !(value >= 0.0))
-      return std::nullopt;
-    at = rest;
-  }
-  return at == end && areConvex(corners) ? std::optional(corners) : std::nullopt;
-}
 
 /// What a camera did to the tile, in degrees.
 struct Distortion {
@@ -72,24 +52,8 @@ std::string wordsFor(const Distortion& distortion) {
 
 } // namespace
 
-Accepted<Rectification> rectification(bool findsPeriods) {
-  return {findsPeriods ? "auto|off|X,Y,..." : "off|X,Y,...",
-          std::string(findsPeriods ? "auto, off" : "off") +
-              ", or 8 numbers from 0 with commas between them: X,Y of the upper left, upper right, "
-              "lower right and lower left corner, in this order and in pixels; the corners must be "
-              "convex",
-          [findsPeriods](const std::string& text) -> std::optional<Rectification> {
-            if (text == "auto" && findsPeriods)
-              return Rectification{true, std::nullopt};
-            if (text == "off")
-              return Rectification{};
-            const std::optional<TileCorners> corners = cornersFrom(text);
-            return corners ? std::optional(Rectification{false, corners}) : std::nullopt;
-          }};
-}
-
 Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const Rectification& use,
-                                         Periodic periodic, bool findsStructure,
+                                         Periodic periodic, bool findsStructure, SettingWords words,
                                          std::vector<std::string>& notes) {
   RectifiedPart part;
   const double width = maps.front().width;
@@ -98,8 +62,8 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
     for (const auto& [x, y] : *use.corners)
       if (x > first.width || y > first.height)
         return Error{ErrorKind::usage,
-                     fmt::format("--rectify: the corner {:g},{:g} is outside the {} x {} pixels", x,
-                                 y, first.width, first.height)};
+                     fmt::format("{}: the corner {:g},{:g} is outside the {} x {} pixels",
+                                 words({"rectify", ""}), x, y, first.width, first.height)};
     if (Result<void> made = rectify(maps, *use.corners); !made)
       return made.error();
     part.corners = use.corners;
@@ -120,12 +84,13 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
   const Distortion distortion = distortionOf(*part.corners);
   notes.push_back(fmt::format(
       "the tile is the part of {} x {} pixels that holds whole periods{}; "
-      "--rectify off keeps the whole picture{}",
-      maps.front().width, maps.front().height, wordsFor(distortion),
+      "{} keeps the whole picture{}",
+      maps.front().width, maps.front().height, wordsFor(distortion), words({"rectify", "off"}),
       distortion.isDoubtful() ? "; this is at the limit of what is found, so check the tile: if "
-                                "it is wrong, give its four corners to --rectify"
+                                "it is wrong, give its four corners to " +
+                                    words({"rectify", ""})
                               : ""));
   return part;
 }
 
-} // namespace lichen::cli
+} // namespace lichen

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Quilting as one of the methods of a bake.
+#include "method_analysis.h"
+
+namespace lichen {
+namespace {
+
+BakeMemory memory(const MethodOptions&) { return {32.0, 128.0}; }
+
+Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) {
+  Result<QuiltingBake> baked =
+      bakeQuilting(input.name, input.maps, optionsFor<QuiltingOptions>(options, input));
+  if (!baked)
+    return baked.error();
+  MethodBake result;
+  result.noise = std::move(baked.value().noise);
+  result.tables = std::move(baked.value().tables);
+  result.figures.bordersWereKept = !baked.value().bordersWereCut;
+  result.figures.strength = baked.value().strength;
+  result.borderTreatment = "cuts";
+  return result;
+}
+
+} // namespace
+
+const MethodAnalysis kQuiltingAnalysis{memory, bake};
+
+} // namespace lichen
