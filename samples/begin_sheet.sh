@@ -29,8 +29,8 @@ bake_textons() {
     --preview none --quiet
 }
 
-# report_picture KEY OUTPUT.png: writes the first picture with this key in $work/$name.html.
+# report_picture TITLE OUTPUT.png: writes the first picture with this title in $work/$name.html.
 report_picture() {
-  grep -o "\"$1\":{\"png\":\"data:image/png;base64,[^\"]*" "$work/$name.html" | head -n 1 |
+  grep -o "<img alt=\"$1\" src=\"data:image/png;base64,[^\"]*" "$work/$name.html" | head -n 1 |
     sed 's/.*base64,//' | base64 -d >"$2"
 }

@@ -75,7 +75,7 @@ panels=()
 for exemplar in "$@"; do
   bake_textons "$exemplar"
   "$bin/lichen" synth "$work/$name.glb" -o "$work/noise.png" --size "$side" --quiet
-  report_picture image "$work/texton.png"
+  report_picture Texton "$work/texton.png"
   convert "$exemplar" -colorspace Gray -depth 8 "$work/exemplar.pgm"
   convert "$work/noise.png" -colorspace Gray -depth 8 "$work/noise.pgm"
   python3 "$work/spectra.py" "$work/exemplar.pgm" "$work/noise.pgm" "$work/of-exemplar.pgm" \

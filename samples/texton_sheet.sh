@@ -16,7 +16,7 @@ shift
 panels=()
 for exemplar in "$@"; do
   bake_textons "$exemplar"
-  for picture in exemplar gaussian result; do
+  for picture in Exemplar "Gaussian version" Result; do
     report_picture "$picture" "$work/whole.png"
     # Repeats an exemplar that is smaller than the panel.
     convert -size "${panel}x${panel}" "tile:$work/whole.png" "$work/$name-$picture.png"
