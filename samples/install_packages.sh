@@ -8,7 +8,7 @@ build_packages=(
   libglm-dev libjpeg-dev libkissfft-dev libnanoflann-dev libopenexr-dev libpng-dev libtbb-dev
   libtinygltf-dev libvulkan-dev libvulkan-volk-dev mesa-vulkan-drivers nlohmann-json3-dev
   spirv-tools)
-test_packages=(assimp-testmodels ccache chromium libx11-dev spirv-cross vulkan-validationlayers xvfb)
+test_packages=(assimp-testmodels ccache libx11-dev spirv-cross vulkan-validationlayers xvfb)
 
 step() { printf '\n== %s\n' "$1"; }
 

@@ -2,7 +2,6 @@
 // Risks and a verdict -> notes and JSON.
 #include "bake_risks.h"
 
-#include <lichen/judgement_json.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -38,10 +37,13 @@ std::vector<std::string> riskNotes(std::span<const MapRisk> risks, bool severalM
 
 nlohmann::ordered_json risksAsJson(std::span<const MapRisk> risks) {
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
-  for (const auto& [map, risk] : risks) {
-    json.push_back({{"map", nameOf(map)}});
-    json.back().update(jsonOf(risk, optionOf));
-  }
+  for (const auto& [map, risk] : risks)
+    json.push_back({{"map", nameOf(map)},
+                    {"name", risk.name},
+                    {"score", risk.score},
+                    {"level", nameOf(risk.level)},
+                    {"sentence", risk.sentence},
+                    {"remedy", remedyOf(risk, optionOf)}});
   return json;
 }
 

@@ -8,7 +8,6 @@
 #include "progress_line.h"
 
 #include <lichen/bake_material.h>
-#include <lichen/judgement_json.h>
 #include <lichen/noise_comparison.h>
 
 #include <fmt/format.h>
@@ -208,6 +207,21 @@ std::string wordsOf(const Verdict& verdict, const std::vector<MapMeasures>& maps
                                  : fmt::format("{} targets are missed", missed));
 }
 
+/// A missing value or target is null; `met` is null if either is missing.
+Json jsonOfMeasure(MapTarget map, const Measure& measure) {
+  const auto orNull = [](const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+  };
+  return {{"map", nameOf(map)},
+          {"name", measure.name},
+          {"meaning", measure.meaning},
+          {"unit", measure.unit},
+          {"value", orNull(measure.value)},
+          {"target", orNull(measure.target)},
+          {"met", measure.value && measure.target ? Json(!measure.isMissed()) : Json()},
+          {"remark", measure.remark}};
+}
+
 void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
             const std::optional<Verdict>& verdict, const std::vector<std::string>& notes) {
   for (const std::string& text : notes)
@@ -225,8 +239,7 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
     if (maps.size() > 1)
       say(arguments.shared, std::string(nameOf(map)));
     for (const Measure& measure : measures) {
-      list.push_back({{"map", nameOf(map)}});
-      list.back().update(jsonOf(measure));
+      list.push_back(jsonOfMeasure(map, measure));
       say(arguments.shared, indent + lineOf(measure, nameWidth));
     }
   }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Map of a bundle and its exemplar -> the JSON of the map's section in the report.
+// Map of a bundle and its exemplar -> the map's section of the report.
 #include "map_section.h"
 
+#include "charts.h"
+#include "markup.h"
 #include "method_report.h"
-#include "section_figures.h"
+#include "pictures.h"
 
-#include <lichen/judgement_json.h>
 #include <lichen/noise_comparison.h>
 #include <lichen/synthesize.h>
 
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -18,60 +19,11 @@
 namespace lichen {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr int kShownExemplars = 2; // of the result, per side
-
-Json histogramsOf(const NoiseComparison& comparison) {
-  constexpr std::size_t kBins = 64;
-  const auto countsOf = [](const SrgbImage& image, std::size_t channel) {
-    std::array<double, kBins> counts{};
-    for (std::size_t i = channel; i < image.values.size(); i += std::size_t(image.channels)) {
-      const float place = std::clamp(image.values[i], 0.0f, 1.0f) * float(kBins);
-      counts[std::min(std::size_t(place), kBins - 1)] += 1.0 / double(image.pixelCount());
-    }
-    return counts;
-  };
-  Json histograms = Json::array();
-  const std::vector<std::string>& names = comparison.look.channelNames();
-  for (std::size_t c = 0; c < names.size(); ++c)
-    histograms.push_back({{"channel", names[c]},
-                          {"largest", comparison.look.largest()},
-                          {"exemplar", countsOf(comparison.exemplar, c)},
-                          {"result", countsOf(comparison.result, c)}});
-  return histograms;
-}
-
-/// Spectra in decibels by cycles per crop; for a texton also the Gaussian texture's. Null if the
-/// exemplar is too small for spectrum_distance_db.
-Json spectrumOf(const NoiseComparison& comparison) {
-  const int crop = spectrumCrop(comparison.exemplar, comparison.result);
-  if (crop == 0)
-    return {};
-  Json curves = Json::array();
-  const auto add = [&](const char* kind, const SrgbImage& image) {
-    curves.push_back({{"kind", kind}, {"power", decibels(image, crop)}});
-  };
-  add("exemplar", comparison.exemplar);
-  if (comparison.gaussian)
-    add("gaussian", *comparison.gaussian);
-  add("result", comparison.result);
-  return {{"cropSide", crop}, {"curves", std::move(curves)}};
-}
-
-Json measuresOf(const NoiseComparison& comparison) {
-  Json list = Json::array();
-  for (const Measure& measure : comparison.measures)
-    list.push_back(jsonOf(measure));
-  return list;
-}
-
-Json risksOf(const ShownExemplar& shown, SettingWords words) {
-  Json list = Json::array();
-  for (const Risk& risk : shown.risks)
-    list.push_back(jsonOf(risk, words));
-  return list;
-}
+// Widths of pictures as shares of the page's.
+constexpr double kDataWidth = 0.3, kLevelWidth = 0.17;
+constexpr std::string_view kKeys =
+    R"(<i class="key exemplar"></i> exemplar <i class="key result"></i> result)";
 
 std::string summaryOf(const MapExemplar& exemplar) {
   std::string text;
@@ -95,12 +47,11 @@ Extents resultExtents(const Extents& exemplar, int side) {
   return extents;
 }
 
-/// Adds pictures of the original, the exemplar, its Gaussian texture and the result, at one scale.
-/// The original is null if the exemplar is unchanged; the Gaussian texture is null if there is
-/// none.
-Result<void> addPictures(Json& section, const Bundle& bundle, const MaterialNoise& material,
-                         const ShownExemplar& shown, const NoiseComparison& comparison,
-                         int exemplarSide) {
+/// Pictures of the original, the exemplar, the exemplar repeated, its Gaussian version and the
+/// result, at one scale. The original is left out if the exemplar is unchanged.
+Result<std::string> panesOf(const Bundle& bundle, const MaterialNoise& material,
+                            const ShownExemplar& shown, const NoiseComparison& comparison,
+                            int exemplarSide) {
   const auto [width, height] =
       pictureExtents(shown.exemplar.width, shown.exemplar.height, exemplarSide);
   SynthesisOptions options;
@@ -114,62 +65,163 @@ Result<void> addPictures(Json& section, const Bundle& bundle, const MaterialNois
   const Result<LinearImage> result = synthesize(bundle, options);
   if (!result)
     return result.error();
-  Result<Json> original = Json();
+  std::vector<Result<Picture>> made;
   if (const std::optional<MapExemplar>& before = shown.origin.original; before)
-    original = pictureJson(reduced(comparison.look.picture(*before), width, height));
-  Result<Json> gaussian = Json();
+    made.push_back(encodedPicture(reduced(comparison.look.picture(*before), width, height),
+                                  "Original", ", before it was flattened, filled or straightened"));
+  std::string steps;
+  for (const std::string& step : shown.origin.steps)
+    steps += ", " + step;
+  made.push_back(encodedPicture(reduced(comparison.exemplar, width, height), "Exemplar", steps));
+  const std::size_t exemplar = made.size() - 1;
   if (const std::optional<SrgbImage>& texture = comparison.gaussian; texture)
-    gaussian = pictureJson(reduced(*texture, width * texture->width / comparison.exemplar.width,
-                                   height * texture->height / comparison.exemplar.height));
-  Result<Json> exemplar = pictureJson(reduced(comparison.exemplar, width, height));
-  Result<Json> shownResult = pictureJson(comparison.look.picture(result.value()));
-  for (const Result<Json>* made : {&original, &exemplar, &gaussian, &shownResult})
-    if (!*made)
-      return made->error();
-  section["original"] = std::move(original).value();
-  section["exemplar"] = std::move(exemplar).value();
-  section["gaussian"] = std::move(gaussian).value();
-  section["result"] = std::move(shownResult).value();
-  return {};
+    made.push_back(
+        encodedPicture(reduced(*texture, width * texture->width / comparison.exemplar.width,
+                               height * texture->height / comparison.exemplar.height),
+                       "Gaussian version", " of the exemplar: as near as random phases can come"));
+  made.push_back(
+      encodedPicture(comparison.look.picture(result.value()), "Result", " of the noise"));
+  const Result<std::vector<Picture>> pictures = allOf(std::move(made));
+  if (!pictures)
+    return pictures.error();
+  double sum = extents[0]; // of the widths, with the repetition
+  for (const Picture& picture : pictures.value())
+    sum += picture.extents[0];
+  const auto widthsOf = [&](int pixels) {
+    return ShownWidths{pixels / sum, double(pixels) / extents[0]};
+  };
+  std::string panes;
+  for (std::size_t i = 0; i < pictures.value().size(); ++i) {
+    const Picture& picture = pictures.value()[i];
+    panes += paneMarkup(imageMarkup(picture, widthsOf(picture.extents[0])),
+                        element("b", picture.title) + htmlText(picture.text));
+    if (i == exemplar)
+      panes += paneMarkup(repeatedMarkup(picture, extents, widthsOf(extents[0])),
+                          "<b>Repeated</b> as a plain texture");
+  }
+  return element("div class=\"panes\"", panes);
+}
+
+std::string rowOf(const Measure& measure) {
+  const auto number = [&](const std::optional<double>& value) {
+    return element("td class=\"number\"", value ? shownNumber(*value, measure.unit) : "");
+  };
+  const std::string remark = measure.remark.empty() ? "" : "; " + measure.remark;
+  const std::string verdict = !measure.value       ? element("td", "not measured")
+                              : !measure.target    ? element("td", "no target")
+                              : measure.isMissed() ? element("td class=\"bad\"", "\u2717 missed")
+                                                   : element("td class=\"good\"", "\u2713 met");
+  return element("tr", element("th scope=\"row\"",
+                               std::string(measure.name) +
+                                   element("span class=\"detail\"",
+                                           htmlText(std::string(measure.meaning) + remark))) +
+                           number(measure.value) + number(measure.target) + verdict) +
+         "\n";
+}
+
+std::string measuresOf(const NoiseComparison& comparison) {
+  std::string rows =
+      R"(<tr class="quiet"><th scope="col">Measure</th><th scope="col" class="number">)"
+      R"(Value</th><th scope="col" class="number">Target</th>)"
+      R"(<th scope="col">Verdict</th></tr>)"
+      "\n";
+  for (const Measure& measure : comparison.measures)
+    rows += rowOf(measure);
+  return "<h3>Measures</h3>\n" + element("table", rows);
+}
+
+std::string risksOf(const ShownExemplar& shown, SettingWords words) {
+  constexpr std::array<std::string_view, 3> kLooks{"good", "warn", "bad"};
+  std::string items;
+  for (const Risk& risk : shown.risks) {
+    const std::string remedy = remedyOf(risk, words);
+    items += element(
+        "li",
+        element("b", risk.name) + " " +
+            element(fmt::format("span class=\"{}\"", kLooks[std::size_t(risk.level)]),
+                    fmt::format("{}, {:.2f} of 1", nameOf(risk.level), risk.score)) +
+            element("span class=\"detail\"", htmlText(risk.sentence)) +
+            (remedy.empty() ? ""
+                            : element("span class=\"detail\"", htmlText("What helps: " + remedy))));
+  }
+  return items.empty() ? ""
+                       : "<h3>Risks of this exemplar</h3>\n" + element("ul class=\"risks\"", items);
+}
+
+std::string histogramsOf(const NoiseComparison& comparison) {
+  std::string charts;
+  const std::vector<std::string>& names = comparison.look.channelNames();
+  for (std::size_t c = 0; c < names.size(); ++c)
+    charts += element("figure", element("figcaption", names[c]) +
+                                    histogramChart(comparison.exemplar, comparison.result, c,
+                                                   comparison.look.largest()));
+  return "<h3>Histograms</h3>\n" + element("p class=\"quiet\"", kKeys) +
+         element("div class=\"histograms\"", charts);
+}
+
+/// Empty if the exemplar is too small for spectrum_distance_db.
+std::string spectrumOf(const NoiseComparison& comparison) {
+  const int crop = spectrumCrop(comparison.exemplar, comparison.result);
+  if (crop == 0)
+    return {};
+  std::vector<SpectrumCurve> curves{spectrumCurve("exemplar", comparison.exemplar, crop)};
+  if (comparison.gaussian)
+    curves.push_back(spectrumCurve("gaussian", *comparison.gaussian, crop));
+  curves.push_back(spectrumCurve("result", comparison.result, crop));
+  return "<h3>Power spectrum</h3>\n" +
+         element(
+             "p class=\"quiet\"",
+             std::string(kKeys) +
+                 (comparison.gaussian ? R"( <i class="key gaussian"></i> Gaussian version)" : "") +
+                 "; of the luminance, averaged over directions") +
+         spectrumChart(curves, crop);
+}
+
+Result<std::string> dataOf(const DrawnMap& map) {
+  const Result<std::vector<Picture>> pictures = reportOf(map.noise.method()).pictures(map);
+  if (!pictures)
+    return pictures.error();
+  const Result<std::vector<Picture>> levels = inverseTablePictures(map.bundle, map.map, map.look);
+  if (!levels)
+    return levels.error();
+  std::string markup =
+      "<h3>What the bundle holds</h3>\n" + panesMarkup(pictures.value(), kDataWidth);
+  if (!levels.value().empty())
+    markup += element("p class=\"quiet\"",
+                      "<b>Inverse table.</b> What turns Gaussian values back into the exemplar's, "
+                      "slice by slice; later levels are for what is seen from further away.") +
+              panesMarkup(levels.value(), kLevelWidth);
+  return markup;
 }
 
 } // namespace
 
-Result<Json> describeMap(const Bundle& bundle, const MaterialNoise& material,
-                         const ShownExemplar& shown, SettingWords words, int exemplarSide,
-                         const Progress& progress) {
+Result<MapSection> describeMap(const Bundle& bundle, const MaterialNoise& material,
+                               const ShownExemplar& shown, SettingWords words, int exemplarSide,
+                               const Progress& progress) {
   const MapExemplar& exemplar = shown.exemplar;
-  const Result<NoiseComparison> comparison = compareNoise(bundle, material, exemplar, progress);
-  if (!comparison)
-    return comparison.error();
+  Result<NoiseComparison> compared = compareNoise(bundle, material, exemplar, progress);
+  if (!compared)
+    return compared.error();
+  NoiseComparison& comparison = compared.value();
   const Noise& noise = bundle.noises[material.noise];
   const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // compareNoise() has found it
-  Json section{{"target", nameOf(exemplar.target)},
-               {"summary", summaryOf(exemplar)},
-               {"measures", measuresOf(comparison.value())},
-               {"risks", risksOf(shown, words)},
-               {"steps", shown.origin.steps},
-               {"histograms", histogramsOf(comparison.value())},
-               {"spectrum", spectrumOf(comparison.value())}};
-  if (Result<void> added =
-          addPictures(section, bundle, material, shown, comparison.value(), exemplarSide);
-      !added)
-    return added.error();
-  const MethodReport& method = reportOf(noise.method());
-  Result<Json> image = method.image(bundle, noise, map, material.mix.weight, exemplarSide);
-  if (!image)
-    return image.error();
-  Result<Json> further =
-      method.furtherImages(bundle, noise, map, comparison.value().look, exemplarSide);
-  if (!further)
-    return further.error();
-  Result<Json> table = method.table(bundle, map, comparison.value().look);
-  if (!table)
-    return table.error();
-  section["image"] = std::move(image).value();
-  section["furtherImages"] = std::move(further).value();
-  section["table"] = std::move(table).value();
-  return section;
+  const Result<std::string> panes = panesOf(bundle, material, shown, comparison, exemplarSide);
+  if (!panes)
+    return panes.error();
+  const Result<std::string> data =
+      dataOf({bundle, noise, map, comparison.look, material.mix.weight, exemplarSide});
+  if (!data)
+    return data.error();
+  const std::string title = std::string(nameOf(exemplar.target)) +
+                            (shown.input.empty() ? "" : " of " + std::string(shown.input));
+  std::string markup =
+      element("article", element("h2", htmlText(title)) +
+                             element("p class=\"quiet\"", summaryOf(exemplar)) + panes.value() +
+                             measuresOf(comparison) + risksOf(shown, words) +
+                             histogramsOf(comparison) + spectrumOf(comparison) + data.value()) +
+      "\n";
+  return MapSection{shown, title, std::move(markup), std::move(comparison.measures)};
 }
 
 } // namespace lichen

@@ -4,11 +4,13 @@
 
 #include <lichen/bundle.h>
 #include <lichen/exemplar.h>
+#include <lichen/measures.h>
 #include <lichen/noise_report.h>
 #include <lichen/progress.h>
 #include <lichen/suitability.h>
 
-#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
 
 namespace lichen {
 
@@ -17,14 +19,22 @@ struct ShownExemplar {
   const MapExemplar& exemplar;
   const std::vector<Risk>& risks;
   const ExemplarOrigin& origin;
+  std::string_view input; ///< its name, if there are several inputs
 };
 
-/// The data of one map for the page's script: pictures as data URIs, measures and chart values. The
-/// picture of the exemplar has at most exemplarSide^2 pixels, and all of them as many as
-/// MethodReport::picturePixels() says. The noise is the material's, a mix at the material's
-/// constant weight. Settings that help against a risk are in `words`. Errors: as compareNoise().
-[[nodiscard]] Result<nlohmann::ordered_json>
-describeMap(const Bundle& bundle, const MaterialNoise& material, const ShownExemplar& shown,
-            SettingWords words, int exemplarSide, const Progress& progress);
+struct MapSection {
+  ShownExemplar shown;
+  std::string title; ///< the map, and the input if there are several
+  std::string markup;
+  std::vector<Measure> measures;
+};
+
+/// The section of one map. The picture of the exemplar has at most exemplarSide^2 pixels, and all
+/// of them as many as MethodReport::picturePixels says. The noise is the material's, a mix at the
+/// material's constant weight. Settings that help against a risk are in `words`. Errors: as
+/// compareNoise().
+[[nodiscard]] Result<MapSection> describeMap(const Bundle& bundle, const MaterialNoise& material,
+                                             const ShownExemplar& shown, SettingWords words,
+                                             int exemplarSide, const Progress& progress);
 
 } // namespace lichen

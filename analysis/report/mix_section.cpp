@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Bundle of a mix and its inputs -> the JSON of the section that shows the steps between them.
+// Bundle of a mix and its inputs -> the section that shows the steps between them.
 #include "mix_section.h"
 
+#include "charts.h"
 #include "exemplar/resample.h"
+#include "markup.h"
 #include "method_report.h"
-#include "section_figures.h"
+#include "pictures.h"
 
 #include <lichen/map_picture.h>
 #include <lichen/synthesize.h>
 
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <numeric>
 #include <optional>
 
 namespace lichen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Intervals between the steps that a path shows, at most.
 constexpr std::size_t kMostIntervals = 4;
@@ -75,9 +76,9 @@ std::vector<Path> pathsOf(const BakeRecord& record) {
 
 bool isStep(const Place& place) { return !place.input; }
 
-/// A pane's JSON, and pixels at the noise's scale for its spectrum.
+/// A pane's markup, and pixels at the noise's scale for its spectrum.
 struct Pane {
-  Json json;
+  std::string markup;
   SrgbImage pixels;
 };
 
@@ -93,13 +94,10 @@ public:
     extents_ = pictureExtents(int(width), int(height), side);
   }
 
-  [[nodiscard]] const Extents& extents() const { return extents_; }
-
-  [[nodiscard]] Result<Pane> pane(const Place& place, const Progress& progress) const {
-    Result<Pane> made = isStep(place) ? step(place.step, progress) : exemplar(*place.input);
-    if (made)
-      made.value().json["along"] = place.along ? Json(*place.along) : Json();
-    return made;
+  /// `width`: as a share of the page's.
+  [[nodiscard]] Result<Pane> pane(const Place& place, double width,
+                                  const Progress& progress) const {
+    return isStep(place) ? step(place, width, progress) : exemplar(place, width);
   }
 
 private:
@@ -117,25 +115,31 @@ private:
   }
 
   /// An exemplar is as wide as the noise's.
-  [[nodiscard]] Result<Pane> exemplar(std::size_t input) const {
+  [[nodiscard]] Result<Pane> exemplar(const Place& place, double width) const {
+    const std::size_t input = *place.input;
     MapExemplar map = exemplarOf(input);
     if (map.width != width_)
       map = exemplar::resampled(map, width_, std::max(1, map.height * width_ / map.width), false);
     SrgbImage pixels = look_.picture(map);
     const int height = std::clamp(map.height * extents_[0] / width_, 1, extents_[1]);
-    Result<Json> small = pictureJson(reduced(pixels, extents_[0], height));
-    if (!small)
-      return small.error();
-    small.value()["name"] = record_.inputs[input].name;
+    const Result<Picture> picture =
+        encodedPicture(reduced(pixels, extents_[0], height), record_.inputs[input].name);
+    if (!picture)
+      return picture.error();
+    std::string share;
     if (const std::span<const double> weights = record_.mix->weights; !weights.empty())
-      small.value()["share"] =
-          weights[input] / std::accumulate(weights.begin(), weights.end(), 0.0);
-    return Pane{std::move(small).value(), std::move(pixels)};
+      share =
+          fmt::format(", {} %", shownNumber(100.0 * weights[input] /
+                                            std::accumulate(weights.begin(), weights.end(), 0.0)));
+    return Pane{paneMarkup(imageMarkup(picture.value(), {.small = width}),
+                           captionOf(place, "exemplar", picture.value().title, share)),
+                std::move(pixels)};
   }
 
-  [[nodiscard]] Result<Pane> step(std::size_t step, const Progress& progress) const {
+  [[nodiscard]] Result<Pane> step(const Place& place, double width,
+                                  const Progress& progress) const {
     const std::size_t last = record_.mix->modelErrors.size() - 1;
-    const double weight = last > 0 ? double(step) / double(last) : 0.0;
+    const double weight = last > 0 ? double(place.step) / double(last) : 0.0;
     SynthesisOptions options;
     options.material = material_;
     options.map = noiseMap_.target;
@@ -153,17 +157,31 @@ private:
     const Result<LinearImage> small = synthesize(record_.bundle, options);
     if (!small)
       return small.error();
-    Result<Json> json = pictureJson(look_.picture(small.value()));
-    Result<Json> kernel =
-        reportOf(noise_.method()).image(record_.bundle, noise_, noiseMap_, weight, side_);
-    for (const Result<Json>* made : {&json, &kernel})
-      if (!*made)
-        return made->error();
-    json.value()["step"] = step + 1;
-    json.value()["weight"] = weight;
-    json.value()["modelError"] = record_.mix->modelErrors[step];
-    json.value()["kernel"] = std::move(kernel).value();
-    return Pane{std::move(json).value(), look_.picture(noise.value())};
+    const Result<Picture> picture =
+        encodedPicture(look_.picture(small.value()),
+                       place.along ? fmt::format("Step {}", place.step + 1) : "The mix");
+    const Result<std::vector<Picture>> kernel =
+        reportOf(noise_.method())
+            .pictures({record_.bundle, noise_, noiseMap_, look_, weight, side_});
+    if (!picture)
+      return picture.error();
+    if (!kernel)
+      return kernel.error();
+    const std::string numbers =
+        fmt::format("{}, model error {}", place.along ? ", weight " + shownNumber(weight) : "",
+                    shownNumber(record_.mix->modelErrors[place.step]));
+    return Pane{
+        paneMarkup(imageMarkup(picture.value(), {.small = width}) +
+                       imageMarkup(kernel.value().front(), {.small = width / 2, .large = 0.5}),
+                   captionOf(place, "result", picture.value().title, numbers)),
+        look_.picture(noise.value())};
+  }
+
+  /// The key of the pane's curve, its name, and what else stands below it.
+  [[nodiscard]] static std::string captionOf(const Place& place, std::string_view kind,
+                                             std::string_view name, std::string_view rest) {
+    return fmt::format("<i {}></i> {}{}", lookAlong("key " + std::string(kind), place.along),
+                       element("b", htmlText(name)), rest);
   }
 
   const BakeRecord& record_;
@@ -177,29 +195,46 @@ private:
   Extents extents_{};
 };
 
-Result<Json> describePath(const MixedMap& map, const Path& path, const Progress& progress) {
-  Json panes = Json::array(), curves = Json::array();
+/// The panes of a path, and their spectra.
+Result<std::string> describePath(const MixedMap& map, const BakeRecord& record, const Path& path,
+                                 const Progress& progress) {
+  std::string panes;
   std::vector<SrgbImage> images;
   const auto steps = double(std::count_if(path.begin(), path.end(), isStep));
   double done = 0.0; // steps take nearly all of the time
   for (const Place& place : path) {
     const double next = done + (isStep(place) ? 1.0 : 0.0);
-    Result<Pane> pane = map.pane(place, partOf(progress, done / steps, next / steps));
+    Result<Pane> pane =
+        map.pane(place, 1.0 / double(path.size()), partOf(progress, done / steps, next / steps));
     if (!pane)
       return pane.error();
     done = next;
-    panes.push_back(std::move(pane.value().json));
+    panes += pane.value().markup;
     images.push_back(std::move(pane.value().pixels));
   }
+  std::string section = element("div class=\"panes\"", panes);
   int crop = spectrumCrop(images.front(), images.back());
   for (const SrgbImage& image : images)
     crop = std::min(crop, spectrumCrop(image, image));
-  for (std::size_t i = 0; i < path.size() && crop > 0; ++i)
-    curves.push_back({{"kind", isStep(path[i]) ? "result" : "exemplar"},
-                      {"along", panes[i]["along"]},
-                      {"power", decibels(images[i], crop)}});
-  return Json{{"panes", std::move(panes)},
-              {"spectrum", crop > 0 ? Json{{"cropSide", crop}, {"curves", curves}} : Json()}};
+  if (crop == 0)
+    return section;
+  std::vector<SpectrumCurve> curves;
+  for (const bool noise : {false, true}) // the inputs' wide lines lie below
+    for (std::size_t i = 0; i < path.size(); ++i)
+      if (isStep(path[i]) == noise)
+        curves.push_back(
+            spectrumCurve(noise ? "result" : "exemplar", images[i], crop, path[i].along));
+  const auto nameOfInput = [&](std::size_t input) { return htmlText(record.inputs[input].name); };
+  const auto inputs = std::ranges::count_if(path, std::not_fn(isStep));
+  return section +
+         element(
+             "p class=\"quiet\"",
+             fmt::format("{} <i class=\"ramp\"></i> {}: power spectra of the luminance, averaged "
+                         "over directions. Wide lines are the inputs, {}.",
+                         nameOfInput(*path.front().input),
+                         nameOfInput(*path.front().input + std::size_t(inputs) - 1),
+                         path.back().input ? "thin ones the steps" : "the thin one the mix")) +
+         spectrumChart(curves, crop);
 }
 
 } // namespace
@@ -212,24 +247,32 @@ std::size_t mixPictures(const BakeRecord& record) {
   return pictures;
 }
 
-Result<Json> describeMix(const BakeRecord& record, std::size_t map, int side,
-                         const Progress& progress) {
+Result<std::string> describeMix(const BakeRecord& record, std::size_t map, int side,
+                                const Progress& progress) {
   assert(record.mix && record.inputs.size() > 1);
   const MixedMap mixed(record, map, side);
   const std::vector<Path> paths = pathsOf(record);
   const auto count = double(paths.size());
-  Json shown = Json::array();
+  std::string section =
+      element("h2", fmt::format("{}: {}", nameOf(record.inputs.front().exemplars[map].target),
+                                record.mix->weights.empty() ? "from input to input"
+                                                            : "between the inputs")) +
+      element(
+          "p class=\"quiet\"",
+          "The inputs and the noise between them, all at one scale. Below the noise is its "
+          "texton, enlarged: the image that the shader adds up at random points (grey is zero). "
+          "Model error: how far the spectra of the noise are from those of the texture that it "
+          "should show, as a share of the deviation.");
+  double done = 0.0;
   for (const Path& path : paths) {
-    const auto done = double(shown.size());
-    Result<Json> described =
-        describePath(mixed, path, partOf(progress, done / count, (done + 1.0) / count));
+    const Result<std::string> described =
+        describePath(mixed, record, path, partOf(progress, done / count, (done + 1.0) / count));
     if (!described)
       return described;
-    shown.push_back(std::move(described).value());
+    section += described.value();
+    ++done;
   }
-  return Json{{"target", nameOf(record.inputs.front().exemplars[map].target)},
-              {"extents", mixed.extents()},
-              {"paths", std::move(shown)}};
+  return element("article", section) + "\n";
 }
 
 } // namespace lichen

@@ -5,21 +5,19 @@
 #include <lichen/noise_report.h>
 #include <lichen/progress.h>
 
-#include <nlohmann/json_fwd.hpp>
+#include <string>
 
 namespace lichen {
 
 /// The number of pictures in describeMix().
 [[nodiscard]] std::size_t mixPictures(const BakeRecord& record);
 
-/// The data of the section on map `map` of the inputs of record.mix: a path from each input to the
-/// next, or, for one texture between all inputs, that texture beside them. A path has panes and
-/// their spectra. A pane has a picture; its place `along` the path from 0 to 1, null for the
-/// texture between all; of an input the name, and its share in that texture; of a step the weight,
-/// the model error and the picture of what the shader fetches from. All panes show the same number
-/// of texels per pixel; `extents` is the size of the largest. Pictures have at most side^2 pixels.
-/// Errors: as synthesize().
-[[nodiscard]] Result<nlohmann::ordered_json> describeMix(const BakeRecord& record, std::size_t map,
-                                                         int side, const Progress& progress = {});
+/// The section on map `map` of the inputs of record.mix: a path from each input to the next, or,
+/// for one texture between all inputs, that texture beside them. A path has panes and their
+/// spectra. A pane has a picture; of an input the name, and its share in that texture; of a step
+/// the weight, the model error and the picture of what the shader fetches from. All panes show the
+/// same number of texels per pixel. Pictures have at most side^2 pixels. Errors: as synthesize().
+[[nodiscard]] Result<std::string> describeMix(const BakeRecord& record, std::size_t map, int side,
+                                              const Progress& progress = {});
 
 } // namespace lichen

@@ -52,7 +52,7 @@ public:
     const auto [width, height] = exemplarSize(bundle, bundle.noises[material.noise], map);
     width_ = int(width);
     height_ = int(height);
-    if (method_.enlargesMaps() && (given.width != width_ || given.height != height_))
+    if (method_.enlargesMaps && (given.width != width_ || given.height != height_))
       enlarged_ = exemplar::resampled(given, width_, height_, false);
     options_.material = material;
     options_.map = map.target;
@@ -65,9 +65,10 @@ public:
     options_.width = std::min(kResultExemplars * width_, kLargestResultSide);
     options_.height = std::min(kResultExemplars * height_, kLargestResultSide);
     const double pixels = double(options_.width) * options_.height;
-    const double share = pixels / (pixels + method_.judgedPixels(width_, height_));
+    const double judgedPixels = method_.judgedPixels ? method_.judgedPixels(width_, height_) : 0.0;
+    const double share = pixels / (pixels + judgedPixels);
     Result<NoiseComparison> comparison = measured(partOf(progress, 0.0, share));
-    if (!comparison)
+    if (!comparison || !method_.judge)
       return comparison;
     if (Result<void> judged =
             method_.judge(compared(partOf(progress, share, 1.0)), comparison.value());
@@ -179,6 +180,6 @@ Result<std::vector<std::vector<Risk>>> assessNoise(const Noise& noise,
                       });
 }
 
-bool enlargesMaps(Method method) { return reportOf(method).enlargesMaps(); }
+bool enlargesMaps(Method method) { return reportOf(method).enlargesMaps; }
 
 } // namespace lichen

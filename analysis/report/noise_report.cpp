@@ -1,23 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The record of a bake or a mix -> the bytes of its page.
 #include "map_section.h"
+#include "markup.h"
 #include "method_report.h"
 #include "mix_section.h"
-#include "report_page.h"
 
 #include <lichen/noise_report.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
 namespace lichen {
-namespace {
 
-using Json = nlohmann::ordered_json;
+extern const std::string_view kPageStyle; // page_style.cpp
+
+namespace {
 
 constexpr int kLargestExemplarSide = 512;
 
@@ -34,42 +35,78 @@ int exemplarSide(const BakeRecord& record, Method method) {
   const double inputs = showsInputs(record) ? double(record.inputs.size()) : 0.0;
   const double between = record.mix ? double(mixPictures(record)) : 0.0;
   const double maps = double(std::max<std::size_t>(record.inputs.front().exemplars.size(), 1));
-  const double pictures = maps * (inputs * reportOf(method).picturePixels() + between);
+  const double pictures = maps * (inputs * reportOf(method).picturePixels + between);
   return std::min(kLargestExemplarSide, int(std::sqrt(kReportPixels / pictures)));
 }
 
-/// Escapes "<", so that the JSON cannot contain the end of its script element.
-std::string scriptSafe(const std::string& json) {
-  std::string safe;
-  safe.reserve(json.size());
-  for (const char c : json)
-    if (c == '<')
-      safe += "\\u003c";
-    else
-      safe += c;
-  return safe;
-}
-
 struct Sections {
-  Json maps = Json::array();  ///< describeMap() of the maps of each input
-  Json mixes = Json::array(); ///< describeMix() of each map
+  std::vector<MapSection> maps; ///< of each input
+  std::string mixes;            ///< of what lies between the inputs
 };
 
-/// The level and the sentence, or null.
-Json describeVerdict(const BakeRecord& record) {
-  if (!record.verdict)
+std::string paragraph(std::string_view look, std::string_view text) {
+  return element(fmt::format("p class=\"{}\"", look), htmlText(text)) + "\n";
+}
+
+/// How many measures meet their targets, and which do not.
+std::string targetsLine(const std::vector<MapSection>& maps, const NoiseReport& report) {
+  std::string list;
+  for (const MapSection& map : maps) {
+    std::string names;
+    for (const Measure& measure : map.measures)
+      if (measure.isMissed())
+        names += (names.empty() ? "" : ", ") + std::string(measure.name);
+    if (!names.empty())
+      list += fmt::format("{}{} of {}", list.empty() ? "" : "; ", names, map.title);
+  }
+  if (report.targets == 0)
     return {};
-  const bool severalMaps = record.inputs.front().exemplars.size() > 1;
-  return {{"level", nameOf(record.verdict->level)},
-          {"sentence", sentenceOf(*record.verdict, severalMaps, record.words)}};
+  return list.empty()
+             ? paragraph("good",
+                         fmt::format("\u2713 All {} measures meet their targets.", report.targets))
+             : paragraph("bad", fmt::format("\u2717 {} of {} measures miss their target: {}.",
+                                            report.missedTargets.size(), report.targets, list));
+}
+
+std::string risksLine(const std::vector<MapSection>& maps) {
+  std::string list;
+  for (const MapSection& map : maps)
+    for (const Risk& risk : map.shown.risks)
+      if (risk.level != Risk::Level::none)
+        list += fmt::format("{}{} {} of {}", list.empty() ? "" : ", ", nameOf(risk.level),
+                            risk.name, map.title);
+  return list.empty() ? "" : paragraph("warn", "\u26a0 Risks: " + list + ".");
+}
+
+std::string header(const BakeRecord& record, const std::vector<MapSection>& maps,
+                   const NoiseReport& report, std::string_view kind) {
+  std::string lines = paragraph("quiet", fmt::format("Lichen {} report", kind)) +
+                      element("h1", htmlText(record.bundle.noises.front().name));
+  if (const std::optional<Verdict>& verdict = record.verdict; verdict) {
+    constexpr std::array<std::string_view, 3> kLooks{"good", "warn", "bad"};
+    const bool severalMaps = record.inputs.front().exemplars.size() > 1;
+    lines += paragraph(kLooks[std::size_t(verdict->level)],
+                       "Verdict: " + sentenceOf(*verdict, severalMaps, record.words));
+  }
+  return element("header", lines + targetsLine(maps, report) + risksLine(maps) +
+                               element("pre", htmlText(record.command)));
+}
+
+/// Names and their values.
+std::string factsOf(std::string_view title,
+                    const std::vector<std::pair<std::string, std::string>>& facts) {
+  std::string list;
+  for (const auto& [name, value] : facts)
+    list += element("dt", htmlText(name)) + element("dd", htmlText(value));
+  return element("section", element("h2", title) + element("dl", list)) + "\n";
 }
 
 /// `reportSeconds`: the time that describing the maps took.
-Json describe(const BakeRecord& record, Sections sections, double reportSeconds) {
-  Json timings = Json::array();
+std::string footer(const BakeRecord& record, std::string_view kind, double reportSeconds) {
+  std::vector<std::pair<std::string, std::string>> timings;
   double all = reportSeconds;
-  const auto addTiming = [&](std::string_view name, double seconds) {
-    timings.push_back({{"name", name}, {"seconds", seconds}});
+  const auto addTiming = [&](const std::string& name, double seconds) {
+    timings.emplace_back(name, fmt::format("{:.2f} s", seconds));
   };
   for (const auto& [name, seconds] : record.timings) {
     addTiming(name, seconds);
@@ -77,76 +114,94 @@ Json describe(const BakeRecord& record, Sections sections, double reportSeconds)
   }
   addTiming("Measures and pictures of this page", reportSeconds);
   addTiming("In all", all);
-  return {{"kind", record.mix ? "mix" : "bake"},
-          {"name", record.bundle.noises.front().name},
-          {"command", record.command},
-          {"verdict", describeVerdict(record)},
-          {"facts", record.facts},
-          {"timings", timings},
-          {"notes", record.notes},
-          {"maps", std::move(sections.maps)},
-          {"mixes", std::move(sections.mixes)}};
+  std::string notes;
+  for (const std::string& note : record.notes)
+    notes += element("li", htmlText(note));
+  if (!notes.empty())
+    notes = element("section", "<h2>Notes</h2>" + element("ul", notes)) + "\n";
+  return element("footer", factsOf(fmt::format("The {}", kind), record.facts) +
+                               factsOf("Time", timings) + notes);
 }
 
-std::vector<std::byte> pageWith(const std::string& data) {
-  const std::size_t at = kReportPage.find(kReportDataMark);
-  std::string page(kReportPage.substr(0, at));
-  page += data;
-  page += kReportPage.substr(at + kReportDataMark.size());
-  const auto bytes = std::as_bytes(std::span(page));
-  return {bytes.begin(), bytes.end()};
+/// The whole page. It loads nothing and runs nothing, and asks the browser to see to that.
+std::string page(const BakeRecord& record, const Sections& sections, const NoiseReport& report,
+                 double reportSeconds) {
+  const std::string_view kind = record.mix ? "mix" : "bake";
+  std::string maps;
+  for (const MapSection& map : sections.maps)
+    maps += map.markup;
+  return fmt::format(R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
+<meta name="color-scheme" content="light dark"/>
+<meta http-equiv="Content-Security-Policy"
+      content="default-src 'none'; img-src data:; style-src 'unsafe-inline'"/>
+<title>{} - {} report</title>
+<style>{}</style>
+</head>
+<body>
+{}
+<main>
+{}{}</main>
+{}
+</body>
+</html>
+)",
+                     htmlText(record.bundle.noises.front().name), kind, kPageStyle,
+                     header(record, sections.maps, report, kind), sections.mixes, maps,
+                     footer(record, kind, reportSeconds));
 }
 
 /// Adds the sections of all maps of an input.
 Result<void> addInput(const BakeRecord& record, std::size_t i, int side, const Progress& progress,
-                      Json& maps) {
+                      std::vector<MapSection>& maps) {
   const ReportedInput& input = record.inputs[i];
   const std::size_t inputs = record.inputs.size(), count = input.exemplars.size();
   MaterialNoise material = *record.bundle.materials.front();
   if (inputs > 1)
     material.mix = {.source = MixSource::constant, .weight = double(i) / double(inputs - 1)};
   for (std::size_t m = 0; m < count; ++m) {
-    const ShownExemplar shown{input.exemplars[m], input.risks[m], input.origins[m]};
+    const ShownExemplar shown{input.exemplars[m], input.risks[m], input.origins[m],
+                              inputs > 1 ? std::string_view(input.name) : ""};
     const double before = double(m) / double(count), after = double(m + 1) / double(count);
-    Result<Json> map = describeMap(record.bundle, material, shown, record.words, side,
-                                   partOf(progress, before, after));
+    Result<MapSection> map = describeMap(record.bundle, material, shown, record.words, side,
+                                         partOf(progress, before, after));
     if (!map)
       return map.error();
-    map.value()["input"] = inputs > 1 ? Json(input.name) : Json();
     maps.push_back(std::move(map).value());
   }
   return {};
 }
 
 /// Adds the sections on what lies between the inputs.
-Result<void> addMixes(const BakeRecord& record, int side, const Progress& progress, Json& mixes) {
+Result<void> addMixes(const BakeRecord& record, int side, const Progress& progress,
+                      std::string& mixes) {
   const std::size_t count = record.inputs.front().exemplars.size();
   for (std::size_t m = 0; m < count; ++m) {
     const double before = double(m) / double(count), after = double(m + 1) / double(count);
-    Result<Json> mix = describeMix(record, m, side, partOf(progress, before, after));
+    const Result<std::string> mix = describeMix(record, m, side, partOf(progress, before, after));
     if (!mix)
       return mix.error();
-    mixes.push_back(std::move(mix).value());
+    mixes += mix.value();
   }
   return {};
 }
 
-/// Adds the targets of the maps in `maps`, the result of describeMap() for each.
-void addTargets(const Json& maps, NoiseReport& report) {
-  for (const Json& map : maps)
-    for (const Json& measure : map.at("measures")) {
-      const Json& met = measure.at("met");
-      report.targets += met.is_null() ? 0U : 1U;
-      if (met != false)
+/// Adds the targets of the maps.
+void addTargets(const std::vector<MapSection>& maps, NoiseReport& report) {
+  for (const MapSection& map : maps)
+    for (const Measure& measure : map.measures) {
+      report.targets += measure.value && measure.target ? 1U : 0U;
+      if (!measure.isMissed())
         continue;
-      const auto words = [&](const char* member) { return measure.at(member).get<std::string>(); };
-      const std::string unit = words("unit").empty() ? "" : " " + words("unit");
-      const Json& input = map.at("input");
-      report.missedTargets.push_back(fmt::format(
-          "{}{}: {} {:.3g}{} exceeds its target of {:g}{}",
-          input.is_null() ? "" : input.get<std::string>() + ", ",
-          map.at("target").get<std::string>(), words("name"), measure.at("value").get<double>(),
-          unit, measure.at("target").get<double>(), unit));
+      const std::string unit = measure.unit.empty() ? "" : " " + std::string(measure.unit);
+      report.missedTargets.push_back(
+          fmt::format("{}{}: {} {:.3g}{} exceeds its target of {:g}{}",
+                      map.shown.input.empty() ? "" : std::string(map.shown.input) + ", ",
+                      nameOf(map.shown.exemplar.target), measure.name, *measure.value, unit,
+                      *measure.target, unit));
     }
 }
 
@@ -173,9 +228,9 @@ Result<NoiseReport> encode(const BakeRecord& record, const Progress& progress) {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   NoiseReport report;
   addTargets(sections.maps, report);
-  const std::string data = describe(record, std::move(sections), taken.count())
-                               .dump(-1, ' ', false, Json::error_handler_t::replace);
-  report.page = pageWith(scriptSafe(data));
+  const std::string text = page(record, sections, report, taken.count());
+  const auto bytes = std::as_bytes(std::span(text));
+  report.page.assign(bytes.begin(), bytes.end());
   return report;
 }
 

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <report/random_phase_version.h>
+#include <report/random_phases.h>
 #include <string>
 #include <vector>
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The report of a mix: the sizes and the scale of its pictures, and its progress.
 #include "example_exemplar.h"
+#include "parsed_page.h"
 
-#include <lichen/base64.h>
-#include <lichen/image_io.h>
+#include <lichen/map_picture.h>
 #include <lichen/noise_report.h>
 #include <lichen/texton_mix.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +17,6 @@
 
 using namespace lichen;
 using namespace lichen::test;
-using Json = nlohmann::ordered_json;
 
 namespace {
 
@@ -67,23 +65,17 @@ struct Mixed {
   std::vector<ReportedInput> inputs;
 };
 
-SrgbImage pictureOf(const Json& json) {
-  const std::string uri = json.at("png");
-  const std::optional<std::vector<std::byte>> png = decodeBase64(uri.substr(uri.find(',') + 1));
-  REQUIRE(png);
-  return std::get<SrgbImage>(decodeImage(*png, "picture").value().pixels);
+PageElement sectionOf(const BakeRecord& record, int side) {
+  return parsedMarkup(describeMix(record, 0, side).value());
 }
 
-/// The pictures of a section: every object with a `png`.
-std::vector<SrgbImage> picturesIn(const Json& json) {
-  std::vector<SrgbImage> pictures;
-  if (json.is_object() && json.contains("png"))
-    pictures.push_back(pictureOf(json));
-  for (const Json& inner : json)
-    if (inner.is_structured())
-      for (SrgbImage& picture : picturesIn(inner))
-        pictures.push_back(std::move(picture));
-  return pictures;
+/// The places along the path, in percent, of elements that have one.
+std::vector<std::string> placesOf(const std::vector<PageElement>& elements) {
+  std::vector<std::string> places;
+  for (const PageElement& element : elements)
+    if (const auto style = element.attributes.find("style"); style != element.attributes.end())
+      places.push_back(style->second);
+  return places;
 }
 
 /// Checks that the fractions rise within [0, 1], and that a stop ends the operation at once.
@@ -114,11 +106,10 @@ TEST_CASE("no picture of a mix has more pixels than asked for, even of a larger 
   for (const std::vector<double>& weights : {std::vector<double>{}, {1.0, 2.0, 1.0}}) {
     const Mixed mixed(weights);
     const BakeRecord record = mixed.record();
-    const std::vector<SrgbImage> pictures =
-        picturesIn(describeMix(record, 0, kPictureSide).value());
+    const std::vector<PageElement> pictures = picturesIn(sectionOf(record, kPictureSide));
     CHECK(pictures.size() == mixPictures(record));
-    for (const SrgbImage& picture : pictures)
-      CHECK(picture.pixelCount() <= kPictureSide * kPictureSide);
+    for (const PageElement& picture : pictures)
+      CHECK(pictureOf(picture).pixelCount() <= kPictureSide * kPictureSide);
   }
 }
 
@@ -126,8 +117,10 @@ TEST_CASE("a reduced picture of a texton consists of the means of its texels") {
   const Mixed mixed;
   const Noise& noise = mixed.bundle.noises[0];
   const auto pictureAt = [&](int side) {
-    return pictureOf(
-        reportOf(Method::texton).image(mixed.bundle, noise, noise.maps[0], 0.0, side).value());
+    const MapLook look(mixed.exemplars[0].maps[0], noise.maps[0].encoding);
+    const auto pictures =
+        reportOf(Method::texton).pictures({mixed.bundle, noise, noise.maps[0], look, 0.0, side});
+    return pictureOf(parsedMarkup(imageMarkup(pictures.value().at(0), {})).children.at(0));
   };
   const SrgbImage whole = pictureAt(kSupport), half = pictureAt(kSupport / 2);
   CHECK(whole.width == kSupport - 1); // coefficients of order 1
@@ -154,35 +147,57 @@ TEST_CASE("a reduced picture of a texton consists of the means of its texels") {
 TEST_CASE("all panes of a mix show the same number of texels per pixel") {
   const Mixed mixed;
   for (const int side : {kSide, kSide / 2}) {
-    const Json section = describeMix(mixed.record(), 0, side).value();
-    CHECK(section.at("extents") == Json{side, side});
-    const auto extentsOf = [](const Json& pane) {
-      const SrgbImage picture = pictureOf(pane);
-      return std::array{picture.width, picture.height};
-    };
     const std::array whole{side, side}, half{side, side / 2};
-    REQUIRE(section.at("paths").size() == 2);
-    for (const Json& path : section["paths"])
-      for (const Json& pane : path.at("panes"))
-        CHECK(extentsOf(pane) == (pane.value("name", "") == "half" ? half : whole));
+    const PageElement section = sectionOf(mixed.record(), side);
+    REQUIRE(section.all("div", "class", "panes").size() == 2);
+    for (const PageElement& pane : section.all("summary")) {
+      const SrgbImage picture = pictureOf(pane.children.at(0));
+      CHECK(std::array{picture.width, picture.height} ==
+            (pane.children[0].attributes.at("alt") == "half" ? half : whole));
+    }
   }
 }
 
 TEST_CASE("panes and curves of a path rise from 0 to 1, and the mix by weights has no place") {
-  const Json path = describeMix(Mixed().record(), 0, kSide).value().at("paths")[1];
-  std::vector<double> along, ofCurves;
-  for (const Json& pane : path.at("panes"))
-    along.push_back(pane.at("along"));
-  for (const Json& curve : path.at("spectrum").at("curves"))
-    ofCurves.push_back(curve.at("along"));
-  CHECK(along == std::vector{0.0, 0.0, 0.5, 1.0, 1.0});
-  CHECK(ofCurves == along);
-  const Json panes =
-      describeMix(Mixed({1.0, 2.0, 1.0}).record(), 0, kSide).value().at("paths")[0].at("panes");
-  REQUIRE(panes.size() == 4);
-  for (std::size_t input = 0; input < 3; ++input)
-    CHECK(panes[input].at("along") == 0.5 * double(input));
-  CHECK(panes[3].at("along").is_null());
+  const PageElement paths = sectionOf(Mixed().record(), kSide);
+  const PageElement panes = paths.all("div", "class", "panes").at(1);
+  CHECK(placesOf(panes.all("i")) == std::vector<std::string>{"--along:0.0%", "--along:0.0%",
+                                                             "--along:50.0%", "--along:100.0%",
+                                                             "--along:100.0%"});
+  // The inputs lie below the steps.
+  CHECK(placesOf(paths.all("svg").at(1).all("path")) ==
+        std::vector<std::string>{"--along:0.0%", "--along:100.0%", "--along:0.0%", "--along:50.0%",
+                                 "--along:100.0%"});
+  const PageElement weighted = sectionOf(Mixed({1.0, 2.0, 1.0}).record(), kSide);
+  CHECK(weighted.all("details").size() == 4);
+  CHECK(placesOf(weighted.all("i", "class", "key exemplar ramped")) ==
+        std::vector<std::string>{"--along:0.0%", "--along:50.0%", "--along:100.0%"});
+  CHECK(placesOf(weighted.all("i", "class", "key result")).empty());
+}
+
+TEST_CASE("a page shows texts of any bytes as text") {
+  const Mixed mixed;
+  BakeRecord record = mixed.record();
+  const std::string hostile = "a\x01\xff\r <b>&amp;\"'\t\n\xe2\x82",
+                    shown = "a\uFFFD\uFFFD\uFFFD <b>&amp;\"'\t\n\uFFFD\uFFFD";
+  record.command = hostile;
+  record.facts = {{hostile, hostile}};
+  record.timings = {{hostile, 1.0}};
+  record.notes = {hostile};
+  std::vector<ReportedInput> inputs = mixed.inputs;
+  for (ReportedInput& input : inputs)
+    input.name = hostile;
+  record.inputs = inputs;
+  const std::vector<std::byte> bytes = encodeNoiseReport(record).value().page;
+  const PageElement page = parsedPage({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  CHECK(page.all("pre").at(0).text == shown);
+  CHECK(page.all("dt").at(0).text == shown);
+  CHECK(page.all("dd").at(0).text == shown);
+  CHECK(page.all("dt").at(1).text == shown);
+  CHECK(page.all("li").back().text == shown);
+  CHECK(page.all("article").back().all("h2").at(0).text == "baseColor of " + shown);
+  CHECK(page.all("summary").at(0).all("b").at(0).text == shown);
+  CHECK(page.all("img").at(0).attributes.at("alt") == shown);
 }
 
 TEST_CASE("a report of a mix reports its progress, and ends where the caller stops it") {

@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A local random-phase noise and its exemplar -> measures, and pictures of its spectrum and of its
-// table.
-#include "local_random_phase_report.h"
-
-#include "../inverse_table_pictures.h"
-#include "../outline_risks.h"
-#include "../random_phase_judgement.h"
-
-#include <nlohmann/json.hpp>
+// A local random-phase noise and its exemplar -> measures, and a picture of its spectrum.
+#include "../method_report.h"
+#include "../random_phases.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace lichen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr GaussianTargets kTargets{1.0, 1.5, true};
 
@@ -54,10 +46,7 @@ LinearImage cosinesPicture(const Table& table, const LocalRandomPhaseNoise& shar
   return spectrumPicture(density, width, height);
 }
 
-} // namespace
-
-Result<std::vector<Risk>> LocalRandomPhaseReport::assess(const AssessedMap& assessed,
-                                                         const Progress& progress) const {
+Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress& progress) {
   const auto& shared = assessed.noise.as<LocalRandomPhaseNoise>();
   if (shared.hasGivenSpectrum) // nobody expects outlines
     return std::vector<Risk>{};
@@ -70,8 +59,7 @@ Result<std::vector<Risk>> LocalRandomPhaseReport::assess(const AssessedMap& asse
   return outlineRisks(assessed.map(), {{"structure", "1"}}, progress);
 }
 
-Result<void> LocalRandomPhaseReport::measure(const ComparedResult& result,
-                                             NoiseComparison& comparison) const {
+Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) {
   const Noise& noise = result.bundle.noises[result.options.material.noise];
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   if (shared.structure.columns == 0)
@@ -83,27 +71,21 @@ Result<void> LocalRandomPhaseReport::measure(const ComparedResult& result,
   return {};
 }
 
-/// As for tiling, with the spectrum in place of the Gaussian image, and a Gaussian version as large
-/// as the exemplar.
-double LocalRandomPhaseReport::picturePixels() const { return 8.0; }
-
-Result<Json> LocalRandomPhaseReport::image(const Bundle& bundle, const Noise& noise,
-                                           const NoiseMap& map, double, int side) const {
-  Result<Json> shown =
-      pictureJson(cosinesPicture(bundle.tables[map.as<LocalRandomPhaseMap>().cosines],
-                                 noise.as<LocalRandomPhaseNoise>(), side));
-  if (!shown)
-    return shown;
-  shown.value()["title"] = "Spectrum of the cosines";
-  shown.value()["text"] = "The power of each frequency of the noise, the zero frequency in the "
-                          "middle. A rectangle is a "
-                          "cosine, which takes one frequency of it at each vertex of its lattice.";
-  return shown;
+Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
+  return allOf({encodedPicture(
+      cosinesPicture(drawn.bundle.tables[drawn.map.as<LocalRandomPhaseMap>().cosines],
+                     drawn.noise.as<LocalRandomPhaseNoise>(), drawn.side),
+      "Spectrum of the cosines",
+      ". The power of each frequency of the noise, the zero frequency in the middle. A rectangle "
+      "is a "
+      "cosine, which takes one frequency of it at each vertex of its lattice.")});
 }
 
-Result<Json> LocalRandomPhaseReport::table(const Bundle& bundle, const NoiseMap& map,
-                                           const MapLook& look) const {
-  return inverseTablePictures(bundle, map, look);
-}
+} // namespace
+
+/// The pictures are those of tiling, with the spectrum in place of the Gaussian image, and a
+/// Gaussian version as large as the exemplar.
+extern const MethodReport kLocalRandomPhaseReport{
+    .assess = assess, .measure = measure, .pictures = pictures, .picturePixels = 9.0};
 
 } // namespace lichen

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A multiple-kernels noise and its exemplar -> measures, and pictures of its spectrum and of its
-// table.
-#include "multiple_kernels_report.h"
-
-#include "../inverse_table_pictures.h"
-#include "../outline_risks.h"
-#include "../random_phase_judgement.h"
+// A multiple-kernels noise and its exemplar -> measures, and a picture of its spectrum.
+#include "../method_report.h"
+#include "../random_phases.h"
 #include "multiple_kernels/kernel_spectrum.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace lichen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr GaussianTargets kTargets{0.5, 1.5, true};
 
@@ -57,41 +49,32 @@ LinearImage kernelsPicture(const Table& table, const MultipleKernelsNoise& share
   return spectrumPicture(density, width, height);
 }
 
-} // namespace
-
-Result<std::vector<Risk>> MultipleKernelsReport::assess(const AssessedMap& assessed,
-                                                        const Progress& progress) const {
+Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress& progress) {
   if (assessed.noise.as<MultipleKernelsNoise>().hasGivenSpectrum) // nobody expects outlines
     return std::vector<Risk>{};
   return outlineRisks(assessed.map(), {}, progress);
 }
 
-Result<void> MultipleKernelsReport::measure(const ComparedResult& result,
-                                            NoiseComparison& comparison) const {
+Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) {
   const Noise& noise = result.bundle.noises[result.options.material.noise];
   return judgeRandomPhase(result, noise.as<MultipleKernelsNoise>().hasGivenSpectrum, kTargets,
                           comparison);
 }
 
-/// As for local random phase.
-double MultipleKernelsReport::picturePixels() const { return 8.0; }
-
-Result<Json> MultipleKernelsReport::image(const Bundle& bundle, const Noise& noise,
-                                          const NoiseMap& map, double, int side) const {
-  Result<Json> shown = pictureJson(kernelsPicture(
-      bundle.tables[map.as<MultipleKernelsMap>().kernels], noise.as<MultipleKernelsNoise>(), side));
-  if (!shown)
-    return shown;
-  shown.value()["title"] = "Spectrum of the kernels";
-  shown.value()["text"] =
-      "The power of each frequency of the noise, the zero frequency in the "
-      "middle. Each spot and its mirror are a kernel, each dot a cosine of the pattern.";
-  return shown;
+Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
+  return allOf({encodedPicture(
+      kernelsPicture(drawn.bundle.tables[drawn.map.as<MultipleKernelsMap>().kernels],
+                     drawn.noise.as<MultipleKernelsNoise>(), drawn.side),
+      "Spectrum of the kernels",
+      ". The power of each frequency of the noise, the zero frequency in the middle. Each spot and "
+      "its "
+      "mirror are a kernel, each dot a cosine of the pattern.")});
 }
 
-Result<Json> MultipleKernelsReport::table(const Bundle& bundle, const NoiseMap& map,
-                                          const MapLook& look) const {
-  return inverseTablePictures(bundle, map, look);
-}
+} // namespace
+
+/// The pictures are those of local random phase.
+extern const MethodReport kMultipleKernelsReport{
+    .assess = assess, .measure = measure, .pictures = pictures, .picturePixels = 9.0};
 
 } // namespace lichen

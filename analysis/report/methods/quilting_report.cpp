@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A quilting noise and its exemplar -> measures, and pictures of the cells, of the offsets and of
 // what tiles at them agree on.
-#include "quilting_report.h"
-
-#include "../section_figures.h"
+#include "../method_report.h"
 #include "exemplar/value_encoding.h"
 #include "sampling/repeating_image.h"
 #include "suitability/risk_of.h"
@@ -12,15 +10,12 @@
 #include <lichen/structure.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace lichen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The mean of the exemplar moved by each of `offsets` [tiles], decoded.
 LinearImage meanOver(const Table& table, std::span<const std::array<double, 2>> offsets,
@@ -53,10 +48,7 @@ void mark(SrgbImage& image, const std::array<double, 2>& point) {
                   image.channels, std::max(std::abs(down), std::abs(across)) <= kDot ? 1.0f : 0.0f);
 }
 
-} // namespace
-
-Result<std::vector<Risk>> QuiltingReport::assess(const AssessedMap& assessed,
-                                                 const Progress&) const {
+Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress&) {
   constexpr double kNone = 0.0, kMild = 0.5;
   double score = kNone;
   std::string reason = "the first map tells whether the exemplar repeats";
@@ -78,8 +70,7 @@ Result<std::vector<Risk>> QuiltingReport::assess(const AssessedMap& assessed,
                           {{{"method", std::string(nameOf(Method::tiling))}}, {}})};
 }
 
-Result<void> QuiltingReport::measure(const ComparedResult& result,
-                                     NoiseComparison& comparison) const {
+Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) {
   Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
   if (!measures)
     return measures.error();
@@ -94,65 +85,43 @@ Result<void> QuiltingReport::measure(const ComparedResult& result,
   return {};
 }
 
-/// The pictures: the exemplar, the exemplar before flattening, a result of 2 x 2 exemplars, the
-/// cells, the offsets and the mean over them.
-double QuiltingReport::picturePixels() const { return 9.0; }
-
-Result<Json> QuiltingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map, double,
-                                   int side) const {
-  const Table& table = bundle.tables[map.as<QuiltingMap>().cells];
-  std::uint32_t level = 0;
-  const auto extent = [&](std::uint32_t whole) { return std::max(1u, whole >> level); };
-  while (level + 1 < table.mipLevels &&
-         double(extent(table.width)) * extent(table.height) > double(side) * side)
-    ++level;
-  const std::vector<float> texels = decodeLevel(table, level);
-  LinearImage image(int(extent(table.width)), int(extent(table.height)), 2);
-  for (std::size_t i = 0; i < image.pixelCount(); ++i)
-    std::copy_n(&texels[i * 4], 2, &image.values[i * 2]);
-  Result<Json> shown = pictureJson(twoAsRedGreen(std::move(image)));
-  if (!shown)
-    return shown;
-  shown.value()["title"] = "Cells";
-  shown.value()["text"] = "The vector from each texel to the centre of its cell: red to the right, "
-                          "green down. Tiles are cut along the outlines of cells.";
-  return shown;
+Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
+  const NoiseMap& map = drawn.map;
+  const auto& shared = drawn.noise.as<QuiltingNoise>();
+  std::vector<Result<Picture>> made;
+  made.push_back(encodedPicture(
+      twoAsRedGreen(levelPicture(drawn.bundle.tables[map.as<QuiltingMap>().cells], 2, drawn.side)),
+      "Cells",
+      ". The vector from each texel to the centre of its cell: red to the right, green down. Tiles "
+      "are cut along the outlines of cells."));
+  if (!shared.offsets.empty()) {
+    const Table& table = drawn.bundle.tables[map.as<QuiltingMap>().image];
+    const Extents extents = pictureExtents(int(table.width), int(table.height), drawn.side);
+    constexpr std::array<std::array<double, 2>, 1> kUnmoved{};
+    SrgbImage marked = drawn.look.picture(meanOver(table, kUnmoved, map, extents));
+    for (const std::array<double, 2>& offset : shared.offsets)
+      mark(marked, offset);
+    made.push_back(encodedPicture(
+        marked, "Offsets",
+        fmt::format(". Each tile is the exemplar moved by one of {} offsets, at which it nearly "
+                    "repeats. It shows one of the marked points where an unmoved tile shows the "
+                    "upper left corner.",
+                    shared.offsets.size())));
+    made.push_back(encodedPicture(
+        drawn.look.picture(meanOver(table, shared.offsets, map, extents)), "Mean over the offsets",
+        fmt::format(
+            ". What tiles at these offsets agree on. The clearer it is, the better tiles fit "
+            "together; they correlate by {:.2f}.",
+            shared.correlation)));
+  }
+  return allOf(std::move(made));
 }
 
-Result<Json> QuiltingReport::furtherImages(const Bundle& bundle, const Noise& noise,
-                                           const NoiseMap& map, const MapLook& look,
-                                           int side) const {
-  const auto& shared = noise.as<QuiltingNoise>();
-  if (shared.offsets.empty())
-    return Json::array();
-  const Table& table = bundle.tables[map.as<QuiltingMap>().image];
-  const Extents extents = pictureExtents(int(table.width), int(table.height), side);
-  constexpr std::array<std::array<double, 2>, 1> kUnmoved{};
-  SrgbImage marked = look.picture(meanOver(table, kUnmoved, map, extents));
-  for (const std::array<double, 2>& offset : shared.offsets)
-    mark(marked, offset);
-  Result<Json> offsets = pictureJson(marked);
-  if (!offsets)
-    return offsets;
-  offsets.value()["title"] = "Offsets";
-  offsets.value()["text"] = fmt::format(
-      "Each tile is the exemplar moved by one of {} offsets, at which it nearly repeats. "
-      "It shows one of the marked points where an unmoved tile shows the upper left "
-      "corner.",
-      shared.offsets.size());
-  Result<Json> mean = pictureJson(look.picture(meanOver(table, shared.offsets, map, extents)));
-  if (!mean)
-    return mean;
-  mean.value()["title"] = "Mean over the offsets";
-  mean.value()["text"] = fmt::format("What tiles at these offsets agree on. The clearer it is, the "
-                                     "better tiles fit together; they "
-                                     "correlate by {:.2f}.",
-                                     shared.correlation);
-  return Json::array({std::move(offsets).value(), std::move(mean).value()});
-}
+} // namespace
 
-Result<Json> QuiltingReport::table(const Bundle&, const NoiseMap&, const MapLook&) const {
-  return Json();
-}
+/// The pictures: the exemplar, twice, the exemplar before flattening, a result of 2 x 2 exemplars,
+/// the cells, the offsets and the mean over them.
+extern const MethodReport kQuiltingReport{
+    .assess = assess, .measure = measure, .pictures = pictures, .picturePixels = 10.0};
 
 } // namespace lichen

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A texton noise and its exemplar -> measures against the exemplar's Gaussian texture, which is the
 // limit of texton noise, and a picture of the texton.
-#include "texton_report.h"
-
-#include "section_figures.h"
+#include "../method_report.h"
 
 #include <lichen/texton_judgement.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +11,6 @@
 
 namespace lichen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr GaussianTargets kTargets{0.5, 0.5, false};
 
@@ -58,8 +52,8 @@ NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
 
 /// The coefficients of a texton, or of one step of a mix, or means of neighbours if they are more
 /// than side^2. Grey is 0; the largest magnitude sets the range.
-Result<Json> textonPicture(const Table& table, const TextonShape& shape, std::size_t step,
-                           std::size_t channels, int side) {
+LinearImage textonPicture(const Table& table, const TextonShape& shape, std::size_t step,
+                          std::size_t channels, int side) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
   const std::size_t top = step * shape.frameHeight();
@@ -77,21 +71,17 @@ Result<Json> textonPicture(const Table& table, const TextonShape& shape, std::si
     largest = std::max(largest, std::abs(value));
   for (float& value : image.values)
     value = 0.5f + 0.5f * value / largest;
-  return pictureJson(twoAsRedGreen(std::move(image)));
+  return twoAsRedGreen(std::move(image));
 }
 
-} // namespace
-
-Result<std::vector<Risk>> TextonReport::assess(const AssessedMap& assessed,
-                                               const Progress& progress) const {
+Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress& progress) {
   const auto& shape = assessed.noise.as<TextonShape>();
   const int support = std::min(shape.coefficientsX, shape.coefficientsY) + shape.order;
   return assessTextonSuitability(assessed.map(), support, progress, shape.texelsPerTileX,
                                  shape.texelsPerTileY);
 }
 
-Result<void> TextonReport::measure(const ComparedResult& result,
-                                   NoiseComparison& comparison) const {
+Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) {
   const SynthesisOptions& options = result.options;
   const std::size_t step = stepAt(result.bundle.noises[options.material.noise], options.mix[0]);
   const Result<MapExemplar> gaussian =
@@ -114,7 +104,7 @@ Result<void> TextonReport::measure(const ComparedResult& result,
   return {};
 }
 
-Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& comparison) const {
+Result<void> judge(const ComparedResult& result, NoiseComparison& comparison) {
   const Bundle& bundle = result.bundle;
   const SynthesisOptions& options = result.options;
   const std::size_t step = stepAt(bundle.noises[options.material.noise], options.mix[0]);
@@ -127,26 +117,24 @@ Result<void> TextonReport::judge(const ComparedResult& result, NoiseComparison& 
   return {};
 }
 
-/// As for tiling, with the texton instead of the Gaussian image, and a Gaussian texture as large as
-/// the result.
-double TextonReport::picturePixels() const { return 11.0; }
-
-Result<Json> TextonReport::image(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
-                                 double mixWeight, int side) const {
-  Result<Json> shown =
-      textonPicture(bundle.tables[map.as<TextonMap>().image], noise.as<TextonShape>(),
-                    stepAt(noise, mixWeight), map.channels.size(), side);
-  if (!shown)
-    return shown;
-  shown.value()["title"] = "Texton";
-  shown.value()["text"] =
-      "The image that the noise adds up at random points with random signs, enlarged; "
-      "grey is zero.";
-  return shown;
+Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
+  return allOf({encodedPicture(
+      textonPicture(drawn.bundle.tables[drawn.map.as<TextonMap>().image],
+                    drawn.noise.as<TextonShape>(), stepAt(drawn.noise, drawn.mixWeight),
+                    drawn.map.channels.size(), drawn.side),
+      "Texton",
+      ". The image that the noise adds up at random points with random signs; grey is zero.")});
 }
 
-Result<Json> TextonReport::table(const Bundle&, const NoiseMap&, const MapLook&) const {
-  return Json();
-}
+} // namespace
+
+/// The pictures are those of tiling, with the texton instead of the Gaussian image, and a Gaussian
+/// version as large as the result.
+extern const MethodReport kTextonReport{.assess = assess,
+                                        .measure = measure,
+                                        .judge = judge,
+                                        .pictures = pictures,
+                                        .picturePixels = 12.0,
+                                        .enlargesMaps = true};
 
 } // namespace lichen

@@ -1,33 +1,22 @@
 // SPDX-License-Identifier: MIT
-// A tiling noise and its exemplar -> measures, and pictures of the Gaussian image and the table.
-#include "tiling_report.h"
-
-#include "../inverse_table_pictures.h"
+// A tiling noise and its exemplar -> measures, and a picture of the Gaussian image
+// [HN18].
+#include "../method_report.h"
 
 #include <lichen/shader_parameters.h>
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 namespace lichen {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-/// The exemplar's size in texels.
-struct Extents {
-  int width = 0;
-  int height = 0;
-};
-
 /// Options of the result that is searched for the lattice. A result of large exemplars evaluates
 /// only some texels, but with their full-resolution footprint. A coarser footprint would give a
 /// different noise, whose averaged texels are less Gaussian: its contrast follows the lattice three
 /// times as much.
 SynthesisOptions latticeOptions(SynthesisOptions options, const Extents& exemplar) {
-  const int width = kLatticeExemplars * exemplar.width;
-  const int height = kLatticeExemplars * exemplar.height;
+  const int width = kLatticeExemplars * exemplar[0];
+  const int height = kLatticeExemplars * exemplar[1];
   options.stride = (std::max(width, height) + kLargestResultSide - 1) / kLargestResultSide;
   options.width = std::max(1, width / options.stride);
   options.height = std::max(1, height / options.stride);
@@ -48,8 +37,8 @@ LatticeView latticeView(const Lattice& lattice, const SynthesisOptions& options,
                         const Extents& exemplar) {
   const double stride = options.stride;
   const double firstTexel = 0.5 - 0.5 * stride; // a view's pixel centres are at half-integers
-  return {lattice, stride / exemplar.width, stride / exemplar.height, firstTexel / exemplar.width,
-          firstTexel / exemplar.height};
+  return {lattice, stride / exemplar[0], stride / exemplar[1], firstTexel / exemplar[0],
+          firstTexel / exemplar[1]};
 }
 
 /// Returns the pixels of `first` per pixel of `map`, along the longer side of `map`.
@@ -68,40 +57,19 @@ Result<Measure> latticeMeasure(const Bundle& bundle, const SynthesisOptions& wid
                         latticeView(latticeOf(bundle, wide.material), wide, exemplar));
 }
 
-/// The finest mip level of the Gaussian image with at most side^2 pixels.
-Result<Json> gaussianPicture(const Table& table, int dimensions, int side) {
-  const auto shift = [&](std::uint32_t extent, std::uint32_t level) {
-    return std::max(1u, extent >> level);
-  };
-  std::uint32_t level = 0;
-  while (level + 1 < table.mipLevels &&
-         double(shift(table.width, level)) * shift(table.height, level) > double(side) * side)
-    ++level;
-  const std::vector<float> texels = decodeLevel(table, level);
-  const auto stored = std::size_t(channelCount(table.format));
-  const auto colours = std::size_t(dimensions);
-  LinearImage image(int(shift(table.width, level)), int(shift(table.height, level)), int(colours));
-  for (std::size_t i = 0; i < image.pixelCount(); ++i)
-    std::copy_n(&texels[i * stored], colours, &image.values[i * colours]);
-  return pictureJson(twoAsRedGreen(std::move(image)));
-}
-
-} // namespace
-
-double TilingReport::judgedPixels(int exemplarWidth, int exemplarHeight) const {
+double judgedPixels(int exemplarWidth, int exemplarHeight) {
   const SynthesisOptions wide = latticeOptions({}, {exemplarWidth, exemplarHeight});
   return double(wide.width) * double(wide.height);
 }
 
-Result<std::vector<Risk>> TilingReport::assess(const AssessedMap& assessed,
-                                               const Progress& progress) const {
+Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress& progress) {
   const MapExemplar& map = assessed.map();
   return assessSuitability(map, assessed.bordersFit, progress,
                            firstPixelsOf(map, assessed.maps.front()),
                            assessed.noise.as<TilingNoise>().grain);
 }
 
-Result<void> TilingReport::measure(const ComparedResult&, NoiseComparison& comparison) const {
+Result<void> measure(const ComparedResult&, NoiseComparison& comparison) {
   Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
   if (!measures)
     return measures.error();
@@ -109,7 +77,7 @@ Result<void> TilingReport::measure(const ComparedResult&, NoiseComparison& compa
   return {};
 }
 
-Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& comparison) const {
+Result<void> judge(const ComparedResult& result, NoiseComparison& comparison) {
   const Noise& noise = result.bundle.noises[result.options.material.noise];
   const auto [width, height] = exemplarSize(result.bundle, noise, result.map);
   const Extents baked{int(width), int(height)};
@@ -122,26 +90,25 @@ Result<void> TilingReport::judge(const ComparedResult& result, NoiseComparison& 
   return {};
 }
 
-/// The pictures: the exemplar, the exemplar before flattening, a result of 2 x 2 exemplars, and the
-/// Gaussian image.
-double TilingReport::picturePixels() const { return 7.0; }
-
-Result<Json> TilingReport::image(const Bundle& bundle, const Noise&, const NoiseMap& map, double,
-                                 int side) const {
-  Result<Json> shown = gaussianPicture(bundle.tables[map.as<TilingMap>().gaussian],
-                                       map.as<TilingMap>().dimensions, side);
-  if (!shown)
-    return shown;
-  shown.value()["title"] = "Gaussianized exemplar";
-  shown.value()["text"] =
-      "The exemplar with its values replaced by Gaussian ones, which blend without "
-      "changing their distribution.";
-  return shown;
+Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
+  const auto& map = drawn.map.as<TilingMap>();
+  return allOf({encodedPicture(twoAsRedGreen(levelPicture(drawn.bundle.tables[map.gaussian],
+                                                          std::size_t(map.dimensions), drawn.side)),
+                               "Gaussianized exemplar",
+                               ". The exemplar with its values replaced by Gaussian ones, which "
+                               "blend without changing their "
+                               "distribution.")});
 }
 
-Result<Json> TilingReport::table(const Bundle& bundle, const NoiseMap& map,
-                                 const MapLook& look) const {
-  return inverseTablePictures(bundle, map, look);
-}
+} // namespace
+
+/// The pictures: the exemplar, twice, the exemplar before flattening, a result of 2 x 2 exemplars,
+/// and the Gaussian image.
+extern const MethodReport kTilingReport{.assess = assess,
+                                        .measure = measure,
+                                        .judge = judge,
+                                        .judgedPixels = judgedPixels,
+                                        .pictures = pictures,
+                                        .picturePixels = 8.0};
 
 } // namespace lichen
