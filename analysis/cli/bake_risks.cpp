@@ -2,7 +2,6 @@
 // Risks and a verdict -> notes and JSON.
 #include "bake_risks.h"
 
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

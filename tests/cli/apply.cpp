@@ -5,13 +5,12 @@
 
 #include <lichen/bundle.h>
 #include <lichen/bundle_writer.h>
-#include <lichen/files.h>
-#include <lichen/gltf_scene.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iomanip>
 #include <sstream>
 
@@ -19,245 +18,178 @@ using namespace lichen;
 using namespace lichen::cli_test;
 using nlohmann::json;
 
+namespace {
+
+const Arguments kTriplanar{"--mapping", "triplanar"};
+const Arguments kSurface{"--mapping", "surface"};
+
+MaterialNoise firstUse(const Apply& apply) {
+  return *readBundle(apply.workplace.path("out.glb")).value().materials[0];
+}
+
+} // namespace
+
 TEST_CASE("apply adds the noise to one material and leaves all others unchanged") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb",
-                                {"--seed", "7", "--tile", "2"});
-  const example::TinyScene scene = example::tableScene();
-  const json document =
-      applied(workplace, writeScene(workplace, scene), moss, "wood", {"--scale", "0.5"});
+  Apply apply;
+  const std::string own = bake(apply.workplace, apply.workplace.write("moss.png", smooth(16)),
+                               "moss.glb", {"--seed", "7", "--tile", "2"});
+  const json document = apply.document(own, "wood", {"--scale", "0.5"});
   const json use{{"noise", 0}, {"scale", 0.5}, {"seed", 7}};
   CHECK(document["materials"][0]["extensions"][kExtension] == use);
   CHECK(document["materials"][0]["pbrMetallicRoughness"] ==
-        json(scene.json["materials"][0]["pbrMetallicRoughness"]));
-  CHECK(document["materials"][1] == json(scene.json["materials"][1]));
-  CHECK(document["meshes"] == json(scene.json["meshes"]));
-  CHECK(document["nodes"] == json(scene.json["nodes"]));
+        json(apply.material()["pbrMetallicRoughness"]));
+  CHECK(document["materials"][1] == json(apply.material(1)));
+  CHECK(document["meshes"] == json(apply.scene.json["meshes"]));
+  CHECK(document["nodes"] == json(apply.scene.json["nodes"]));
   CHECK(document["extensionsUsed"] == json{kExtension});
-  const Bundle bundle = readBundle(workplace.path("out.glb")).value();
+  const Bundle bundle = readBundle(apply.workplace.path("out.glb")).value();
   CHECK(bundle.noises[0].name == "moss");
   CHECK(bundle.noises[0].tileSizeMetres == 2.0);
-  CHECK(bundle.tables[0].texels == readBundle(moss).value().tables[0].texels);
+  CHECK(bundle.tables[0].texels == readBundle(own).value().tables[0].texels);
 }
 
-TEST_CASE("materials are given by name, by index or as all") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  example::TinyScene scene = example::tableScene();
-  const auto uses = [&](const std::string& material) {
-    const json document = applied(workplace, writeScene(workplace, scene), wool, material,
-                                  {"--mapping", "triplanar"});
+TEST_CASE("materials are given by name, by index or as all, and --material may be repeated") {
+  Apply apply;
+  const auto uses = [&](const std::string& material, const Arguments& more = {}) {
     std::string which;
-    for (const json& each : document["materials"])
+    for (const json& each : apply.document(wool(), material, kTriplanar + more)["materials"])
       which += each.contains("extensions") ? "x" : "-";
     return which;
   };
   CHECK(uses("wood") == "x-");
   CHECK(uses("1") == "-x");
   CHECK(uses("all") == "xx");
-  scene.json["materials"][0]["name"] = "1"; // names take precedence over indices
+  apply.material()["name"] = "1"; // names take precedence over indices
   CHECK(uses("1") == "x-");
-  scene.json["materials"][1]["name"] = "1";
-  const std::string path = writeScene(workplace, scene);
-  const std::string output = workplace.path("none.glb");
-  const int usage = int(ErrorKind::usage);
-  const auto refused = [&](const std::string& material, const std::vector<std::string>& words) {
-    checkRefusal({"apply", path, "--noise", wool, "--material", material, "--mapping", "triplanar",
-                  "-o", output},
-                 usage, words);
-  };
-  refused("1", {"--material 1", "0, 1", "index"});
-  refused("marble", {"--material marble", "0 '1', 1 '1'"});
-  refused("2", {"--material 2"});
-  refused("-1", {"--material -1"});
-  CHECK(!std::filesystem::exists(output));
-}
-
-TEST_CASE("--material may be repeated, and names may contain commas") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  example::TinyScene scene = example::tableScene();
-  scene.json["materials"][0]["name"] = "oak, oiled";
-  scene.json["materials"].push_back({{"name", "third"}});
-  const std::string path = writeScene(workplace, scene);
-  const json document = applied(workplace, path, wool, "third",
-                                {"--material", "oak, oiled", "--mapping", "triplanar"});
-  CHECK(document["materials"][0].contains("extensions"));
-  CHECK(!document["materials"][1].contains("extensions"));
-  CHECK(document["materials"][2].contains("extensions"));
-  checkRefusal({"apply", path, "--noise", wool, "--material", "all", "--material", "third", "-o",
-                workplace.path("x.glb")},
-               int(ErrorKind::usage), {"--material all"});
+  apply.material(1)["name"] = "1";
+  apply.refuses(wool(), "1", kTriplanar, {"--material 1", "0, 1", "index"});
+  apply.refuses(wool(), "marble", kTriplanar, {"--material marble", "0 '1', 1 '1'"});
+  apply.refuses(wool(), "2", kTriplanar, {"--material 2"});
+  apply.refuses(wool(), "-1", kTriplanar, {"--material -1"});
+  apply.material()["name"] = "oak, oiled"; // names may contain commas
+  apply.scene.json["materials"].push_back({{"name", "third"}});
+  CHECK(uses("third", {"--material", "oak, oiled"}) == "x-x");
+  apply.refuses(wool(), "all", {"--material", "third"}, {"--material all"});
 }
 
 TEST_CASE("--material all skips materials without texture coordinates, with a note") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  example::TinyScene scene = example::tableScene();
-  const std::string path = writeScene(workplace, scene);
-  const Ended ended = apply(workplace, path, wool, "all");
-  REQUIRE(ended.code == 0);
-  CHECK_THAT(ended.errors,
+  Apply apply;
+  CHECK_THAT(apply.notes(wool(), "all"),
              Catch::Contains("skipped material 'glass': primitive 1 of mesh 'table' has no") &&
                  Catch::Contains("TEXCOORD_0") && Catch::Contains("use --mapping triplanar there"));
-  const json document = GltfScene::open(workplace.path("out.glb")).value().document();
+  const json document = apply.output();
   CHECK(document["materials"][0].contains("extensions"));
   CHECK(!document["materials"][1].contains("extensions"));
-  checkRefusal({"apply", path, "--noise", wool, "--material", "wood", "--material", "glass", "-o",
-                workplace.path("x.glb")},
-               int(ErrorKind::badInput), {"material 'glass'", "TEXCOORD_0"});
-  scene.json["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_0");
-  checkRefusal({"apply", writeScene(workplace, scene), "--noise", wool, "--material", "all", "-o",
-                workplace.path("x.glb")},
-               int(ErrorKind::badInput), {"material 'wood'", "TEXCOORD_0"});
+  apply.refuses(wool(), "wood", {"--material", "glass"}, {"material 'glass'", "TEXCOORD_0"},
+                kBadInput);
+  apply.primitive()["attributes"].erase("TEXCOORD_0");
+  apply.refuses(wool(), "all", {}, {"material 'wood'", "TEXCOORD_0"}, kBadInput);
 }
 
 TEST_CASE("the name of a noise follows its bundle after a colon") {
-  const Workplace workplace;
+  Apply apply;
+  const Workplace& workplace = apply.workplace;
   const std::string grey = workplace.write("grey.png", smoothGrey(8));
   const std::string first = bake(workplace, grey, "first.glb", {"--name", "one"});
   const std::string second = bake(workplace, grey, "second.glb", {"--name", "two", "--tile", "3"});
-  REQUIRE(runLichen({"merge", first, second, "-o", workplace.path("b:th.glb"), "--preview", "none"})
-              .code == 0);
-  const std::string scene = writeScene(workplace, example::tableScene());
+  succeed({"merge", first, second, "-o", workplace.path("b:th.glb"), "--preview", "none"});
   const auto nameOfNoise = [&](const std::string& noise) {
-    return applied(workplace, scene, workplace.path(noise),
-                   "0")["extensions"][kExtension]["noises"][0]["name"];
+    return apply.document(workplace.path(noise),
+                          "0")["extensions"][kExtension]["noises"][0]["name"];
   };
   CHECK(nameOfNoise("b:th.glb") == "one"); // the file name itself contains a colon
   CHECK(nameOfNoise("b:th.glb:two") == "two");
-  checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:three"), "--material", "0",
-                "-o", workplace.path("x.glb")},
-               int(ErrorKind::usage), {"three", "expected one or two"});
-  checkRefusal({"apply", scene, "--noise", workplace.path("b:th.glb:"), "--material", "0", "-o",
-                workplace.path("x.glb")},
-               int(ErrorKind::usage), {"b:th.glb::", "empty"});
+  apply.refuses(workplace.path("b:th.glb:three"), "0", {}, {"three", "expected one or two"});
+  apply.refuses(workplace.path("b:th.glb:"), "0", {}, {"b:th.glb::", "empty"});
 }
 
 TEST_CASE("the error for a mapping that the method or the meshes do not support names it") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(8)), "moss.glb");
-  const std::string wool = writeTexton(workplace);
-  example::TinyScene scene = example::tableScene();
-  const int usage = int(ErrorKind::usage), bad = int(ErrorKind::badInput);
-  const auto refused = [&](const std::string& noise, const std::string& mapping,
-                           const std::string& material, int code,
-                           const std::vector<std::string>& words) {
-    checkRefusal({"apply", writeScene(workplace, scene), "--noise", noise, "--material", material,
-                  "--mapping", mapping, "-o", workplace.path("x.glb")},
-                 code, words);
-  };
-  refused(moss, "surface", "0", usage, {"--mapping surface", "tiling", "uv or triplanar"});
-  refused(wool, "solid", "0", usage,
-          {"--mapping solid", "texton", "uv, triplanar or surface", "--method local-random-phase"});
-  const std::string bricks = workplace.path("bricks.glb");
+  Apply apply;
+  const Arguments solid{"--mapping", "solid"};
+  apply.refuses(moss(), "0", kSurface, {"--mapping surface", "tiling", "uv or triplanar"});
+  apply.refuses(
+      wool(), "0", solid,
+      {"--mapping solid", "texton", "uv, triplanar or surface", "--method local-random-phase"});
+  const std::string bricks = apply.workplace.path("bricks.glb");
   REQUIRE(writeBundle(bricks, example::smallestStructure()).ok());
-  refused(bricks, "solid", "0", usage, {"--mapping solid", "structure", "--structure 0"});
-  refused(moss, "uv", "glass", bad,
-          {"primitive 1 of mesh 'table'", "material 'glass'", "TEXCOORD_0"});
-  scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
-  refused(wool, "surface", "0", bad, {"primitive 0", "TANGENT", "normalTexture"});
-  scene.json["meshes"][0]["primitives"][1]["mode"] = 3;
-  refused(wool, "surface", "glass", bad, {"primitive 1 of mesh 'table'", "lines"});
-  CHECK(!std::filesystem::exists(workplace.path("x.glb")));
+  apply.refuses(bricks, "0", solid, {"--mapping solid", "structure", "--structure 0"});
+  apply.refuses(moss(), "glass", {},
+                {"primitive 1 of mesh 'table'", "material 'glass'", "TEXCOORD_0"}, kBadInput);
+  apply.material()["normalTexture"] = {{"index", 0}};
+  apply.refuses(wool(), "0", kSurface, {"primitive 0", "TANGENT", "normalTexture"}, kBadInput);
+  apply.primitive(1)["mode"] = 3;
+  apply.refuses(wool(), "glass", kSurface, {"primitive 1 of mesh 'table'", "lines"}, kBadInput);
 }
 
+// The reader's tests have every fault of a mesh.
 TEST_CASE("a broken mesh is an error if it gets the noise, else a note") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const auto refused = [&](const example::TinyScene& scene, const std::vector<std::string>& words) {
-    const std::string path = writeScene(workplace, scene);
+  struct Fault {
+    std::function<void(Apply&)> breakIt;
+    std::string words;
+  };
+  const Fault faults[] = {
+      {[](Apply& a) {
+         a.primitive()["indices"] =
+             a.scene.addAccessor(std::vector<std::uint16_t>{0, 1, 4}, "SCALAR", 5123, 1);
+       },
+       "index 4; expected an index below 4"},
+      {[](Apply& a) {
+         a.primitive()["attributes"]["TEXCOORD_0"] =
+             a.scene.addFloats(std::vector<float>(8, std::nanf("")), "VEC2", 2);
+       },
+       "NaN"},
+      {[](Apply& a) {
+         a.primitive()["attributes"]["TEXCOORD_0"] = a.scene.addFloats({0, 0, 1, 1}, "VEC2", 2);
+       },
+       "2 texture coordinates for 4 positions"},
+      {[](Apply& a) { a.primitive()["mode"] = 7; }, "mode 7; expected 0 to 6"}};
+  for (const Fault& fault : faults) {
+    Apply apply;
+    fault.breakIt(apply);
     for (const char* mapping : {"uv", "triplanar"})
-      checkRefusal({"apply", path, "--noise", wool, "--material", "wood", "--mapping", mapping,
-                    "-o", workplace.path("x.glb")},
-                   int(ErrorKind::badInput), words);
-    const Ended other = apply(workplace, path, wool, "glass", {"--mapping", "triplanar"});
-    CHECK(other.code == 0); // the faulty primitive stays as it is
-    CHECK_THAT(other.errors,
-               Catch::Contains(words.back()) && Catch::Contains("it is without noise"));
-  };
-  const example::TinyScene sound = example::tableScene();
-  const auto attributeOf = [](example::TinyScene & scene) -> auto& {
-    return scene.json["meshes"][0]["primitives"][0]["attributes"];
-  };
-  example::TinyScene scene = sound;
-  const std::vector<std::uint16_t> outside{0, 1, 4};
-  scene.json["meshes"][0]["primitives"][0]["indices"] =
-      scene.addAccessor(outside, "SCALAR", 5123, 1);
-  refused(scene,
-          {"primitive 0 of mesh 'table'", "/accessors/", "index 4; expected an index below 4"});
-  for (const auto& [name, components] : {std::pair{"POSITION", 3}, std::pair{"TEXCOORD_0", 2}}) {
-    scene = sound;
-    const std::vector<float> values(std::size_t(4 * components), std::nanf(""));
-    const char* type = components == 3 ? "VEC3" : "VEC2";
-    attributeOf(scene)[name] = scene.addFloats(values, type, std::size_t(components));
-    refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", "NaN"});
-    scene = sound;
-    const std::vector<float> four(std::size_t(4 * 4));
-    attributeOf(scene)[name] = scene.addFloats(four, "VEC4", 4);
-    refused(scene, {"primitive 0 of mesh 'table'", "/accessors/", std::string("not ") + type});
+      apply.refuses(wool(), "wood", {"--mapping", mapping},
+                    {"primitive 0 of mesh 'table'", fault.words}, kBadInput);
+    CHECK_THAT(apply.notes(wool(), "glass", kTriplanar), // the faulty primitive stays as it is
+               Catch::Contains(fault.words) && Catch::Contains("it is without noise"));
   }
-  scene = sound;
-  attributeOf(scene)["TEXCOORD_0"] = scene.addFloats({0, 0, 1, 1}, "VEC2", 2);
-  refused(scene, {"primitive 0 of mesh 'table'", "2 texture coordinates for 4 positions"});
-  scene = sound;
-  scene.json["meshes"][0]["primitives"][0]["mode"] = 7;
-  refused(scene, {"primitive 0 of mesh 'table'", "mode 7; expected 0 to 6"});
-  CHECK(!std::filesystem::exists(workplace.path("x.glb")));
 }
 
 TEST_CASE("the error for a material that is not valid glTF states its JSON pointer") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const auto refused = [&](const char* member, const json& value, const char* named) {
-    example::TinyScene scene = example::tableScene();
-    scene.json["materials"][0][member] = value;
-    checkRefusal({"apply", writeScene(workplace, scene), "--noise", wool, "--material", "wood",
-                  "-o", workplace.path("x.glb")},
-                 int(ErrorKind::badInput), {named});
-  };
-  refused("pbrMetallicRoughness", json::array(), "/materials/0/pbrMetallicRoughness");
-  refused("pbrMetallicRoughness", json{{"baseColorTexture", 1}}, "baseColorTexture");
-  refused("normalTexture", json{{"scale", 1}}, "/materials/0/normalTexture");
-  refused("emissiveTexture", json{{"index", 0}, {"extensions", {{"KHR_texture_transform", "no"}}}},
-          "/materials/0/emissiveTexture/extensions");
+  const std::tuple<const char*, json, const char*> faults[] = {
+      {"pbrMetallicRoughness", json::array(), "/materials/0/pbrMetallicRoughness"},
+      {"pbrMetallicRoughness", json{{"baseColorTexture", 1}}, "baseColorTexture"},
+      {"normalTexture", json{{"scale", 1}}, "/materials/0/normalTexture"},
+      {"emissiveTexture", json{{"index", 0}, {"extensions", {{"KHR_texture_transform", "no"}}}},
+       "/materials/0/emissiveTexture/extensions"}};
+  for (const auto& [member, value, named] : faults) {
+    Apply apply;
+    apply.material()[member] = value;
+    apply.refuses(wool(), "wood", {}, {named}, kBadInput);
+  }
 }
 
 TEST_CASE("compressed meshes get the noise, with a note") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const example::TinyScene sound = example::tableScene();
-  const auto noted = [&](const example::TinyScene& scene, const std::string& extension) {
-    const Ended ended = apply(workplace, writeScene(workplace, scene), wool, "wood");
-    CHECK(ended.code == 0);
-    CHECK_THAT(ended.errors, Catch::Contains("primitive 0 of mesh 'table'") &&
-                                 Catch::Contains(extension) &&
-                                 Catch::Contains("lichen-render does not read"));
+  const auto noted = [](const Apply& apply, const std::string& extension) {
+    CHECK_THAT(apply.notes(wool(), "wood"), Catch::Contains("primitive 0 of mesh 'table'") &&
+                                                Catch::Contains(extension) &&
+                                                Catch::Contains("lichen-render does not read"));
   };
-  example::TinyScene scene = sound;
-  scene.json["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = {
+  Apply draco;
+  draco.primitive()["extensions"]["KHR_draco_mesh_compression"] = {
       {"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
-  noted(scene, "KHR_draco_mesh_compression");
-  scene = sound;
-  const std::size_t position = scene.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"];
-  const std::size_t view = scene.json["accessors"][position]["bufferView"];
-  scene.json["bufferViews"][view]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
-  noted(scene, "EXT_meshopt_compression");
-  scene = sound; // a sparse accessor
-  const std::size_t values = scene.addView(std::as_bytes(std::span<const float>()));
-  scene.json["bufferViews"][values]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
-  scene.json["accessors"][position]["sparse"]["values"]["bufferView"] = values;
-  noted(scene, "EXT_meshopt_compression");
+  noted(draco, "KHR_draco_mesh_compression");
+  Apply meshopt; // a sparse accessor
+  const std::size_t position = meshopt.primitive()["attributes"]["POSITION"];
+  const std::size_t values = meshopt.scene.addView(std::as_bytes(std::span<const float>()));
+  meshopt.scene.json["bufferViews"][values]["extensions"]["EXT_meshopt_compression"] = {
+      {"buffer", 0}};
+  meshopt.scene.json["accessors"][position]["sparse"]["values"]["bufferView"] = values;
+  noted(meshopt, "EXT_meshopt_compression");
 }
 
 TEST_CASE("the report lists frames, singularities and factors that multiply the noise") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const std::string scene = writeScene(workplace, example::tableScene());
-  const Ended ended = apply(workplace, scene, wool, "glass", {"--mapping", "surface", "--json"});
-  REQUIRE(ended.code == 0);
-  CHECK(ended.errors.empty());
-  const json report = json::parse(ended.output);
+  const Apply apply;
+  const json report = jsonOf(apply.arguments(wool(), "glass", kSurface));
   CHECK(report["noise"] == "wool");
   CHECK(report["newTables"] == 1);
   CHECK(report["materials"] == json{"material 'glass'"});
@@ -274,236 +206,173 @@ TEST_CASE("the report lists frames, singularities and factors that multiply the 
   CHECK(report["notes"].size() == 2);
   std::ostringstream place; // three digits, as the note prints
   place << std::setprecision(3) << '(' << frames["singularities"][0]["position"][0].get<double>();
-  CHECK_THAT(apply(workplace, scene, wool, "glass", {"--mapping", "surface"}).errors,
+  CHECK_THAT(apply.notes(wool(), "glass", kSurface),
              Catch::Contains("singular triangle") && Catch::Contains(place.str()));
-
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  const Ended noted = apply(workplace, scene, moss, "wood");
-  CHECK_THAT(noted.errors, Catch::Contains("baseColorFactor [0.5,0.25,0.125,1]") &&
-                               Catch::Contains("material 'wood'"));
-  CHECK(apply(workplace, scene, moss, "wood", {"--quiet"}).errors.empty());
+  CHECK_THAT(apply.notes(moss(), "wood"), Catch::Contains("baseColorFactor [0.5,0.25,0.125,1]") &&
+                                              Catch::Contains("material 'wood'"));
+  CHECK(apply.notes(moss(), "wood", {"--quiet"}).empty());
 }
 
 TEST_CASE("factors are kept or set to 1, and one note lists those of many materials") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  example::TinyScene scene = example::tableScene();
-  auto& materials = scene.json["materials"];
-  materials[0]["pbrMetallicRoughness"]["baseColorFactor"] = {0.800000011920929, 0, 0, 0.51};
-  materials[1]["pbrMetallicRoughness"]["baseColorFactor"] = {0.05, 0.09, 0, 1};
+  Apply apply;
+  apply.material()["pbrMetallicRoughness"]["baseColorFactor"] = {0.800000011920929, 0, 0, 0.51};
+  apply.material(1)["pbrMetallicRoughness"]["baseColorFactor"] = {0.05, 0.09, 0, 1};
   for (int more = 0; more < 6; ++more)
-    materials.push_back({{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}}}});
-  const std::string path = writeScene(workplace, scene);
-  const Arguments triplanar{"--mapping", "triplanar"};
-  const Ended kept = apply(workplace, path, moss, "all", triplanar);
-  REQUIRE(kept.code == 0);
-  CHECK_THAT(kept.errors,
+    apply.scene.json["materials"].push_back(
+        {{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.5, 0.5, 1}}}}});
+  const std::string kept = apply.notes(moss(), "all", kTriplanar);
+  CHECK_THAT(kept,
              Catch::Contains("baseColorFactor [0.8,0,0,0.51] of material 'wood', baseColorFactor "
                              "[0.5,0.5,0.5,1] of material 2,") &&
                  Catch::Contains("and 3 others multiply the noise") &&
                  Catch::Contains("--factors one") &&
                  Catch::Contains("[0.05,0.09,0,1] of material 'glass' is below 0.1"));
-  CHECK_THAT(kept.errors, Catch::Contains("the size of a tile is unknown on material 2,"));
-  CHECK(std::count(kept.errors.begin(), kept.errors.end(), '\n') == 3);
-  const json document =
-      applied(workplace, path, moss, "all", {"--mapping", "triplanar", "--factors", "one"});
+  CHECK_THAT(kept, Catch::Contains("the size of a tile is unknown on material 2,"));
+  CHECK(std::count(kept.begin(), kept.end(), '\n') == 3);
+  const json document = apply.document(moss(), "all", kTriplanar + Arguments{"--factors", "one"});
   const auto factorOf = [&](std::size_t material) {
     return document["materials"][material]["pbrMetallicRoughness"]["baseColorFactor"];
   };
   CHECK(factorOf(0) == json{1.0, 1.0, 1.0, 0.51});
   CHECK(factorOf(1) == json{1.0, 1.0, 1.0, 1.0});
   CHECK(factorOf(7) == json{1.0, 1.0, 1.0, 1.0});
-  CHECK(
-      apply(workplace, path, moss, "all", {"--mapping", "triplanar", "--factors", "one", "--quiet"})
-          .errors.empty());
-  checkRefusal({"apply", path, "--noise", moss, "--material", "0", "--factors", "2", "-o",
-                workplace.path("x.glb")},
-               int(ErrorKind::usage), {"--factors 2", "keep or one"});
 }
 
 TEST_CASE("setting an emissive factor to 1 without a texture gives a note") {
-  const Workplace workplace;
-  std::filesystem::create_directory(workplace.path("set"));
+  Apply apply;
+  std::filesystem::create_directory(apply.workplace.path("set"));
   for (const char* map : {"set/diff.png", "set/emissive.png"})
-    workplace.write(map, smooth(8));
-  const std::string glow = bake(workplace, workplace.path("set"), "glow.glb");
-  example::TinyScene scene = example::tableScene();
-  const auto noted = [&] {
-    const Ended ended =
-        apply(workplace, writeScene(workplace, scene), glow, "wood", {"--factors", "one"});
-    CHECK(ended.code == 0);
-    return ended.errors.find("emissiveFactor of material 'wood' is 1 without") != std::string::npos;
-  };
-  CHECK(noted());
-  scene.json["materials"][0]["emissiveFactor"] = {1.0, 1.0, 1.0};
-  CHECK_FALSE(noted()); // it was emissive before
+    apply.workplace.write(map, smooth(8));
+  const std::string glow = bake(apply.workplace, apply.workplace.path("set"), "glow.glb");
+  const auto note = Catch::Contains("emissiveFactor of material 'wood' is 1 without");
+  CHECK_THAT(apply.notes(glow, "wood", {"--factors", "one"}), note);
+  apply.material()["emissiveFactor"] = {1.0, 1.0, 1.0}; // it was emissive before
+  CHECK_THAT(apply.notes(glow, "wood", {"--factors", "one"}), !note);
 }
 
 TEST_CASE("a note names the textures for which the noise has no map") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  example::TinyScene scene = example::tableScene();
-  scene.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-  scene.json["materials"][0]["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {{"index", 0}};
-  scene.json["materials"][0]["normalTexture"] = {{"index", 0}};
-  const Ended ended = apply(workplace, writeScene(workplace, scene), moss, "wood");
-  REQUIRE(ended.code == 0);
-  CHECK_THAT(ended.errors,
-             Catch::Contains("normalTexture of material 'wood', "
-                             "metallicRoughnessTexture of material 'wood' stay "
-                             "visible: the noise has no such map, or not all its channels"));
-  CHECK_THAT(ended.errors, !Catch::Contains("baseColorTexture"));
+  Apply apply;
+  for (const char* slot : {"baseColorTexture", "metallicRoughnessTexture"})
+    apply.material()["pbrMetallicRoughness"][slot] = {{"index", 0}};
+  apply.material()["normalTexture"] = {{"index", 0}};
+  CHECK_THAT(apply.notes(moss(), "wood"),
+             Catch::Contains("normalTexture of material 'wood', metallicRoughnessTexture of "
+                             "material 'wood' stay visible: the noise has no such map, or not all "
+                             "its channels") &&
+                 !Catch::Contains("baseColorTexture"));
 }
 
 TEST_CASE("quarter turns of tiles that are not square are an error, and half turns are not") {
-  const Workplace workplace;
+  const Apply apply;
   const std::string plank =
-      bake(workplace, workplace.write("plank.png", speckled(16, 8, 3)), "plank.glb");
-  const std::string scene = writeScene(workplace, example::tableScene());
-  const auto applyTurned = [&](const std::string& angles) {
-    return Arguments{"apply",
-                     scene,
-                     "--noise",
-                     plank,
-                     "--material",
-                     "wood",
-                     "--tile-rotation",
-                     angles,
-                     "-o",
-                     workplace.path("out.glb")};
-  };
-  checkRefusal(applyTurned("4"), int(ErrorKind::usage),
-               {"--tile-rotation 4", "'plank'", "not square", "none or 2"});
-  checkRefusal({"synth", plank, "-o", workplace.path("new.png"), "--tile-rotation", "4"},
-               int(ErrorKind::usage),
-               {"tile rotation 4", "'plank'", "0, 1, 2, or 4 if tiles are square"});
-  CHECK(runLichen(applyTurned("2")).code == 0);
+      bake(apply.workplace, apply.workplace.write("plank.png", speckled(16, 8, 3)), "plank.glb");
+  apply.refuses(plank, "wood", {"--tile-rotation", "4"},
+                {"--tile-rotation 4", "'plank'", "not square", "none or 2"});
+  checkRefusal({"synth", plank, "-o", apply.workplace.path("new.png"), "--tile-rotation", "4"},
+               kUsage, {"tile rotation 4", "'plank'", "0, 1, 2, or 4 if tiles are square"});
+  CHECK(apply.run(plank, "wood", {"--tile-rotation", "2"}).code == 0);
 }
 
 TEST_CASE("a noise applied twice is stored once, under its name") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const std::string scene = writeScene(workplace, example::tableScene());
-  const Arguments triplanar{"--mapping", "triplanar"};
-  const json once = applied(workplace, scene, wool, "0", triplanar);
-  const json twice = applied(workplace, workplace.path("out.glb"), wool, "1", triplanar);
-  CHECK(twice["bufferViews"] == once["bufferViews"]);
-  CHECK(twice["extensions"] == once["extensions"]);
-  const std::string moss =
-      bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb", {"--name", "wool"});
-  const Ended ended = apply(workplace, workplace.path("out.glb"), moss, "0");
-  CHECK(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains("'wool-2'"));
+  const Apply apply;
+  const std::string output = apply.workplace.path("out.glb");
+  const json once = apply.document(wool(), "0", kTriplanar);
+  const auto again = [&](const std::string& noise, const char* material) {
+    return succeed({"apply", output, "--noise", noise, "--material", material, "--mapping",
+                    "triplanar", "-o", output})
+        .errors;
+  };
+  again(wool(), "1");
+  CHECK(apply.output()["bufferViews"] == once["bufferViews"]);
+  CHECK(apply.output()["extensions"] == once["extensions"]);
+  const std::string other = bake(apply.workplace, apply.workplace.write("moss.png", smooth(8)),
+                                 "moss.glb", {"--name", "wool"});
+  CHECK_THAT(again(other, "0"), Catch::Contains("'wool-2'"));
 }
 
 TEST_CASE("the options set every parameter that needs no new bake") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  const std::string scene = writeScene(workplace, example::tableScene());
-  static_cast<void>(applied(workplace, scene, moss, "0",
-                            {"--scale", "2", "--rotation", "90", "--seed", "7", "--contrast", "0.5",
-                             "--sharpness", "4", "--tile-rotation", "4"}));
-  const MaterialNoise use = *readBundle(workplace.path("out.glb")).value().materials[0];
+  const Apply apply;
+  CHECK(apply
+            .run(moss(), "0",
+                 {"--scale", "2", "--rotation", "90", "--seed", "7", "--contrast", "0.5",
+                  "--sharpness", "4", "--tile-rotation", "4"})
+            .code == 0);
+  const MaterialNoise use = firstUse(apply);
   CHECK(use.scale == 2.0);
   CHECK(use.rotation == Approx(1.5707963267948966).epsilon(1e-12)); // 90 degrees, in radians
   CHECK(use.seed == 7);
   CHECK(use.contrast == 0.5);
   CHECK(use.blendSharpness == 4.0);
   CHECK(use.tileRotation == 4);
-}
-
-TEST_CASE("an option that the noise's method or the mapping does not have is an error") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const std::string scene = writeScene(workplace, example::tableScene());
-  const auto refused = [&](const std::string& option, const std::string& value,
-                           const std::vector<std::string>& words) {
-    checkRefusal({"apply", scene, "--noise", wool, "--material", "0", option, value, "-o",
-                  workplace.path("x.glb")},
-                 int(ErrorKind::usage), words);
-  };
-  refused("--sharpness", "2", {"--sharpness", "'wool'", "texton", "tiling"});
-  refused("--tile-rotation", "4", {"--tile-rotation", "'wool'", "texton", "tiling"});
-  refused("--plane-sharpness", "2", {"--plane-sharpness", "uv", "--mapping triplanar"});
-}
-
-TEST_CASE("--plane-sharpness sets the sharpness of the planes") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const std::string scene = writeScene(workplace, example::tableScene());
-  const json document =
-      applied(workplace, scene, wool, "0", {"--mapping", "triplanar", "--plane-sharpness", "4"});
-  CHECK(document["materials"][0]["extensions"][kExtension]["planeSharpness"] == 4.0);
-  CHECK(readBundle(workplace.path("out.glb")).value().materials[0]->planeSharpness == 4.0);
+  CHECK(apply.run(wool(), "0", kTriplanar + Arguments{"--plane-sharpness", "4"}).code == 0);
+  CHECK(firstUse(apply).planeSharpness == 4.0);
 }
 
 TEST_CASE("the space comes from the option, else from the bundle, and inspect shows it") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const std::string scene = writeScene(workplace, example::tableScene());
+  const Apply apply;
   const auto spaceIn = [](const json& document) {
     return document["materials"][0]["extensions"][kExtension].value("space", "none");
   };
-  const json inObject =
-      applied(workplace, scene, wool, "0", {"--mapping", "triplanar", "--space", "object"});
-  CHECK(spaceIn(inObject) == "object");
-  const std::string made = workplace.path("object.glb");
-  std::filesystem::rename(workplace.path("out.glb"), made);
-  CHECK(readBundle(made).value().materials[0]->space == NoiseSpace::object);
-  CHECK_THAT(runLichen({"inspect", made}).output,
-             Catch::Contains("triplanar in object space, seed"));
-  CHECK(json::parse(runLichen({"inspect", made, "--json"}).output)
-            .at(json::json_pointer("/noises/0/materials/0/space")) == "object");
-  CHECK(spaceIn(applied(workplace, scene, made, "0", {"--mapping", "triplanar"})) == "object");
-  CHECK(spaceIn(applied(workplace, scene, made, "0",
-                        {"--mapping", "triplanar", "--space", "world"})) == "none");
-  CHECK(spaceIn(applied(workplace, scene, made, "0")) == "none"); // with the mapping uv
-  checkRefusal({"apply", scene, "--noise", wool, "--material", "0", "--space", "object", "-o",
-                workplace.path("x.glb")},
-               int(ErrorKind::usage),
-               {"--space object", "uv", "--mapping triplanar, surface or solid"});
+  CHECK(spaceIn(apply.document(wool(), "0", kTriplanar + Arguments{"--space", "object"})) ==
+        "object");
+  const std::string made = apply.workplace.path("object.glb");
+  std::filesystem::rename(apply.workplace.path("out.glb"), made);
+  CHECK_THAT(succeed({"inspect", made}).output, Catch::Contains("triplanar in object space, seed"));
+  CHECK(jsonOf({"inspect", made}).at(json::json_pointer("/noises/0/materials/0/space")) ==
+        "object");
+  CHECK(spaceIn(apply.document(made, "0", kTriplanar)) == "object");
+  CHECK(spaceIn(apply.document(made, "0", kTriplanar + Arguments{"--space", "world"})) == "none");
+  CHECK(spaceIn(apply.document(made, "0")) == "none"); // with the mapping uv
 }
 
-TEST_CASE("the same call writes the same bytes") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const std::string scene = writeScene(workplace, example::tableScene());
-  for (const char* name : {"a.glb", "b.glb"})
-    REQUIRE(apply(workplace, scene, wool, "all",
-                  {"--mapping", "surface", "--threads", name[0] == 'a' ? "1" : "4"}, name)
-                .code == 0);
-  CHECK(workplace.read("a.glb") == workplace.read("b.glb"));
+TEST_CASE("the same call writes the same bytes on any number of threads") {
+  const Apply apply;
+  std::string first;
+  for (const char* threads : {"1", "4"}) {
+    succeed(apply.arguments(wool(), "all", kSurface + Arguments{"--threads", threads}));
+    const std::string bytes = apply.workplace.read("out.glb");
+    CHECK((first.empty() || bytes == first));
+    first = bytes;
+  }
+}
+
+TEST_CASE("options that are out of range, or that the noise or the mapping does not have, are "
+          "errors") {
+  const Apply apply;
+  const Refused rows[] = {
+      {{"--sharpness", "2"}, {"--sharpness", "'wool'", "texton", "tiling"}},
+      {{"--tile-rotation", "4"}, {"--tile-rotation", "'wool'", "texton", "tiling"}},
+      {{"--plane-sharpness", "2"}, {"--plane-sharpness", "uv", "--mapping triplanar"}},
+      {{"--plane-sharpness", "65"}, {"--plane-sharpness 65", "1", "64"}},
+      {{"--space", "object"}, {"--space object", "uv", "--mapping triplanar, surface or solid"}},
+      {{"--scale", "0"}, {"--scale 0"}},
+      {{"--factors", "2"}, {"--factors 2", "keep or one"}}};
+  for (const Refused& row : rows)
+    apply.refuses(wool(), "0", row.arguments, row.words);
 }
 
 TEST_CASE("unusable scenes, noises and outputs are errors and leave no file") {
-  const Workplace workplace;
-  const std::string wool = writeTexton(workplace);
-  const std::string scene = writeScene(workplace, example::tableScene());
+  const Apply apply;
+  const Workplace& workplace = apply.workplace;
+  const std::string scene = apply.written(), output = workplace.path("x.glb");
   const std::string image = workplace.write("image.png", smooth(8));
   const std::string empty = workplace.write("empty.gltf", R"({"asset":{"version":"2.0"}})");
   const std::string twice = workplace.write(
       "twice.gltf", R"({"asset":{"version":"2.0"},"materials":[{}],"materials":[{}]})");
-  const std::string output = workplace.path("x.glb");
-  const int bad = int(ErrorKind::badInput), usage = int(ErrorKind::usage);
-  const auto refused = [&](const std::string& from, const std::string& noise, const std::string& to,
-                           int code, const std::vector<std::string>& words) {
+  const std::tuple<std::string, std::string, std::string, int, Arguments> rows[] = {
+      {image, wool(), output, kBadInput, {"image.png"}},
+      {workplace.path("none.glb"), wool(), output, kBadInput, {"none.glb"}},
+      {scene, image, output, kBadInput, {"image.png"}},
+      {scene, scene, output, kBadInput, {"scene.glb", "no noise"}},
+      {empty, wool(), output, kBadInput, {"empty.gltf", "no materials"}},
+      {twice, wool(), output, kBadInput, {"twice.gltf", "two members \"materials\""}},
+      {scene, wool(), workplace.path("x.png"), kUsage, {".glb", ".gltf"}},
+      {scene, wool(), workplace.path("none/x.glb"), kEnvironment, {"none"}}};
+  for (const auto& [from, noise, to, code, words] : rows)
     checkRefusal(
         {"apply", from, "--noise", noise, "--material", "0", "--mapping", "triplanar", "-o", to},
         code, words);
-  };
-  refused(image, wool, output, bad, {"image.png"});
-  refused(workplace.path("none.glb"), wool, output, bad, {"none.glb"});
-  refused(scene, image, output, bad, {"image.png"});
-  refused(scene, scene, output, bad, {"scene.glb", "no noise"});
-  refused(empty, wool, output, bad, {"empty.gltf", "no materials"});
-  refused(twice, wool, output, bad, {"twice.gltf", "two members \"materials\""});
-  refused(scene, wool, workplace.path("x.png"), usage, {".glb", ".gltf"});
-  refused(scene, wool, workplace.path("none/x.glb"), int(ErrorKind::environment), {"none"});
-  checkRefusal({"apply", scene, "--noise", wool, "-o", output}, usage, {"--material is required"});
-  checkRefusal({"apply", scene, "--noise", wool, "--material", "0", "--scale", "0", "-o", output},
-               usage, {"--scale 0"});
-  checkRefusal(
-      {"apply", scene, "--noise", wool, "--material", "0", "--plane-sharpness", "65", "-o", output},
-      usage, {"--plane-sharpness 65", "1", "64"});
+  checkRefusal({"apply", scene, "--noise", wool(), "-o", output}, kUsage,
+               {"--material is required"});
   CHECK(!std::filesystem::exists(output));
 }

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// `lichen apply` on materials with more features than a noise replaces.
+// `lichen apply` on materials with more features than a noise replaces: which images and extensions
+// it removes and which it keeps.
 #include "apply_run.h"
 
-#include <lichen/gltf_scene.h>
-
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using namespace lichen;
 using namespace lichen::cli_test;
@@ -13,98 +11,166 @@ using nlohmann::json;
 
 namespace {
 
+constexpr const char* kUnlit = "KHR_materials_unlit";
+constexpr const char* kGlossy = "KHR_materials_pbrSpecularGlossiness";
 const std::string kDot = // a PNG of one pixel
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGP4z8AAAAMBAQDJ/"
     "pLvAAAAAElFTkSuQmCC";
 
+/// The material 'wood' shows this image as its base colour.
+void addImage(Apply& apply, const std::string& uri) {
+  apply.scene.json["images"] = {{{"uri", uri}}};
+  apply.scene.json["textures"] = {{{"source", 0}}};
+  apply.material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+}
+
+/// Both materials have the extension, and viewers must know it.
+void addExtension(Apply& apply, const char* extension, const json& content = json::object()) {
+  apply.scene.json["extensionsUsed"] = json::array({extension});
+  apply.scene.json["extensionsRequired"] = json::array({extension});
+  for (auto& material : apply.scene.json["materials"])
+    material["extensions"][extension] = content;
+}
+
+/// 'wood' is specular-glossy, with two images beside the scene, and nothing else.
+void addGlossyImages(Apply& apply, const json& more) {
+  json content{{"diffuseTexture", {{"index", 0}, {"texCoord", 0}}},
+               {"specularGlossinessTexture", {{"index", 1}}}};
+  content.update(more);
+  addExtension(apply, kGlossy, content);
+  apply.scene.json["images"] = {{{"uri", "diffuse.png"}}, {{"uri", "glossiness.png"}}};
+  apply.scene.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
+  apply.material().erase("pbrMetallicRoughness");
+}
+
 } // namespace
 
 TEST_CASE("a missing image is an error unless the noise replaces everything that shows it") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  example::TinyScene scene = example::tableScene();
-  scene.json["images"] = {{{"uri", "old%20bark.png"}}};
-  scene.json["textures"] = {{{"source", 0}}};
-  scene.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-  const auto write = [&] {
-    workplace.write("scene.bin", scene.binary);
-    return workplace.write("scene.gltf", scene.gltf("scene.bin"));
-  };
-  const Ended ended = apply(workplace, write(), moss, "wood");
-  CHECK(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains("/images/0: the file \"old%20bark.png\" is missing, "
-                                           "but the noise replaces everything that shows it"));
-  CHECK(GltfScene::open(workplace.path("out.glb")).value().document()["images"][0]["uri"] ==
-        "old%20bark.png");
-  const auto refused = [&] {
-    checkRefusal(
-        {"apply", write(), "--noise", moss, "--material", "wood", "-o", workplace.path("x.glb")},
-        int(ErrorKind::badInput), {"scene.gltf: /images/0/uri", "old bark.png"});
-  };
-  scene.json["materials"][1]["emissiveTexture"] = {{"index", 0}}; // the material without the noise
-  refused();
-  scene.json["materials"][1].erase("emissiveTexture");
-  scene.json["materials"][0]["alphaMode"] = "BLEND"; // blends by the texture's alpha
-  refused();
-  scene.json["materials"][0].erase("alphaMode");
-  scene.json["materials"][0]["extensions"]["KHR_materials_sheen"]["sheenColorTexture"] = {
-      {"index", 0}};
-  refused();
+  const std::tuple<const char*, const char*, json> shown[] = {
+      {"another material shows it", "/materials/1/emissiveTexture", json{{"index", 0}}},
+      {"its alpha blends", "/materials/0/alphaMode", "BLEND"},
+      {"an extension shows it", "/materials/0/extensions/KHR_materials_sheen/sheenColorTexture",
+       json{{"index", 0}}}};
+  for (const auto& [what, place, value] : shown) {
+    INFO(what);
+    Apply apply;
+    addImage(apply, "old%20bark.png");
+    apply.isText = true;
+    CHECK_THAT(apply.notes(moss(), "wood"),
+               Catch::Contains("/images/0: the file \"old%20bark.png\" is missing, but the noise "
+                               "replaces everything that shows it"));
+    CHECK(apply.output()["images"][0]["uri"] == "old%20bark.png");
+    apply.scene.json[nlohmann::ordered_json::json_pointer(place)] = value;
+    apply.refuses(moss(), "wood", {}, {"scene.gltf: /images/0/uri", "old bark.png"}, kBadInput);
+  }
 }
 
 TEST_CASE(
     "an image that is no image is an error unless the noise replaces everything that shows it") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  workplace.write("bark.png", "not an image");
   for (const std::string uri : {"bark.png", "../bark.png", "https://host/bark.png",
                                 "data:image/png;base64,AAAA", "data:image/png;base64,#"}) {
     INFO(uri);
-    example::TinyScene scene = example::tableScene();
-    scene.json["images"] = {{{"uri", uri}}};
-    scene.json["textures"] = {{{"source", 0}}};
-    scene.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-    workplace.write("scene.bin", scene.binary);
-    const Ended ended =
-        apply(workplace, workplace.write("scene.gltf", scene.gltf("scene.bin")), moss, "wood");
-    CHECK(ended.code == 0);
-    CHECK_THAT(ended.errors, Catch::Contains("/images/0: ") &&
-                                 Catch::Contains("is not a readable PNG, JPEG, WebP or KTX2, but "
-                                                 "the noise replaces everything that shows it"));
-    scene.json["materials"][1]["emissiveTexture"] = {{"index", 0}};
-    checkRefusal({"apply", workplace.write("scene.gltf", scene.gltf("scene.bin")), "--noise", moss,
-                  "--material", "wood", "-o", workplace.path("x.glb")},
-                 int(ErrorKind::badInput), {"scene.gltf: /images/0/uri"});
+    Apply apply;
+    addImage(apply, uri);
+    apply.isText = true;
+    apply.workplace.write("bark.png", std::string("not an image"));
+    CHECK_THAT(apply.notes(moss(), "wood"),
+               Catch::Contains("/images/0: ") &&
+                   Catch::Contains("is not a readable PNG, JPEG, WebP or KTX2, but the noise "
+                                   "replaces everything that shows it"));
+    apply.material(1)["emissiveTexture"] = {{"index", 0}};
+    apply.refuses(moss(), "wood", {}, {"scene.gltf: /images/0/uri"}, kBadInput);
   }
 }
 
 TEST_CASE("a missing image that the noise replaces does not tie the output to the scene's folder") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  std::filesystem::create_directory(workplace.path("elsewhere"));
-  example::TinyScene scene = example::tableScene();
-  scene.json["images"] = {{{"uri", "bark.png"}}};
-  scene.json["textures"] = {{{"source", 0}}};
-  scene.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-  const std::string path = writeScene(workplace, scene);
-  CHECK(apply(workplace, path, moss, "wood", {}, "elsewhere/out.glb").code == 0);
-  CHECK(apply(workplace, path, moss, "wood", {}, "elsewhere/out.gltf").code == 0);
-  workplace.write("bark.png", smooth(8)); // other viewers show it
-  checkRefusal({"apply", path, "--noise", moss, "--material", "wood", "-o",
-                workplace.path("elsewhere/out.glb")},
-               int(ErrorKind::usage), {"refers to files beside it", "bark.png"});
+  Apply apply;
+  addImage(apply, "bark.png");
+  std::filesystem::create_directory(apply.workplace.path("elsewhere"));
+  for (const char* output : {"elsewhere/out.glb", "elsewhere/out.gltf"})
+    succeed(apply.arguments(moss(), "wood", {}, output));
+  apply.workplace.write("bark.png", smooth(8)); // other viewers show it
+  checkRefusal(apply.arguments(moss(), "wood", {}, "elsewhere/out.glb"), kUsage,
+               {"refers to files beside it", "bark.png"});
 }
 
 TEST_CASE("a .glb embeds images from data URIs") {
-  const Workplace workplace;
-  const std::string moss = bake(workplace, workplace.write("moss.png", smooth(8)), "moss.glb");
-  example::TinyScene scene = example::tableScene();
-  scene.json["images"] = {{{"uri", "data:image/png;base64," + kDot}}};
-  workplace.write("scene.bin", scene.binary);
-  const std::string path = workplace.write("scene.gltf", scene.gltf("scene.bin"));
-  REQUIRE(apply(workplace, path, moss, "wood").code == 0);
-  const json image = GltfScene::open(workplace.path("out.glb")).value().document()["images"][0];
+  Apply apply;
+  apply.isText = true;
+  apply.scene.json["images"] = {{{"uri", "data:image/png;base64," + kDot}}};
+  REQUIRE(apply.run(moss(), "wood").code == 0);
+  const json image = apply.output()["images"][0];
   CHECK(!image.contains("uri"));
   CHECK(image["mimeType"] == "image/png");
   CHECK(image.contains("bufferView"));
+}
+
+TEST_CASE("an extension that hides the noise is removed, and its name with its last use") {
+  for (const char* extension : {kUnlit, kGlossy}) {
+    INFO(extension);
+    Apply apply;
+    addExtension(apply, extension);
+    CHECK_THAT(apply.notes(moss(), "wood"),
+               Catch::Contains("scene.glb: removed " + std::string(extension) +
+                               " from material 'wood': the noise needs"));
+    const json one = apply.output();
+    CHECK(one["materials"][0]["extensions"].size() == 1);
+    CHECK(one["materials"][0]["extensions"].contains(kExtension));
+    CHECK(one["materials"][1]["extensions"] == json{{extension, json::object()}});
+    CHECK(one["extensionsUsed"] == json{extension, kExtension});
+    CHECK(one["extensionsRequired"] == json{extension});
+
+    const json both = apply.document(moss(), "all", {"--mapping", "triplanar"});
+    CHECK(!both["materials"][1]["extensions"].contains(extension));
+    CHECK(both["extensionsUsed"] == json{kExtension});
+    CHECK(!both.contains("extensionsRequired"));
+  }
+}
+
+TEST_CASE("a specular-glossy material keeps in the core what the noise does not bring") {
+  Apply apply;
+  addGlossyImages(apply, {{"diffuseFactor", {0.5, 0.25, 0.125, 1.0}}, {"glossinessFactor", 0.75}});
+  json core{{"baseColorTexture", {{"index", 0}, {"texCoord", 0}}},
+            {"metallicFactor", 0.0},
+            {"roughnessFactor", 0.25}};
+  const auto coreOf = [](const json& document) {
+    return document["materials"][0]["pbrMetallicRoughness"];
+  };
+  CHECK(coreOf(apply.document(moss(), "wood")) == core);
+  CHECK_THAT(apply.notes(wool(), "wood"), // heights only
+             Catch::Contains("baseColorTexture of material 'wood' stays visible"));
+  core["baseColorFactor"] = {0.5, 0.25, 0.125, 1.0};
+  CHECK(coreOf(apply.output()) == core);
+  // The core's own description is complete.
+  apply.material()["pbrMetallicRoughness"] = {{"metallicFactor", 0.5}};
+  CHECK(coreOf(apply.document(moss(), "wood")) == json{{"metallicFactor", 0.5}});
+}
+
+TEST_CASE("images of a removed specular-glossiness may be missing") {
+  Apply apply;
+  addGlossyImages(apply, json::object());
+  apply.isText = true;
+  apply.material(1).erase("extensions");
+  CHECK_THAT(apply.notes(moss(), "wood"),
+             Catch::Contains("diffuse.png") && Catch::Contains("glossiness.png"));
+  // A noise without colours leaves the diffuse texture.
+  apply.refuses(wool(), "wood", {}, {"/images/0/uri", "diffuse.png"}, kBadInput);
+}
+
+TEST_CASE("extensions that add to the core's shading stay, and so do texture transforms") {
+  Apply apply;
+  apply.material()["extensions"] = {
+      {"KHR_materials_clearcoat", {{"clearcoatFactor", 1.0}}},
+      {"KHR_materials_specular", {{"specularFactor", 0.5}}},
+      {"KHR_materials_emissive_strength", {{"emissiveStrength", 2.0}}},
+      {"VENDOR_materials_unknown", {{"anything", 1}}}};
+  apply.scene.json["extensionsUsed"] = {"KHR_materials_clearcoat", "KHR_materials_specular",
+                                        "KHR_materials_emissive_strength",
+                                        "VENDOR_materials_unknown", "KHR_texture_transform"};
+  apply.scene.json["textures"] = {json::object()};
+  apply.material()["pbrMetallicRoughness"]["baseColorTexture"] = {
+      {"index", 0}, {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
+  json after = apply.document(moss(), "wood")["materials"][0];
+  after["extensions"].erase(kExtension);
+  CHECK(after == json(apply.material()));
 }

@@ -3,9 +3,9 @@
 #include "apply_run.h"
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <functional>
 
 using namespace lichen;
 using namespace lichen::cli_test;
@@ -24,21 +24,13 @@ double pixels(double length, double radius) {
 /// The material 'wood' is on a square with a side of 1 m and texture coordinates from 0 to 1, so
 /// its sphere has the radius sqrt(1/2). The noise's tile is 2 m.
 struct Scene {
-  Workplace workplace;
-  std::string moss =
-      bake(workplace, workplace.write("moss.png", smooth(16)), "moss.glb", {"--tile", "2"});
-  example::TinyScene tiny = example::tableScene();
+  Apply run;
+  example::TinyScene& tiny = run.scene;
+  std::string large =
+      bake(run.workplace, run.workplace.write("moss.png", smooth(16)), "moss.glb", {"--tile", "2"});
 
-  Ended apply(const std::string& material, Arguments more = {}) {
-    return cli_test::apply(workplace, writeScene(workplace, tiny), moss, material, more);
-  }
-
-  json report(const std::string& material, Arguments more = {}) {
-    more.push_back("--json");
-    const Ended ended = apply(material, more);
-    INFO(ended.errors);
-    REQUIRE(ended.code == 0);
-    return json::parse(ended.output);
+  json report(const std::string& material, const Arguments& more = {}) {
+    return jsonOf(run.arguments(large, material, more));
   }
 
   void checkTile(const std::string& material, const Arguments& more, const std::string& object,
@@ -118,17 +110,18 @@ TEST_CASE("a skinned mesh is measured as its joints transform it, not its node")
 TEST_CASE("apply says the size of a tile in words, for the first materials") {
   Scene scene;
   CHECK_THAT(
-      scene.apply("wood").output,
+      succeed(scene.run.arguments(scene.large, "wood")).output,
       Catch::Contains("material 'wood': one tile is 1 m, 706 pixels when node 0 fills 1920 x "
                       "1080 pixels\n"));
-  CHECK(scene.apply("wood", {"--quiet"}).output.empty());
+  CHECK(succeed(scene.run.arguments(scene.large, "wood", {"--quiet"})).output.empty());
   for (int k = 0; k < 9; ++k) {
     scene.tiny.json["materials"].push_back(nlohmann::ordered_json::object());
     auto primitive = scene.tiny.json["meshes"][0]["primitives"][0];
     primitive["material"] = 2 + k;
     scene.tiny.json["meshes"][0]["primitives"].push_back(primitive);
   }
-  const std::string many = scene.apply("all").output; // without 'glass'
+  const std::string many =
+      succeed(scene.run.arguments(scene.large, "all")).output; // without 'glass'
   CHECK_THAT(many, Catch::Contains("material 8: one tile") && !Catch::Contains("material 9: ") &&
                        Catch::Contains("and 2 more; --json lists them\n"));
   CHECK(scene.report("all").at("tiles").size() == 10);
@@ -137,9 +130,7 @@ TEST_CASE("apply says the size of a tile in words, for the first materials") {
 TEST_CASE("a note proposes a scale for tiles that are too small or too large") {
   Scene scene; // 706 pixels at scale 1
   const auto notesAt = [&](const char* scale) {
-    const Ended ended = scene.apply("wood", {"--scale", scale, "--factors", "one"});
-    CHECK(ended.code == 0);
-    return ended.errors;
+    return scene.run.notes(scene.large, "wood", {"--scale", scale, "--factors", "one"});
   };
   CHECK(notesAt("0.0228").empty());
   CHECK_THAT(notesAt("0.0225"),
@@ -150,45 +141,43 @@ TEST_CASE("a note proposes a scale for tiles that are too small or too large") {
                                   Catch::Contains("; --scale 0.36 makes it 256 pixels"));
   CHECK(notesAt("0.091").empty()); // the proposed values
   CHECK(notesAt("0.36").empty());
-  CHECK_THAT(scene.apply("all", {"--mapping", "triplanar", "--scale", "90"}).errors,
+  CHECK_THAT(scene.run.notes(scene.large, "all", {"--mapping", "triplanar", "--scale", "90"}),
              Catch::Contains("material 'wood', material 'glass': one tile of the first is"));
 }
 
 TEST_CASE("a material that nothing shows, or whose tile has no size, gets a note") {
-  const auto check = [](Scene& scene, const std::string& reason) {
+  const std::string unseen = "no node of the scene shows triangles with it";
+  const std::string flat = "its texture coordinates have no area, so the noise does not vary";
+  const std::pair<std::function<void(example::TinyScene&)>, std::string> faults[] = {
+      {[](auto& tiny) { tiny.json["scenes"] = json::array({json::object()}); }, unseen},
+      {[](auto& tiny) {
+         tiny.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+             tiny.addFloats({0, 1, 0, 1, 0, 1, 0, 1}, "VEC2", 2);
+       },
+       flat},
+      {[](auto& tiny) {
+         tiny.json["nodes"][0]["scale"] = {0, 0, 0};
+       },
+       flat},
+      {[](auto& tiny) { // nodes that violate glTF
+         tiny.json["nodes"] = {{{"children", {1, 7, -1, "x"}}, {"scale", "large"}, {"mesh", 99}},
+                               {{"children", {0, 1}}, {"mesh", "0"}, {"matrix", {1, 2}}},
+                               3};
+         tiny.json["scenes"] = {{{"nodes", {0, 2}}}};
+       },
+       unseen},
+      {[](auto& tiny) {
+         tiny.json["nodes"] = {{"mesh", 0}};
+       },
+       unseen},
+      {[](auto& tiny) { tiny.json["scene"] = 5; }, unseen}};
+  for (const auto& [breakIt, reason] : faults) {
+    Scene scene;
+    breakIt(scene.tiny);
     const json report = scene.report("wood");
     CHECK(report.at("tiles").empty());
     CHECK_THAT(report.at("notes").dump(),
                Catch::Contains("scene.glb: material 'wood': " + reason) &&
                    Catch::Contains("; the size of a tile is unknown on material 'wood'"));
-  };
-  const std::string unseen = "no node of the scene shows triangles with it";
-  {
-    Scene scene;
-    scene.tiny.json["scenes"] = nlohmann::ordered_json::array({nlohmann::ordered_json::object()});
-    check(scene, unseen);
-  }
-  {
-    Scene scene;
-    scene.tiny.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
-        scene.tiny.addFloats({0, 1, 0, 1, 0, 1, 0, 1}, "VEC2", 2);
-    check(scene, "its texture coordinates have no area, so the noise does not vary");
-  }
-  {
-    Scene scene;
-    scene.tiny.json["nodes"][0]["scale"] = {0, 0, 0};
-    check(scene, "its texture coordinates have no area");
-  }
-  { // nodes that violate glTF
-    Scene scene;
-    scene.tiny.json["nodes"] = {{{"children", {1, 7, -1, "x"}}, {"scale", "large"}, {"mesh", 99}},
-                                {{"children", {0, 1}}, {"mesh", "0"}, {"matrix", {1, 2}}},
-                                3};
-    scene.tiny.json["scenes"] = {{{"nodes", {0, 2}}}};
-    check(scene, unseen);
-    scene.tiny.json["nodes"] = {{"mesh", 0}};
-    check(scene, unseen);
-    scene.tiny.json["scene"] = 5;
-    check(scene, unseen);
   }
 }

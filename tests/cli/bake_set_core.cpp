@@ -5,7 +5,6 @@
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -64,14 +63,13 @@ void checkPreview(const CoreMaterial& core, const json& info, const Pixel& wante
 
 TEST_CASE("the core material of a set has each map in its slot") {
   const Workplace workplace;
-  makeFolder(workplace, "set");
   const Pixel glow{code(40), code(80), code(10)};
-  workplace.write("set/diff.png", flat(kColor));
-  workplace.write("set/opacity.png", flat({code(140)}));
-  workplace.write("set/nor_gl.png", flat(kNormal));
-  workplace.write("set/emissive.png", flat(glow));
-  workplace.write("set/rough.png", flat({code(102)}));
-  baked(workplace, {workplace.path("set")});
+  const std::string set = writeSet(workplace, {{"diff.png", kColor},
+                                               {"opacity.png", {code(140)}},
+                                               {"nor_gl.png", kNormal},
+                                               {"emissive.png", glow},
+                                               {"rough.png", {code(102)}}});
+  baked(workplace, {set});
   const CoreMaterial core = coreMaterialOf(workplace.read("set.glb"));
   CHECK(core.material.at("alphaMode") == "BLEND");
   const json& pbr = core.material.at("pbrMetallicRoughness");
@@ -87,7 +85,7 @@ TEST_CASE("the core material of a set has each map in its slot") {
   checkPreview(core, core.material.at("emissiveTexture"), glow);
   CHECK(core.hasTangents);
 
-  baked(workplace, {workplace.path("set/opacity.png"), workplace.path("set/rough.png")});
+  baked(workplace, {set + "/opacity.png", set + "/rough.png"});
   const CoreMaterial rest = coreMaterialOf(workplace.read("set.glb"));
   CHECK_FALSE(rest.hasTangents);
   checkPreview(rest, rest.material.at("pbrMetallicRoughness").at("baseColorTexture"),

@@ -76,8 +76,7 @@ std::string readTerminal(const Terminal& terminal) {
     const rlimit limit{limits.memoryBytes, limits.memoryBytes};
     ::setrlimit(RLIMIT_AS, &limit);
   }
-  std::vector<std::string> words{program.string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
+  Arguments words = Arguments{program.string()} + arguments;
   std::vector<char*> pointers;
   for (std::string& word : words)
     pointers.push_back(word.data());
@@ -86,7 +85,19 @@ std::string readTerminal(const Terminal& terminal) {
   ::_exit(127); // the shell's code for a missing program
 }
 
+std::string joined(const Arguments& arguments) {
+  std::string line;
+  for (const std::string& argument : arguments)
+    line += " " + argument;
+  return line;
+}
+
 } // namespace
+
+Arguments operator+(Arguments first, const Arguments& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
 
 Ended run(const std::filesystem::path& program, const Arguments& arguments, const Limits& limits) {
   const TemporaryFolder folder;
@@ -223,39 +234,52 @@ std::vector<double> meanOf(const SrgbImage& image) {
   return mean;
 }
 
+Ended succeed(const Arguments& arguments) {
+  Ended ended = runLichen(arguments);
+  INFO("lichen" << joined(arguments) << "\n" << ended.errors);
+  REQUIRE(ended.code == 0);
+  return ended;
+}
+
+nlohmann::json jsonOf(const Arguments& arguments) {
+  const Ended ended = succeed(arguments + Arguments{"--json"});
+  CHECK(ended.errors.empty());
+  return nlohmann::json::parse(ended.output);
+}
+
 std::string bake(const Workplace& workplace, const std::string& input, const std::string& name,
                  const Arguments& more) {
-  Arguments arguments{"bake", input, "-o", workplace.path(name)};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Ended ended = runLichen(arguments);
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
+  succeed(Arguments{"bake", input, "-o", workplace.path(name)} + more);
   return workplace.path(name);
 }
 
 SrgbImage synth(const Workplace& workplace, const std::string& bundle, const Arguments& more) {
-  Arguments arguments{"synth", bundle, "-o", workplace.path("synth.png")};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Ended ended = runLichen(arguments);
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
+  succeed(Arguments{"synth", bundle, "-o", workplace.path("synth.png")} + more);
   const Result<ImageFile> file = readImage(workplace.path("synth.png"));
   REQUIRE(file);
   return std::get<SrgbImage>(file.value().pixels);
 }
 
 void checkRefusal(const Arguments& arguments, int code, const std::vector<std::string>& words) {
-  std::string line;
-  for (const std::string& argument : arguments)
-    line += " " + argument;
-  INFO("lichen" << line);
   const Ended ended = runLichen(arguments);
-  INFO(ended.errors);
+  INFO("lichen" << joined(arguments) << "\n" << ended.errors);
   CHECK(ended.code == code);
   CHECK(ended.output.empty());
   CHECK(std::count(ended.errors.begin(), ended.errors.end(), '\n') == 1);
   for (const std::string& word : words)
     CHECK_THAT(ended.errors, Catch::Contains(word));
+}
+
+void checkRefusals(const Arguments& first, const std::vector<Refused>& rows) {
+  for (const Refused& row : rows)
+    checkRefusal(first + row.arguments, row.code, row.words);
+}
+
+void checkRefusals(const Arguments& first, const std::vector<RefusedValues>& rows) {
+  for (const RefusedValues& row : rows)
+    for (const std::string& value : row.values)
+      checkRefusal(first + Arguments{row.option, value}, kUsage,
+                   {row.option + " " + value + ": expected " + row.expected});
 }
 
 } // namespace lichen::cli_test

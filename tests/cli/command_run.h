@@ -3,6 +3,9 @@
 #pragma once
 
 #include <lichen/image.h>
+#include <lichen/result.h>
+
+#include <nlohmann/json.hpp>
 
 #include <csignal>
 #include <cstddef>
@@ -14,6 +17,14 @@
 namespace lichen::cli_test {
 
 using Arguments = std::vector<std::string>;
+
+[[nodiscard]] Arguments operator+(Arguments first, const Arguments& second);
+
+// Exit codes; docs/cli.md.
+inline constexpr int kUsage = int(ErrorKind::usage);
+inline constexpr int kBadInput = int(ErrorKind::badInput);
+inline constexpr int kEnvironment = int(ErrorKind::environment);
+inline constexpr int kResources = int(ErrorKind::resources);
 
 /// How a program ended, and what it wrote.
 struct Ended {
@@ -36,6 +47,10 @@ struct Limits {
                         const Limits& limits = {});
 /// As above, for the `lichen` program of this build.
 [[nodiscard]] Ended runLichen(const Arguments& arguments, const Limits& limits = {});
+/// Runs `lichen` and requires success.
+Ended succeed(const Arguments& arguments);
+/// The object that `lichen` prints with --json. Requires success.
+[[nodiscard]] nlohmann::json jsonOf(const Arguments& arguments);
 
 /// A temporary folder for one test.
 class Workplace {
@@ -78,5 +93,23 @@ SrgbImage synth(const Workplace& workplace, const std::string& bundle, const Arg
 /// Checks that `lichen` exits with `code`, writes nothing to standard output, and writes one line
 /// to standard error that contains each of `words`.
 void checkRefusal(const Arguments& arguments, int code, const std::vector<std::string>& words);
+
+/// Arguments, and words of the line with which they are refused.
+struct Refused {
+  Arguments arguments;
+  std::vector<std::string> words;
+  int code = kUsage;
+};
+/// checkRefusal() for each row, with `first` before its arguments.
+void checkRefusals(const Arguments& first, const std::vector<Refused>& rows);
+
+/// Values of an option that are refused, with what is expected after the option and the value.
+struct RefusedValues {
+  std::string option;
+  Arguments values;
+  std::string expected;
+};
+/// checkRefusal() for each value, with `first` before the option.
+void checkRefusals(const Arguments& first, const std::vector<RefusedValues>& rows);
 
 } // namespace lichen::cli_test

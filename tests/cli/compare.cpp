@@ -7,7 +7,6 @@
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +18,7 @@ using namespace lichen::cli_test;
 
 namespace {
 
-constexpr int kFound = 1;
+constexpr int kFound = 1; // exit code
 
 /// Measures by name, and the exit code of the command.
 struct Compared {
@@ -33,9 +32,7 @@ struct Compared {
 
 Compared compared(const std::string& exemplar, const std::string& result,
                   const Arguments& more = {}) {
-  Arguments arguments{"compare", exemplar, result, "--json"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  const Ended ended = runLichen(arguments);
+  const Ended ended = runLichen(Arguments{"compare", exemplar, result, "--json"} + more);
   INFO(ended.errors);
   Compared compared{ended.code, {}};
   REQUIRE((ended.code == 0 || ended.code == kFound));
@@ -43,6 +40,12 @@ Compared compared(const std::string& exemplar, const std::string& result,
   for (const nlohmann::json& measure : report.at("measures"))
     compared.measures[measure.at("name").get<std::string>()] = measure;
   return compared;
+}
+
+/// What `compare` prints on standard error.
+std::string notesOf(const std::string& exemplar, const std::string& result,
+                    const Arguments& more = {}) {
+  return runLichen(Arguments{"compare", exemplar, result} + more).errors;
 }
 
 /// Returns the image repeated `times` times along each side.
@@ -106,7 +109,7 @@ TEST_CASE("an image is compared with the photograph as it is, with its frame") {
   const std::string scan = workplace.write("scan.png", framed(image, 8, 8, 8));
   const Compared without = compared(scan, workplace.write("moss.png", image));
   CHECK(without.value("color_distance") > 0.1); // a third of the pixels are white in one of them
-  CHECK_THAT(runLichen({"compare", scan, scan}).errors, !Catch::Contains("frame"));
+  CHECK_THAT(notesOf(scan, scan), !Catch::Contains("frame"));
 }
 
 TEST_CASE("compare gives the verdict of the bake") {
@@ -122,11 +125,9 @@ TEST_CASE("compare gives the verdict of the bake") {
   for (const SrgbImage& image : {dots, speckled(96, 96, 3), brickwork(96)}) {
     const std::string photograph = workplace.write("photograph.png", image);
     const std::string bundle = workplace.path("noise.glb");
-    const Ended baked = runLichen({"bake", photograph, "-o", bundle, "--json"});
-    REQUIRE(baked.code == 0);
+    const nlohmann::json baked = jsonOf({"bake", photograph, "-o", bundle});
     const Ended compared = runLichen({"compare", photograph, bundle, "--json"});
-    CHECK(nlohmann::json::parse(compared.output).at("verdict") ==
-          nlohmann::json::parse(baked.output).at("verdict"));
+    CHECK(nlohmann::json::parse(compared.output).at("verdict") == baked.at("verdict"));
   }
 }
 
@@ -163,26 +164,10 @@ TEST_CASE("the result may have another size than the exemplar, which gives a not
   const std::string moss = workplace.write("moss.png", image);
   const std::string wall = workplace.write("wall.png", repeated(image, 3));
   CHECK(compared(moss, wall).value("color_distance") == 0.0);
-  CHECK_THAT(runLichen({"compare", moss, wall}).errors,
+  CHECK_THAT(notesOf(moss, wall),
              Catch::Contains("note: ") &&
                  Catch::Contains("wall.png is 192 x 192 pixels and the exemplar 64 x 64"));
-  CHECK_THAT(runLichen({"compare", moss, moss}).errors, !Catch::Contains("same scale"));
-}
-
-TEST_CASE("compare aligns values, targets and verdicts in columns") {
-  const Workplace workplace;
-  const std::string image = workplace.write("moss.png", speckled(64, 64, 3));
-  // The values are "0", "0 dB", "0" and "1", the targets "0.003", "0.6 dB", "0.2" and "1.1".
-  std::istringstream lines(runLichen({"compare", image, image}).output);
-  std::vector<std::size_t> targets, verdicts;
-  for (std::string line; std::getline(lines, line);)
-    if (const std::size_t target = line.find("target "); target != std::string::npos) {
-      targets.push_back(target);
-      verdicts.push_back(std::min(line.find(" met"), line.find(" MISSED")));
-    }
-  REQUIRE(targets.size() == 4);
-  CHECK(std::count(targets.begin(), targets.end(), targets.front()) == 4);
-  CHECK(std::count(verdicts.begin(), verdicts.end(), verdicts.front()) == 4);
+  CHECK_THAT(notesOf(moss, moss), !Catch::Contains("same scale"));
 }
 
 TEST_CASE("compare synthesizes a bundle and adds its lattice visibility") {
@@ -224,9 +209,9 @@ TEST_CASE("textons are measured against the exemplar's Gaussian version, not its
 TEST_CASE("cosines without a structure are measured against the exemplar's Gaussian version") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", speckled(128, 128, 3));
-  const auto measured = [&](const std::string& name, std::vector<std::string> options) {
-    options.insert(options.begin(), {"--method", "local-random-phase"});
-    return compared(image, bake(workplace, image, name, options));
+  const auto measured = [&](const std::string& name, const Arguments& options) {
+    return compared(
+        image, bake(workplace, image, name, Arguments{"--method", "local-random-phase"} + options));
   };
   const Compared cosines = measured("cosines.glb", {"--structure", "0"});
   CHECK(cosines.value("color_distance") < 0.02);
@@ -250,11 +235,10 @@ TEST_CASE("the note on an exemplar of another size names the options that correc
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(64));
   const std::string bundle = bake(workplace, image, "noise.glb", {"--size", "32"});
-  const Ended differs = runLichen({"compare", image, bundle, "--size", "64"});
-  CHECK_THAT(differs.errors, Catch::Contains("note: ") && Catch::Contains("64 x 64") &&
-                                 Catch::Contains("32 x 32") && Catch::Contains("--size"));
-  CHECK_THAT(runLichen({"compare", image, bundle, "--size", "32"}).errors,
-             !Catch::Contains("64 x 64"));
+  CHECK_THAT(notesOf(image, bundle, {"--size", "64"}),
+             Catch::Contains("note: ") && Catch::Contains("64 x 64") &&
+                 Catch::Contains("32 x 32") && Catch::Contains("--size"));
+  CHECK_THAT(notesOf(image, bundle, {"--size", "32"}), !Catch::Contains("64 x 64"));
   const nlohmann::json report =
       nlohmann::json::parse(runLichen({"compare", image, bundle, "--size", "64", "--json"}).output);
   CHECK_THAT(report.at("notes").dump(), Catch::Contains("64 x 64"));
@@ -285,8 +269,8 @@ TEST_CASE("the smaller maps of a set of textons are compared at the size of the 
   };
   // Compared at its own scale, the smaller map would give another error.
   CHECK(errorOf("occlusionRoughnessMetallic") == Approx(errorOf("baseColor")).epsilon(0.1));
-  CHECK_THAT(runLichen({"compare", rock, bundle}).errors, !Catch::Contains("when it was baked"));
-  CHECK_THAT(runLichen({"compare", rock, bundle, "--size", "32"}).errors,
+  CHECK_THAT(notesOf(rock, bundle), !Catch::Contains("when it was baked"));
+  CHECK_THAT(notesOf(rock, bundle, {"--size", "32"}),
              Catch::Contains("the exemplar is 32 x 32, but was 64 x 64 when it was baked"));
 }
 
@@ -295,14 +279,12 @@ TEST_CASE("--noise compares another noise of the bundle") {
   const std::string moss = workplace.write("moss.png", smooth(32));
   const std::string grey = workplace.write("grey.png", smoothGrey(32));
   const std::string both = workplace.path("both.glb");
-  REQUIRE(runLichen(
-              {"merge", bake(workplace, moss, "a.glb"), bake(workplace, grey, "b.glb"), "-o", both})
-              .code == 0);
+  succeed({"merge", bake(workplace, moss, "a.glb"), bake(workplace, grey, "b.glb"), "-o", both});
   CHECK(compared(grey, both, {"--noise", "grey"}).value("color_distance") <
         compared(grey, both).value("color_distance"));
-  checkRefusal({"compare", grey, both, "--noise", "rust"}, int(ErrorKind::usage),
+  checkRefusal({"compare", grey, both, "--noise", "rust"}, kUsage,
                {"--noise rust: ", "expected moss or grey"});
-  checkRefusal({"compare", grey, moss, "--noise", "grey"}, int(ErrorKind::usage),
+  checkRefusal({"compare", grey, moss, "--noise", "grey"}, kUsage,
                {"--noise grey: ", "is an image"});
 }
 
@@ -341,19 +323,27 @@ TEST_CASE("light above 1 is compared by its logarithm, also with a PNG") {
   CHECK(compared(exemplar, dark).value("color_distance") > 0.1);
 }
 
-TEST_CASE("compare prints one line per measure with target and verdict, and nothing with --quiet") {
+TEST_CASE(
+    "compare prints one line per measure with value, target and verdict in columns, and nothing "
+    "with --quiet") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", speckled(64, 64, 3));
   const std::string dark = workplace.write("dark.png", SrgbImage(64, 64, 3));
   const std::string page = runLichen({"compare", image, image}).output;
-  CHECK_THAT(page, Catch::Contains("color_distance"));
-  CHECK_THAT(page, Catch::Contains("target 0.003   met\n"));
+  CHECK_THAT(page, Catch::Contains("color_distance") && Catch::Contains("target 0.003   met\n"));
+  // The values are "0", "0 dB", "0" and "1", the targets "0.003", "0.6 dB", "0.2" and "1.1".
+  std::istringstream lines(page);
+  std::vector<std::pair<std::size_t, std::size_t>> columns;
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t target = line.find("target "); target != std::string::npos)
+      columns.emplace_back(target, std::min(line.find(" met"), line.find(" MISSED")));
+  REQUIRE(columns.size() == 4);
+  CHECK(std::ranges::count(columns, columns.front()) == 4);
   CHECK_THAT(runLichen({"compare", image, dark}).output,
              Catch::Contains("target 0.003   MISSED\n"));
   const Ended quiet = runLichen({"compare", image, dark, "--quiet"});
   CHECK(quiet.code == kFound);
-  CHECK(quiet.output.empty());
-  CHECK(quiet.errors.empty());
+  CHECK((quiet.output + quiet.errors).empty());
 }
 
 TEST_CASE("the errors for channels that do not fit name them") {
@@ -364,8 +354,7 @@ TEST_CASE("the errors for channels that do not fit name them") {
        {std::vector<std::string>{"red"}, {"red", "green", "metallic"}, {"slopeX", "slopeY"}}) {
     example::GlbParts parts(bytes);
     parts.map(0, 0)["channels"] = channels;
-    checkRefusal({"compare", image, workplace.write("other.glb", parts.join())},
-                 int(ErrorKind::badInput),
+    checkRefusal({"compare", image, workplace.write("other.glb", parts.join())}, kBadInput,
                  {"other.glb: ",
                   "/maps/0/channels: not the channels of baseColor; expected red, green, blue"});
   }
@@ -375,7 +364,7 @@ TEST_CASE("the errors for channels that do not fit name them") {
     workplace.write(map, smoothGrey(16));
   checkRefusal(
       {"compare", workplace.path("two"), bake(workplace, workplace.path("one"), "one.glb")},
-      int(ErrorKind::badInput),
+      kBadInput,
       {"one.glb: the map occlusionRoughnessMetallic of noise 'one' has the channels roughness; the "
        "exemplar has occlusion, roughness"});
 }
@@ -384,16 +373,17 @@ TEST_CASE("the error of compare for broken images and bundles is one line") {
   const Workplace workplace;
   const std::string image = workplace.write("moss.png", smooth(16));
   const std::string bundle = bake(workplace, image);
-  const std::string whole = workplace.read("noise.glb");
-  const std::string picture = workplace.read("moss.png");
-  const std::string half = workplace.write("half.glb", whole.substr(0, whole.size() / 2));
-  const std::string cut = workplace.write("half.png", picture.substr(0, picture.size() / 2));
-  const int bad = int(ErrorKind::badInput);
-  checkRefusal({"compare", image, half}, bad, {"half.glb: "});
-  checkRefusal({"compare", image, cut}, bad, {"half.png"});
-  checkRefusal({"compare", cut, bundle}, bad, {"half.png"});
-  checkRefusal({"compare", workplace.path("absent.png"), bundle}, bad, {"absent.png"});
-  checkRefusal({"compare", bundle, image}, int(ErrorKind::usage),
-               {"noise.glb: is a bundle; expected a photograph"});
-  checkRefusal({"compare", image}, int(ErrorKind::usage), {"RESULT|BUNDLE is required"});
+  const auto halfOf = [&](const std::string& name) {
+    const std::string whole = workplace.read(name);
+    return workplace.write("half_" + name, whole.substr(0, whole.size() / 2));
+  };
+  const std::string half = halfOf("noise.glb"), cut = halfOf("moss.png");
+  checkRefusals(
+      {"compare"},
+      std::vector<Refused>{{{image, half}, {"half_noise.glb: "}, kBadInput},
+                           {{image, cut}, {"half_moss.png"}, kBadInput},
+                           {{cut, bundle}, {"half_moss.png"}, kBadInput},
+                           {{workplace.path("absent.png"), bundle}, {"absent.png"}, kBadInput},
+                           {{bundle, image}, {"noise.glb: is a bundle; expected a photograph"}},
+                           {{image}, {"RESULT|BUNDLE is required"}}});
 }

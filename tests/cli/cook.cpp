@@ -7,7 +7,6 @@
 #include <lichen/files.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using namespace lichen;
 using namespace lichen::cli_test;
@@ -17,9 +16,7 @@ TEST_CASE("cook writes the noise without the scene, and the other verbs read it"
   const std::string moss =
       bake(workplace, workplace.write("moss.png", smooth(24)), "moss.glb", {"--seed", "5"});
   const std::string cooked = workplace.path("moss.lichen");
-  const Ended ended = runLichen({"cook", moss, "-o", cooked, "--json"});
-  REQUIRE(ended.code == 0);
-  const auto report = nlohmann::json::parse(ended.output);
+  const nlohmann::json report = jsonOf({"cook", moss, "-o", cooked});
   CHECK(report["output"] == cooked);
   CHECK(report["noises"] == nlohmann::json{"moss"});
   CHECK(report["materials"] == 1);
@@ -29,7 +26,7 @@ TEST_CASE("cook writes the noise without the scene, and the other verbs read it"
 
   CHECK(runLichen({"check", cooked}).output == cooked + ": 0 errors, 0 warnings\n");
   for (const std::string& bundle : {moss, cooked}) // the same picture
-    REQUIRE(runLichen({"synth", bundle, "-o", bundle + ".png", "--size", "32"}).code == 0);
+    succeed({"synth", bundle, "-o", bundle + ".png", "--size", "32"});
   CHECK(readFile(moss + ".png").value() == readFile(cooked + ".png").value());
   const std::string photograph = workplace.path("moss.png");
   CHECK(runLichen({"compare", photograph, cooked}).output ==
@@ -41,17 +38,13 @@ TEST_CASE("cook refuses what it cannot cook") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smooth(24)), "moss.glb");
   const std::string output = workplace.path("out.lichen");
-  const Ended extension = runLichen({"cook", moss, "-o", workplace.path("out.glb")});
-  CHECK(extension.code == int(ErrorKind::usage));
-  CHECK(extension.errors ==
-        "lichen: " + workplace.path("out.glb") + ": expected the extension .lichen\n");
-  const Ended image = runLichen({"cook", workplace.path("moss.png"), "-o", output});
-  CHECK(image.code == int(ErrorKind::badInput));
-  CHECK(image.errors.find("is a PNG image; expected a .glb or .gltf") != std::string::npos);
+  checkRefusal({"cook", moss, "-o", workplace.path("out.glb")}, kUsage,
+               {"out.glb: expected the extension .lichen\n"});
+  checkRefusal({"cook", workplace.path("moss.png"), "-o", output}, kBadInput,
+               {"is a PNG image; expected a .glb or .gltf"});
   CHECK(!std::filesystem::exists(output));
-  REQUIRE(runLichen({"cook", moss, "-o", output}).code == 0);
-  const Ended scene = runLichen(
-      {"apply", output, "--noise", moss, "--material", "0", "-o", workplace.path("scene.glb")});
-  CHECK(scene.code == int(ErrorKind::badInput));
-  CHECK(scene.errors.find("is a cooked bundle; expected a .glb or .gltf") != std::string::npos);
+  succeed({"cook", moss, "-o", output});
+  checkRefusal(
+      {"apply", output, "--noise", moss, "--material", "0", "-o", workplace.path("scene.glb")},
+      kBadInput, {"is a cooked bundle; expected a .glb or .gltf"});
 }

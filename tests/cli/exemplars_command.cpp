@@ -3,8 +3,6 @@
 #include "checkout_paths.h"
 #include "command_run.h"
 
-#include <lichen/result.h>
-
 #include <catch2/catch.hpp>
 
 using namespace lichen;
@@ -35,7 +33,7 @@ TEST_CASE("lichen-exemplars escapes control characters in paths") {
   CHECK(written.code == 0);
   CHECK(written.output == workplace.path("m\\x1b[31m") + "/rust.png\n");
   const Ended refused = runExemplars({workplace.path("out"), "m\x1b[31m"});
-  CHECK(refused.code == int(ErrorKind::usage));
+  CHECK(refused.code == kUsage);
   CHECK_THAT(refused.errors, Catch::StartsWith("lichen-exemplars: m\\x1b[31m: no such exemplar"));
 }
 
@@ -50,7 +48,7 @@ TEST_CASE("lichen-exemplars reports wrong arguments in one line with the valid o
       {{}, "OUTDIR is required"}};
   for (const auto& [arguments, words] : cases) {
     const Ended ended = runExemplars(arguments);
-    CHECK(ended.code == int(ErrorKind::usage));
+    CHECK(ended.code == kUsage);
     CHECK(ended.output.empty());
     CHECK_THAT(ended.errors, Catch::StartsWith("lichen-exemplars: " + words) &&
                                  Catch::EndsWith("; see 'lichen-exemplars --help'\n"));

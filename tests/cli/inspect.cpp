@@ -6,7 +6,6 @@
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <sstream>
@@ -18,12 +17,13 @@ namespace {
 
 constexpr int kSide = 24;
 
-nlohmann::json inspected(const std::string& bundle) {
-  const Ended ended = runLichen({"inspect", bundle, "--json"});
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  CHECK(ended.errors.empty());
-  return nlohmann::json::parse(ended.output);
+nlohmann::json inspected(const std::string& bundle) { return jsonOf({"inspect", bundle}); }
+
+std::string pageOf(const std::string& bundle) { return succeed({"inspect", bundle}).output; }
+
+std::string written(const Workplace& workplace, const BundleFile& file) {
+  REQUIRE(writeBundle(workplace.path("noise.glb"), file).ok());
+  return workplace.path("noise.glb");
 }
 
 } // namespace
@@ -86,16 +86,13 @@ TEST_CASE("inspect prints lines of at most 80 characters") {
   const Workplace workplace;
   const std::string bundle =
       bake(workplace, workplace.write("moss.png", smooth(kSide)), "moss.glb", {"--seed", "7"});
-  const std::filesystem::path folder = std::filesystem::path(bundle).parent_path();
-  const Ended ended = runLichen({"inspect", bundle});
-  INFO(ended.output);
-  CHECK(ended.code == 0);
+  const std::string page = pageOf(bundle);
   for (const char* word :
        {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, root", "4 fetches per pixel",
         "inverse table 1: joint, 32 x 32 x 32 cells, 5 levels", "uv, seed 7",
         "moss.baseColor.inverse"})
-    CHECK_THAT(ended.output, Catch::Contains(word));
-  std::istringstream lines(ended.output);
+    CHECK_THAT(page, Catch::Contains(word));
+  std::istringstream lines(page);
   std::string line;
   std::getline(lines, line); // the file's path, of any length
   while (std::getline(lines, line))
@@ -104,66 +101,55 @@ TEST_CASE("inspect prints lines of at most 80 characters") {
 }
 
 TEST_CASE("inspect shows the kind of each inverse table and its fetches") {
-  struct Kind {
-    std::vector<std::string> options;
-    const char* name;
-    const char* line;
-    int fetches;
-  };
-  const Kind kinds[] = {{{}, "joint", "joint, 32 x 32 x 32 cells", 4},
-                        {{"--gaussian", "yes"}, "none", "no inverse table", 3}};
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smooth(kSide));
-  for (const Kind& kind : kinds) {
-    const std::string bundle = bake(workplace, input, "moss.glb", kind.options);
+  for (const auto& [options, name, line, fetches] :
+       {std::tuple{Arguments{}, "joint", "joint, 32 x 32 x 32 cells", 4},
+        {Arguments{"--gaussian", "yes"}, "none", "no inverse table", 3}}) {
+    const std::string bundle = bake(workplace, input, "moss.glb", options);
     const nlohmann::json map = inspected(bundle).at("noises")[0].at("maps")[0];
-    CHECK(map.at("table") == kind.name);
-    CHECK(map.at("fetchesPerPixel") == kind.fetches);
-    CHECK_THAT(runLichen({"inspect", bundle}).output, Catch::Contains(kind.line));
+    CHECK(map.at("table") == name);
+    CHECK(map.at("fetchesPerPixel") == fetches);
+    CHECK_THAT(pageOf(bundle), Catch::Contains(line));
   }
 }
 
 TEST_CASE("inspect counts the fetches that all maps of a quilting share once") {
   const Workplace workplace;
-  const std::string bundle = workplace.path("bricks.glb");
-  REQUIRE(writeBundle(bundle, example::smallestQuilting()).ok());
+  const std::string bundle = written(workplace, example::smallestQuilting());
   const nlohmann::json noise = inspected(bundle).at("noises")[0];
   REQUIRE(noise.at("maps").size() == 2);
   for (const nlohmann::json& map : noise["maps"])
     CHECK(map.at("fetchesPerPixel") == 2);
   CHECK(noise.at("fetchesPerPixel") == 2 * 2 + 3);
   CHECK_THAT(
-      runLichen({"inspect", bundle}).output,
+      pageOf(bundle),
       Catch::Contains(", 7 fetches per pixel and plane\n") &&
           Catch::Contains("  tiles at 4 offsets\n  3 fetches of cells, for all maps together\n"));
 }
 
 TEST_CASE("inspect shows a grain, and that rotated tiles do not use it") {
   const Workplace workplace;
-  const std::string bundle = workplace.path("oak.glb");
   BundleFile file = example::smallest();
-  REQUIRE(writeBundle(bundle, file).ok());
-  CHECK_FALSE(inspected(bundle).at("noises")[0].contains("grain"));
-  CHECK_THAT(runLichen({"inspect", bundle}).output, !Catch::Contains("grain"));
+  CHECK_FALSE(inspected(written(workplace, file)).at("noises")[0].contains("grain"));
+  CHECK_THAT(pageOf(workplace.path("noise.glb")), !Catch::Contains("grain"));
+  const auto check = [&](const char* axis, const char* line) {
+    const std::string bundle = written(workplace, file);
+    CHECK(inspected(bundle).at("noises")[0].at("grain") == axis);
+    CHECK_THAT(pageOf(bundle), Catch::Contains(line));
+  };
   file.bundle.noises[0].as<TilingNoise>().grain = Grain::y;
-  REQUIRE(writeBundle(bundle, file).ok());
-  CHECK(inspected(bundle).at("noises")[0].at("grain") == "y");
-  CHECK_THAT(runLichen({"inspect", bundle}).output, Catch::Contains("  grain along y\n"));
+  check("y", "  grain along y\n");
   file.bundle.materials[0]->tileRotation = 2;
-  REQUIRE(writeBundle(bundle, file).ok());
-  CHECK_THAT(runLichen({"inspect", bundle}).output,
-             Catch::Contains("  grain along y, unused with tile rotation\n"));
+  check("y", "  grain along y, unused with tile rotation\n");
   file = example::smallestQuilting();
   file.bundle.noises[0].as<QuiltingNoise>().grain = Grain::x;
-  REQUIRE(writeBundle(bundle, file).ok());
-  CHECK(inspected(bundle).at("noises")[0].at("grain") == "x");
-  CHECK_THAT(runLichen({"inspect", bundle}).output, Catch::Contains("  grain along x\n"));
+  check("x", "  grain along x\n");
 }
 
 TEST_CASE("inspect shows support, impacts, cost and exemplar size of textons") {
   const Workplace workplace;
-  const std::string bundle = workplace.path("sand.glb");
-  REQUIRE(writeBundle(bundle, example::textonMix()).ok());
+  const std::string bundle = written(workplace, example::textonMix());
   const nlohmann::json report = inspected(bundle);
   const nlohmann::json& noise = report.at("noises")[1];
   CHECK(noise.at("method") == "texton");
@@ -186,27 +172,12 @@ TEST_CASE("inspect shows support, impacts, cost and exemplar size of textons") {
   CHECK_FALSE(report["noises"][0].contains("texton"));
   // 12 x 20 texels of 8 bytes in three steps, and a mip level of a quarter of that.
   CHECK(report.at("tables")[2].at("bytes") == 12 * 20 * 3 * 8 * 5 / 4);
-  const std::string page = runLichen({"inspect", bundle}).output;
+  const std::string page = pageOf(bundle);
   for (const char* words :
        {"textons of 12 x 20 texels, order 3, 12.5 impacts per point, poisson; 3 steps",
         "about 252 fetches per pixel and plane", "100 x 50, 16 bits, root", "texton: table 2",
         "surface, seed 1, 12.5 impacts, poisson"})
     CHECK_THAT(page, Catch::Contains(words));
-}
-
-TEST_CASE("inspect reports a file that is not a bundle in one line") {
-  const Workplace workplace;
-  const std::string image = workplace.write("moss.png", smoothGrey(8));
-  const std::string whole =
-      workplace.read(std::filesystem::path(bake(workplace, image)).filename().string());
-  const std::string plain =
-      workplace.write("plain.gltf", std::string(R"({"asset": {"version": "2.0"}})"));
-  for (const std::string& bundle : {workplace.path("absent.glb"), image, plain})
-    checkRefusal({"inspect", bundle}, int(ErrorKind::badInput),
-                 {std::filesystem::path(bundle).filename().string()});
-  for (std::size_t bytes = 0; bytes < whole.size(); bytes += whole.size() / 16)
-    checkRefusal({"inspect", workplace.write("half.glb", whole.substr(0, bytes))},
-                 int(ErrorKind::badInput), {"half.glb: "});
 }
 
 TEST_CASE("inspect ignores buffers without tables, valid or not") {

@@ -5,14 +5,13 @@
 #include <lichen/bundle.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 using namespace lichen;
 using namespace lichen::cli_test;
 
 namespace {
 
-constexpr int kUsage = 2, kBadInput = 3, kSide = 128;
+constexpr int kSide = 128;
 
 /// Whether a pixel is of the second material: discs on a grid, a third of the area.
 bool isDisc(int x, int y) {
@@ -48,11 +47,7 @@ TEST_CASE("a bake with labels makes a noise for each, with their colours and are
   const std::string photograph = workplace.write("coast.png", discs());
   const std::string labels = workplace.write("labels.png", painted());
   for (const Arguments& which : {Arguments{"--labels", labels}, Arguments{"--layers", "2"}}) {
-    Arguments all{"bake", photograph, "-o", workplace.path("coast.glb"), "--softness", "0.05"};
-    all.insert(all.end(), which.begin(), which.end());
-    const Ended ended = runLichen(all);
-    INFO(which[0] << ": " << ended.errors);
-    REQUIRE(ended.code == 0);
+    bake(workplace, photograph, "coast.glb", which + Arguments{"--softness", "0.05"});
     const Bundle bundle = readBundle(workplace.path("coast.glb")).value();
     REQUIRE(bundle.noises.size() == 3);
     const NoiseLayers& layers = *bundle.noises[0].layers;
@@ -63,94 +58,85 @@ TEST_CASE("a bake with labels makes a noise for each, with their colours and are
     const auto mean = [&](std::size_t noise) { return bundle.noises[noise].maps[0].mean[0]; };
     CHECK(mean(1) - mean(0) > 0.3);
     CHECK(bundle.materials.size() == 1);
-    CHECK(runLichen({"check", workplace.path("coast.glb")}).code == 0);
+    succeed({"check", workplace.path("coast.glb")});
   }
-  const Ended shown = runLichen({"inspect", workplace.path("coast.glb")});
-  CHECK_THAT(shown.output, Catch::Contains("layers: coast, coast.layer2") &&
-                               Catch::Contains("of the area above, softness 0.05"));
+  CHECK_THAT(succeed({"inspect", workplace.path("coast.glb")}).output,
+             Catch::Contains("layers: coast, coast.layer2") &&
+                 Catch::Contains("of the area above, softness 0.05"));
 }
 
 TEST_CASE("layers are made of noises of several bundles, with the areas asked for") {
   const Workplace workplace;
   const std::string image = workplace.write("a.png", speckled(64, 64, 3));
-  std::vector<std::string> bundles;
-  for (const char* method : {"tiling", "texton", "multiple-kernels", "local-random-phase"}) {
-    bundles.push_back(workplace.path(std::string(method) + ".glb"));
-    REQUIRE(runLichen({"bake", image, "-o", bundles.back(), "--method", method, "--name", method,
-                       "--preview", "none"})
-                .code == 0);
-  }
+  Arguments bundles;
+  for (const std::string method : {"tiling", "texton", "multiple-kernels", "local-random-phase"})
+    bundles.push_back(bake(workplace, image, method + ".glb",
+                           {"--method", method, "--name", method, "--preview", "none"}));
   const std::string output = workplace.path("all.glb");
-  const Ended ended = runLichen({"layer", bundles[0], bundles[1], bundles[2], bundles[3], "-o",
-                                 output, "--shares", "4,3,2,1"});
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
+  succeed(Arguments{"layer"} + bundles + Arguments{"-o", output, "--shares", "4,3,2,1"});
   const Bundle bundle = readBundle(output).value();
   REQUIRE(bundle.noises.size() == 7); // with three index maps
   const std::vector<LayerNode>& nodes = bundle.noises[0].layers->nodes;
   CHECK(nodes[0].proportion == Approx(0.6));
   CHECK(nodes[1].proportion == Approx(0.5));
   CHECK(nodes[2].proportion == Approx(1.0 / 3.0));
-  CHECK(runLichen({"synth", output, "-o", workplace.path("all.png"), "--size", "64"}).code == 0);
+  succeed({"synth", output, "-o", workplace.path("all.png"), "--size", "64"});
 
   // An index map may be a noise of kernels, and no other.
-  CHECK(runLichen({"layer", bundles[0], bundles[1], "-o", output, "--index", bundles[2]}).code ==
-        0);
-  checkRefusal({"layer", bundles[0], bundles[1], "-o", output, "--index", bundles[1]}, kUsage,
-               {"--index " + bundles[1] + ": the noise \"texton\" has the method texton",
-                "expected multiple-kernels for an index map"});
+  const Arguments two{"layer", bundles[0], bundles[1], "-o", output};
+  succeed(two + Arguments{"--index", bundles[2]});
   checkRefusal({"layer", bundles[0], "-o", output}, kUsage, {"1 given; expected 2 to 4"});
-  checkRefusal({"layer", bundles[0], bundles[1], "-o", output, "--shares", "1"}, kUsage,
-               {"--shares: 1 for 2 bundles; expected one each"});
-  checkRefusal({"layer", bundles[0], bundles[1], "-o", output, "--index", "rings"}, kBadInput,
-               {"rings"});
+  checkRefusals(two, std::vector<Refused>{
+                         {{"--index", bundles[1]},
+                          {"--index " + bundles[1] + ": the noise \"texton\" has the method texton",
+                           "expected multiple-kernels for an index map"}},
+                         {{"--shares", "1"}, {"--shares: 1 for 2 bundles; expected one each"}},
+                         {{"--index", "rings"}, {"rings"}, kBadInput}});
 }
 
 TEST_CASE("a bake with layers does not advise a method that layers refuse") {
   const Workplace workplace;
   const std::string bricks = workplace.write("bricks.png", brickwork(128));
   const std::string output = workplace.path("bricks.glb");
-  const Ended ended =
-      runLichen({"bake", bricks, "-o", output, "--layers", "2", "--preview", "none", "--json"});
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  const nlohmann::json tiling = nlohmann::json::parse(ended.output);
+  const Arguments bakeOf{"bake", bricks, "-o", output};
+  const nlohmann::json tiling = jsonOf(bakeOf + Arguments{"--layers", "2", "--preview", "none"});
   CHECK(tiling.at("verdict").at("risk") == "structure");
   CHECK_THAT(tiling.dump(), Catch::Contains("a photograph without joints") &&
                                 !Catch::Contains("--method quilting"));
-  checkRefusal(
-      {"bake", bricks, "-o", output, "--layers", "2", "--method", "quilting"}, kUsage,
-      {"--layers: layers do not take the method quilting; expected --method tiling, texton, "
-       "local-random-phase or multiple-kernels"});
-  checkRefusal({"bake", bricks, "-o", output, "--labels", bricks, "--guide", "0.5"}, kUsage,
-               {"--labels: layers do not take the method quilting"});
+  checkRefusals(
+      bakeOf,
+      std::vector<Refused>{
+          {{"--layers", "2", "--method", "quilting"},
+           {"--layers: layers do not take the method quilting; expected --method tiling, texton, "
+            "local-random-phase or multiple-kernels"}},
+          {{"--labels", bricks, "--guide", "0.5"},
+           {"--labels: layers do not take the method quilting"}}});
 }
 
 TEST_CASE("layers that do not fit together are refused by name") {
   const Workplace workplace;
   const std::string image = workplace.write("a.png", speckled(256, 256, 3));
-  const auto bake = [&](const std::string& name, const Arguments& more) {
-    Arguments all{"bake", image, "-o", workplace.path(name), "--preview", "none"};
-    all.insert(all.end(), more.begin(), more.end());
-    REQUIRE(runLichen(all).code == 0);
-    return workplace.path(name);
+  const auto baked = [&](const std::string& name, const Arguments& more) {
+    return bake(workplace, image, name, Arguments{"--preview", "none"} + more);
   };
-  const std::string one = bake("one.glb", {}), large = bake("large.glb", {"--tile", "2"}),
-                    wide = bake("wide.glb", {"--crop", "0,0,256,128"});
+  const std::string one = baked("one.glb", {}), large = baked("large.glb", {"--tile", "2"}),
+                    wide = baked("wide.glb", {"--crop", "0,0,256,128"}),
+                    quilting = baked("quilting.glb", {"--method", "quilting"});
   const std::string output = workplace.path("out.glb");
-  checkRefusal({"layer", one, large, "-o", output}, kUsage,
-               {"large.glb: the noise \"a\" has tiles of 2", "expected 1"});
-  checkRefusal({"layer", one, wide, "-o", output}, kUsage,
-               {"wide.glb: the noise \"a\" has tiles of another shape"});
-  const std::string quilting = bake("quilting.glb", {"--method", "quilting"});
-  for (const auto& [first, second] : {std::pair{one, quilting}, {quilting, one}})
-    checkRefusal(
-        {"layer", first, second, "-o", output}, kUsage,
-        {"quilting.glb: the noise \"a\" has the method quilting, which layers do not take; "
-         "expected tiling, texton, local-random-phase or multiple-kernels"});
-  checkRefusal({"bake", image, "-o", output, "--labels", image, "--layers", "2"}, kUsage,
-               {"--layers: given with --labels"});
-  checkRefusal({"bake", image, "-o", output, "--layers", "5"}, kUsage, {"--layers 5", "2 to 4"});
+  const std::string quilted =
+      "quilting.glb: the noise \"a\" has the method quilting, which layers do not take; expected "
+      "tiling, texton, local-random-phase or multiple-kernels";
+  checkRefusals({"layer", "-o", output},
+                std::vector<Refused>{
+                    {{one, large}, {"large.glb: the noise \"a\" has tiles of 2", "expected 1"}},
+                    {{one, wide}, {"wide.glb: the noise \"a\" has tiles of another shape"}},
+                    {{one, quilting}, {quilted}},
+                    {{quilting, one}, {quilted}}});
+  checkRefusals({"bake", image, "-o", output},
+                std::vector<Refused>{
+                    {{"--labels", image, "--layers", "2"}, {"--layers: given with --labels"}},
+                    {{"--layers", "5"}, {"--layers 5", "2 to 4"}},
+                    {{"--labels", workplace.path("none.png")}, {"none.png"}, kBadInput}});
   const Ended ended = runLichen({"bake", workplace.write("a_diff.png", speckled(256, 256, 3)),
                                  workplace.write("a_height.png", speckled(256, 256, 3)), "-o",
                                  output, "--layers", "2"});
@@ -158,6 +144,4 @@ TEST_CASE("layers that do not fit together are refused by name") {
   CHECK_THAT(ended.errors, Catch::Contains("2 layers with the map height") &&
                                Catch::Contains("16 images") &&
                                Catch::Contains("leave its file out"));
-  checkRefusal({"bake", image, "-o", output, "--labels", workplace.path("none.png")}, kBadInput,
-               {"none.png"});
 }

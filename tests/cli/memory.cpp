@@ -66,12 +66,10 @@ TEST_CASE("an image that needs more memory than is available is an error before 
   const std::string large = workplace.write("large.png", SrgbImage(4096, 4096, 1));
   const Limits limits{.memoryBytes = 1024 * kMega};
   const auto bake = [&](const Arguments& more) {
-    Arguments arguments{"bake", large, "-o", workplace.path("new.glb")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return runLichen(arguments, limits);
+    return runLichen(Arguments{"bake", large, "-o", workplace.path("new.glb")} + more, limits);
   };
   const Ended ended = bake({});
-  CHECK(ended.code == int(ErrorKind::resources));
+  CHECK(ended.code == kResources);
   CHECK_THAT(ended.errors, Catch::Contains("large.png: 4096 x 4096 pixels need about") &&
                                Catch::Contains("GB are available; use --crop or --size"));
   CHECK(bake({"--size", "32"}).code == 0);
@@ -79,7 +77,7 @@ TEST_CASE("an image that needs more memory than is available is an error before 
   const Ended enlarged = runLichen({"bake", workplace.write("small.png", SrgbImage(32, 32, 1)),
                                     "-o", workplace.path("new.glb"), "--size", "4096"},
                                    limits);
-  CHECK(enlarged.code == int(ErrorKind::resources));
+  CHECK(enlarged.code == kResources);
   CHECK_THAT(enlarged.errors, Catch::Contains("32 x 32 pixels, enlarged by --size, need about") &&
                                   Catch::Contains("use a smaller --size"));
 }

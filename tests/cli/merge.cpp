@@ -6,7 +6,6 @@
 #include <lichen/bundle.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
@@ -16,18 +15,14 @@ using namespace lichen::cli_test;
 
 namespace {
 
-Ended merge(const Workplace& workplace, Arguments bundles, const Arguments& more = {}) {
-  bundles.insert(bundles.begin(), "merge");
-  bundles.insert(bundles.end(), {"-o", workplace.path("all.glb")});
-  bundles.insert(bundles.end(), more.begin(), more.end());
-  return runLichen(bundles);
+Arguments merging(const Workplace& workplace, const Arguments& bundles,
+                  const Arguments& more = {}) {
+  return Arguments{"merge", "-o", workplace.path("all.glb")} + bundles + more;
 }
 
 Bundle merged(const Workplace& workplace, const Arguments& bundles, const Arguments& more = {}) {
-  const Ended ended = merge(workplace, bundles, more);
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  CHECK(runLichen({"check", workplace.path("all.glb")}).code == 0);
+  succeed(merging(workplace, bundles, more));
+  succeed({"check", workplace.path("all.glb")});
   return readBundle(workplace.path("all.glb")).value();
 }
 
@@ -105,11 +100,10 @@ TEST_CASE("a noise whose name already exists gets a number, with a note") {
   const std::string input = workplace.write("moss.png", smooth(16));
   const std::string first = bake(workplace, input, "a.glb");
   const std::string second = bake(workplace, input, "b.glb", {"--seed", "2"});
-  const Ended ended = merge(workplace, {first, second, first});
-  CHECK(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains("note: " + second +
-                                           ": noise 'moss' is named 'moss-2', since another has"));
-  CHECK_THAT(ended.errors, Catch::Contains("'moss-3'"));
+  CHECK_THAT(
+      succeed(merging(workplace, {first, second, first})).errors,
+      Catch::Contains("note: " + second + ": noise 'moss' is named 'moss-2', since another has") &&
+          Catch::Contains("'moss-3'"));
   const Bundle all = readBundle(workplace.path("all.glb")).value();
   CHECK(all.materialNames == std::vector<std::string>{"moss", "moss-2", "moss-3"});
   CHECK(all.materials[1]->seed == 2);
@@ -119,7 +113,7 @@ TEST_CASE("a noise whose name already exists gets a number, with a note") {
 TEST_CASE("merged bundles can be merged again, and names stay unique") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(16)), "m.glb");
-  REQUIRE(merge(workplace, {moss, moss}).code == 0);
+  (void)merged(workplace, {moss, moss});
   std::filesystem::rename(workplace.path("all.glb"), workplace.path("two.glb"));
   const Bundle all = merged(workplace, {moss, workplace.path("two.glb")});
   REQUIRE(all.noises.size() == 3);
@@ -133,9 +127,8 @@ TEST_CASE("every preview shape shows merged noises, a plane only up to its limit
   for (const char* shape : {"sphere", "plane", "none"})
     CHECK(merged(workplace, {moss, moss}, {"--preview", shape}).noises.size() == 2);
   const Arguments many(49, moss);
-  CHECK(merge(workplace, many, {"--preview", "plane"}).code == int(ErrorKind::usage));
-  CHECK_THAT(merge(workplace, many, {"--preview", "plane"}).errors,
-             Catch::Contains("49 materials; a preview plane shows at most 48"));
+  checkRefusal(merging(workplace, many, {"--preview", "plane"}), kUsage,
+               {"49 materials; a preview plane shows at most 48"});
   CHECK(merged(workplace, Arguments(48, moss), {"--preview", "plane"}).noises.size() == 48);
 }
 
@@ -148,10 +141,7 @@ TEST_CASE("the preview's camera sees every ball completely, separately and large
   };
   // A single row of four balls would give 0.17, one of nine 0.07.
   for (const auto& [count, leastShare] : {Count{1, 0.6}, {2, 0.3}, {4, 0.28}, {9, 0.15}}) {
-    Arguments arguments(count, moss);
-    arguments.insert(arguments.begin(), "merge");
-    arguments.insert(arguments.end(), {"-o", workplace.path("all.gltf")});
-    REQUIRE(runLichen(arguments).code == 0);
+    succeed(Arguments{"merge", "-o", workplace.path("all.gltf")} + Arguments(count, moss));
     const nlohmann::json gltf = nlohmann::json::parse(workplace.read("all.gltf"));
     std::array<double, 3> eye{};
     double pitch = 0.0;
@@ -193,9 +183,7 @@ TEST_CASE("the preview's camera sees every ball completely, separately and large
 TEST_CASE("merge --json gives one object with its notes") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(8)), "m.glb");
-  const Ended ended = merge(workplace, {moss, moss}, {"--json"});
-  CHECK(ended.errors.empty());
-  const nlohmann::json report = nlohmann::json::parse(ended.output);
+  const nlohmann::json report = jsonOf(merging(workplace, {moss, moss}));
   CHECK(report.at("noises") == nlohmann::json{"moss", "moss-2"});
   CHECK(report.at("tables") == 2);
   CHECK(report.at("notes").size() == 1);
@@ -218,14 +206,14 @@ TEST_CASE("merge reports what it cannot merge and leaves no file") {
   const std::string whole = workplace.read("moss.gltf");
   const std::string half = workplace.write("half.gltf", whole.substr(0, whole.size() / 2));
   const std::string output = workplace.path("all.glb");
-  const int bad = int(ErrorKind::badInput), usage = int(ErrorKind::usage);
-  checkRefusal({"merge", moss, later, "-o", output}, bad, {"later.gltf: noise 'moss'", "99"});
-  checkRefusal({"merge", moss, half, "-o", output}, bad, {"half.gltf: "});
-  checkRefusal({"merge", moss, image, "-o", output}, bad, {"moss.png: "});
-  checkRefusal({"merge", second, "-o", output}, usage,
-               {"material 'moss' uses texture coordinates 1", "--preview none"});
-  checkRefusal({"merge", "-o", output}, usage, {"BUNDLE is required"});
-  checkRefusal({"merge", moss, "-o", workplace.path("all.png")}, usage, {".glb", ".gltf"});
+  checkRefusals({"merge", "-o", output},
+                std::vector<Refused>{
+                    {{moss, later}, {"later.gltf: noise 'moss'", "99"}, kBadInput},
+                    {{moss, half}, {"half.gltf: "}, kBadInput},
+                    {{moss, image}, {"moss.png: "}, kBadInput},
+                    {{second}, {"material 'moss' uses texture coordinates 1", "--preview none"}},
+                    {{}, {"BUNDLE is required"}}});
+  checkRefusal({"merge", moss, "-o", workplace.path("all.png")}, kUsage, {".glb", ".gltf"});
   CHECK(!std::filesystem::exists(output));
   CHECK(merged(workplace, {moss, second}, {"--preview", "none"}).materials[1]->texCoord == 1);
 }

@@ -6,7 +6,6 @@
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <string>
@@ -37,16 +36,13 @@ struct Bake {
   Preparation preparation;
 };
 
-Bake baked(const Workplace& workplace, Arguments arguments) {
-  arguments.insert(arguments.begin(),
-                   {"bake", "-o", workplace.path("noise.glb"), "--json", "--transport", "fast"});
-  const Ended ended = runLichen(arguments);
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  const Result<Bundle> bundle = readBundle(workplace.path("noise.glb"));
-  REQUIRE(bundle.ok());
-  return {nlohmann::json::parse(ended.output).at("notes").dump(),
-          bundle.value().noises.front().preparation};
+Bake baked(const Workplace& workplace, const Arguments& arguments) {
+  const std::string notes =
+      jsonOf(Arguments{"bake", "-o", workplace.path("noise.glb"), "--transport", "fast"} +
+             arguments)
+          .at("notes")
+          .dump();
+  return {notes, readBundle(workplace.path("noise.glb")).value().noises.front().preparation};
 }
 
 } // namespace
@@ -62,14 +58,13 @@ TEST_CASE("what occurs once is filled, with a note, and compare fills it again")
   CHECK((x <= 40 && y <= 70 && x + width >= 56 && y + height >= 86));
   CHECK((width < 48 && height < 48));
   CHECK_THAT(bake.notes, Catch::Contains("at " + std::to_string(x) + "," + std::to_string(y)));
-  const Ended compared = runLichen({"compare", input, workplace.path("noise.glb")});
-  CHECK_THAT(compared.errors, Catch::Contains("as the bundle was baked: 1 part filled"));
+  CHECK_THAT(runLichen({"compare", input, workplace.path("noise.glb")}).errors,
+             Catch::Contains("as the bundle was baked: 1 part filled"));
 
   // The comparison is with the filled exemplar: without the square its colours are nearer.
   const auto distanceOf = [&](const Arguments& more) {
-    Arguments arguments{"compare", input, workplace.path("noise.glb"), "--json"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const nlohmann::json measures = nlohmann::json::parse(runLichen(arguments).output);
+    const Arguments arguments{"compare", input, workplace.path("noise.glb"), "--json"};
+    const nlohmann::json measures = nlohmann::json::parse(runLichen(arguments + more).output);
     for (const nlohmann::json& measure : measures.at("measures"))
       if (measure.at("name") == "color_distance")
         return measure.at("value").get<double>();
@@ -119,8 +114,6 @@ TEST_CASE("a record of places beyond the photograph is an error that names them"
   const std::string input = workplace.write("grain.png", grain());
   static_cast<void>(baked(workplace, {input}));
   const std::string small = workplace.write("small.png", SrgbImage(32, 32, 3));
-  const Ended ended = runLichen({"compare", small, workplace.path("noise.glb")});
-  CHECK(ended.code == 2);
-  CHECK_THAT(ended.errors, Catch::Contains("expected both inside the exemplar's 32 x 32") &&
-                               Catch::Contains("was baked with 1 part filled"));
+  checkRefusal({"compare", small, workplace.path("noise.glb")}, kUsage,
+               {"expected both inside the exemplar's 32 x 32", "was baked with 1 part filled"});
 }

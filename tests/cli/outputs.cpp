@@ -6,7 +6,6 @@
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <random>
@@ -17,14 +16,6 @@ using namespace lichen::cli_test;
 namespace {
 
 using Names = std::vector<std::string>;
-
-/// Parses the only JSON value in `text`; fails on any other text.
-nlohmann::json onlyObject(const std::string& text) {
-  INFO(text);
-  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
-  REQUIRE(json.is_object());
-  return json;
-}
 
 /// Returns an image of independent values with this distribution.
 SrgbImage grain(int width, int height, auto distribution) {
@@ -42,47 +33,33 @@ TEST_CASE("bake writes one file, and synth and check need nothing else") {
   bake(workplace, input, "moss.glb");
   CHECK(workplace.names() == Names{"moss.glb", "moss.png"});
   std::filesystem::remove(input);
-  CHECK(runLichen({"check", workplace.path("moss.glb")}).code == 0);
+  succeed({"check", workplace.path("moss.glb")});
   const SrgbImage image = synth(workplace, workplace.path("moss.glb"), {"--size", "40x24"});
   CHECK(image.width == 40);
   CHECK(image.height == 24);
   CHECK(image.channels == 3);
 }
 
-TEST_CASE("a .gltf with its binary file can be checked and synthesized") {
-  const Workplace workplace;
-  const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(16)),
-                                  "moss.gltf", {"--preview", "plane"});
-  CHECK(runLichen({"check", bundle}).code == 0);
-  CHECK(synth(workplace, bundle, {"--size", "16x16"}).width == 16);
-}
-
-TEST_CASE("every preview shape gives a bundle without findings") {
+TEST_CASE("every preview shape and form of file gives a bundle without findings") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", smoothGrey(16));
   for (const char* shape : {"sphere", "plane", "none"})
-    CHECK(runLichen({"check", bake(workplace, input, "moss.glb", {"--preview", shape})}).code == 0);
+    for (const char* name : {"moss.glb", "moss.gltf"}) {
+      const std::string bundle = bake(workplace, input, name, {"--preview", shape});
+      succeed({"check", bundle});
+      CHECK(synth(workplace, bundle, {"--size", "16"}).width == 16);
+    }
 }
 
 TEST_CASE("an EXR stores the light whose sRGB code a PNG stores") {
   const Workplace workplace;
   const std::string bundle = bake(workplace, workplace.write("moss.png", smoothGrey(16)));
   const SrgbImage png = synth(workplace, bundle, {"--size", "32x32"});
-  REQUIRE(runLichen({"synth", bundle, "-o", workplace.path("light.exr"), "--size", "32x32"}).code ==
-          0);
+  succeed({"synth", bundle, "-o", workplace.path("light.exr"), "--size", "32x32"});
   const SrgbImage exr =
       toSrgb(std::get<LinearImage>(readImage(workplace.path("light.exr")).value().pixels));
   for (std::size_t i = 0; i < png.values.size(); ++i)
     REQUIRE(png.values[i] == Approx(exr.values[i]).margin(1.0 / 255.0));
-}
-
-TEST_CASE("the noise is named by --name, else after the input") {
-  const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smoothGrey(16));
-  const std::string named = bake(workplace, input, "named.glb", {"--name", "wet moss"});
-  CHECK(synth(workplace, named, {"--noise", "wet moss", "--size", "8x8"}).width == 8);
-  const std::string plain = bake(workplace, input, "plain.glb");
-  CHECK(synth(workplace, plain, {"--noise", "moss", "--size", "8x8"}).width == 8);
 }
 
 TEST_CASE("--json prints one object and nothing else") {
@@ -90,30 +67,24 @@ TEST_CASE("--json prints one object and nothing else") {
   const std::string input = workplace.write("moss.png", smooth(16));
   const std::string bundle = workplace.path("moss.glb");
 
-  const Ended baked = runLichen({"bake", input, "-o", bundle, "--json"});
-  const nlohmann::json bakeReport = onlyObject(baked.output);
-  CHECK(baked.errors.empty());
-  CHECK(bakeReport.at("output") == bundle);
-  CHECK(bakeReport.at("name") == "moss");
-  CHECK(bakeReport.at("method") == "tiling");
-  CHECK(bakeReport.at("width") == 16);
-  CHECK(bakeReport.at("dimensions") == 3);
-  CHECK(bakeReport.at("tableBytes") > 0);
+  const nlohmann::json baked = jsonOf({"bake", input, "-o", bundle});
+  CHECK(baked.at("output") == bundle);
+  CHECK(baked.at("name") == "moss");
+  CHECK(baked.at("method") == "tiling");
+  CHECK(baked.at("width") == 16);
+  CHECK(baked.at("dimensions") == 3);
+  CHECK(baked.at("tableBytes") > 0);
 
-  const Ended checked = runLichen({"check", bundle, "--json"});
-  const nlohmann::json checkReport = onlyObject(checked.output);
-  CHECK(checked.errors.empty());
-  CHECK(checkReport.at("errors") == 0);
-  CHECK(checkReport.at("warnings") == 0);
-  CHECK(checkReport.at("findings").empty());
+  const nlohmann::json checked = jsonOf({"check", bundle});
+  CHECK(checked.at("errors") == 0);
+  CHECK(checked.at("warnings") == 0);
+  CHECK(checked.at("findings").empty());
 
   const std::string picture = workplace.path("picture.png");
-  const Ended made = runLichen({"synth", bundle, "-o", picture, "--size", "20x10", "--json"});
-  const nlohmann::json synthReport = onlyObject(made.output);
-  CHECK(made.errors.empty());
-  CHECK(synthReport.at("output") == picture);
-  CHECK(synthReport.at("width") == 20);
-  CHECK(synthReport.at("height") == 10);
+  const nlohmann::json made = jsonOf({"synth", bundle, "-o", picture, "--size", "20x10"});
+  CHECK(made.at("output") == picture);
+  CHECK(made.at("width") == 20);
+  CHECK(made.at("height") == 10);
 }
 
 TEST_CASE("--gaussian chooses the kind of table, and both kinds can be checked and synthesized") {
@@ -127,16 +98,14 @@ TEST_CASE("--gaussian chooses the kind of table, and both kinds can be checked a
                    (32 * 32 * 32 + 16 * 16 * 16 + 8 * 8 * 8 + 4 * 4 * 4 + 8) * std::size_t(4)},
         {"yes", "none", std::size_t(0)}}) {
     INFO(gaussian);
-    const Ended baked = runLichen({"bake", input, "-o", bundle, "--json", "--gaussian", gaussian});
-    REQUIRE(baked.code == 0);
-    const auto report = nlohmann::json::parse(baked.output);
+    const nlohmann::json report = jsonOf({"bake", input, "-o", bundle, "--gaussian", gaussian});
     CHECK(report.at("table") == table);
     CHECK(report.at("precisionLoss").at("colorDistance").get<double>() > 0.0);
     CHECK(report.at("precisionLoss").at("mean").get<double>() < 0.02);
     // In addition, 64 x 48 texels of four bytes and their mip levels, up to a third more.
     const std::size_t image = report.at("tableBytes").get<std::size_t>() - bytes;
     CHECK((image > 64 * 48 * 4 && image < 64 * 48 * 4 * 4 / 3 + 16));
-    CHECK(runLichen({"check", bundle}).code == 0);
+    succeed({"check", bundle});
     synth(workplace, bundle, {"--size", "32"});
     pictures.push_back(workplace.read("synth.png"));
   }
@@ -149,8 +118,7 @@ TEST_CASE("--gaussian auto omits the table only for Gaussian exemplars") {
   const SrgbImage uniform = grain(64, 64, std::uniform_real_distribution<float>(0.2f, 0.8f));
   for (const auto& [image, table] : {std::pair{gaussian, "none"}, {uniform, "joint"}}) {
     const std::string input = workplace.write("exemplar.png", image);
-    const Ended baked = runLichen({"bake", input, "-o", workplace.path("auto.glb"), "--json"});
-    CHECK(onlyObject(baked.output).at("table") == table);
+    CHECK(jsonOf({"bake", input, "-o", workplace.path("auto.glb")}).at("table") == table);
   }
 }
 
@@ -161,10 +129,8 @@ TEST_CASE("--quiet prints nothing, not even notes") {
   for (const Arguments& arguments :
        {Arguments{"bake", input, "-o", bundle, "--quiet"}, Arguments{"check", bundle, "--quiet"},
         Arguments{"synth", bundle, "-o", workplace.path("p.png"), "--size", "8x8", "--quiet"}}) {
-    const Ended ended = runLichen(arguments);
-    CHECK(ended.code == 0);
-    CHECK(ended.output.empty());
-    CHECK(ended.errors.empty());
+    const Ended ended = succeed(arguments);
+    CHECK((ended.output + ended.errors).empty());
   }
 }
 
@@ -200,7 +166,7 @@ TEST_CASE("a full disk leaves the old file intact and no partial file") {
       {"synth", bundle, "-o", workplace.path("synth.png"), "--size", "64x64", "--seed", "2"},
       limits);
   for (const Ended& ended : {baked, made}) {
-    CHECK(ended.code == int(ErrorKind::resources));
+    CHECK(ended.code == kResources);
     CHECK_THAT(ended.errors, Catch::Contains("cannot be written"));
   }
   CHECK((workplace.read("moss.glb") == oldBundle));
@@ -218,7 +184,7 @@ TEST_CASE("an interrupted bake leaves the old or the new bundle intact, and noth
   const Names names = workplace.names();
   REQUIRE((before != after));
   for (const int signal : {SIGINT, SIGTERM})
-    for (const unsigned milliseconds : {1u, 20u, 60u, 150u, 400u}) {
+    for (const unsigned milliseconds : {1u, 20u, 150u}) {
       Limits limits;
       limits.killedAfterMs = milliseconds;
       limits.signal = signal;
@@ -255,7 +221,7 @@ TEST_CASE("a failed write to standard output is an error of one line") {
         Arguments{"synth", bundle, "-o", picture, "--size", "8x8", "--json"}, Arguments{"--help"},
         Arguments{"--version"}}) {
     const Ended ended = runLichen(arguments, limits);
-    CHECK(ended.code == int(ErrorKind::resources));
+    CHECK(ended.code == kResources);
     // Notes may precede it.
     CHECK_THAT(ended.errors, Catch::EndsWith("lichen: standard output: cannot be written\n"));
     CHECK(ended.errors.find("lichen:") == ended.errors.rfind("lichen:"));
@@ -293,7 +259,7 @@ TEST_CASE("control characters in names are escaped on the terminal, other charac
   nlohmann::json gltf = nlohmann::json::parse(text);
   gltf["buffers"][0]["uri"] = "m%1B%5B31m%C2%9B%7F%0Af%C3%BC";
   const Ended checked = runLichen({"check", workplace.write("broken.gltf", gltf.dump()), "--json"});
-  CHECK(onlyObject(checked.output)["findings"][0]["code"] == "buffer-uri");
+  CHECK(nlohmann::json::parse(checked.output)["findings"][0]["code"] == "buffer-uri");
   const std::string lines = runLichen({"check", workplace.path("broken.gltf")}).output;
   checkShown(lines.substr(0, lines.find('\n') + 1), shown);
 }

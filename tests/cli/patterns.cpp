@@ -11,41 +11,25 @@ using namespace lichen::cli_test;
 
 namespace {
 
-constexpr int kUsage = 2, kBadInput = 3;
-
 struct Baked {
   MultipleKernelsNoise noise;
   std::string notes;
 };
 
-class Photograph {
-public:
+struct Photograph {
+  Workplace workplace;
+  Arguments bakeOf{"bake",      workplace.write("photograph.png", speckled(256, 256, 3)),
+                   "-o",        workplace.path("noise.glb"),
+                   "--method",  "multiple-kernels",
+                   "--preview", "none"};
+
   /// The noise of a bake with these options.
   [[nodiscard]] Baked bake(const Arguments& more) const {
-    const std::string bundle = workplace_.path("noise.glb");
-    const Ended ended = runLichen(arguments(more));
-    INFO(ended.errors);
-    REQUIRE(ended.code == 0);
-    return {readBundle(bundle).value().noises.front().as<MultipleKernelsNoise>(), ended.errors};
+    const std::string notes = succeed(bakeOf + more).errors;
+    return {
+        readBundle(workplace.path("noise.glb")).value().noises.front().as<MultipleKernelsNoise>(),
+        notes};
   }
-  void refuses(const Arguments& more, int code, const std::vector<std::string>& words) const {
-    checkRefusal(arguments(more), code, words);
-  }
-  [[nodiscard]] std::string write(const std::string& name, const SrgbImage& image) const {
-    return workplace_.write(name, image);
-  }
-
-private:
-  [[nodiscard]] Arguments arguments(const Arguments& more) const {
-    Arguments all{
-        "bake",      image_, "-o", workplace_.path("noise.glb"), "--method", "multiple-kernels",
-        "--preview", "none"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-
-  Workplace workplace_;
-  std::string image_ = workplace_.write("photograph.png", speckled(256, 256, 3));
 };
 
 } // namespace
@@ -67,21 +51,22 @@ TEST_CASE("patterns are taken from parts and from pictures") {
   CHECK(photograph.bake({"--pattern", "spline:0:4:1:0:0.5"}).noise.cosines == 2); // the third is 0
   SrgbImage dots(8, 8, 1);
   dots.values[0] = 1.0f;
-  const std::string picture = photograph.write("dots.png", dots);
+  const std::string picture = photograph.workplace.write("dots.png", dots);
   CHECK(photograph.bake({"--pattern", picture, "--pattern-repeats", "3"}).noise.cosines > 8);
 }
 
 TEST_CASE("a pattern that cannot be is refused") {
   const Photograph photograph;
-  for (const std::string text : {"cosines:97", "cosines:0", "wave:0:0", "wave:1.5:2", "wave:600:2",
-                                 "spline:0:4:1", "wave:1:2,stripes"})
-    photograph.refuses({"--pattern", text}, kUsage,
-                       {"--pattern " + text + ": expected cosines:N with N from 1 to 96"});
-  photograph.refuses({"--perturb", "17"}, kUsage, {"--perturb 17: expected a number from 0 to 16"});
-  photograph.refuses({"--pattern", photograph.write("grey.png", SrgbImage(8, 8, 1))}, kBadInput,
-                     {"the pattern does not vary"});
-  photograph.refuses({"--pattern", "wave:8:0,wave:8:0:1:0.5"}, kBadInput,
-                     {"the pattern does not vary"});
+  checkRefusals(photograph.bakeOf,
+                std::vector<RefusedValues>{{"--pattern",
+                                            {"cosines:97", "cosines:0", "wave:0:0", "wave:1.5:2",
+                                             "wave:600:2", "spline:0:4:1", "wave:1:2,stripes"},
+                                            "cosines:N with N from 1 to 96"},
+                                           {"--perturb", {"17"}, "a number from 0 to 16"}});
+  const std::string grey = photograph.workplace.write("grey.png", SrgbImage(8, 8, 1));
+  for (const std::string pattern : {grey.c_str(), "wave:8:0,wave:8:0:1:0.5"})
+    checkRefusal(photograph.bakeOf + Arguments{"--pattern", pattern}, kBadInput,
+                 {"the pattern does not vary"});
 }
 
 TEST_CASE("without a pattern its options have no effect, and a note says so") {
@@ -95,10 +80,10 @@ TEST_CASE("without a pattern its options have no effect, and a note says so") {
 TEST_CASE("spectra are given by lobes and by coloured pictures") {
   const Photograph photograph;
   CHECK(photograph.bake({"--spectrum", "lobe:10:4:2,ring:3:4"}).noise.hasGivenSpectrum);
-  photograph.refuses({"--spectrum", "lobe:10:4:0"}, kUsage, {"lobe:12:5:3"});
+  checkRefusal(photograph.bakeOf + Arguments{"--spectrum", "lobe:10:4:0"}, kUsage, {"lobe:12:5:3"});
   SrgbImage colored(33, 33, 3);
   for (std::size_t i = 0; i < 33 * 33; ++i)
     colored.values[3 * i + (i % 33 < 16 ? 0 : 2)] = 0.8f;
-  CHECK(photograph.bake({"--spectrum", photograph.write("colored.png", colored)})
+  CHECK(photograph.bake({"--spectrum", photograph.workplace.write("colored.png", colored)})
             .noise.hasGivenSpectrum);
 }

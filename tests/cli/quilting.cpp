@@ -6,7 +6,6 @@
 #include <lichen/bundle.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <array>
 #include <cmath>
@@ -17,19 +16,16 @@ using namespace lichen::cli_test;
 
 namespace {
 
-constexpr int kUsage = 2;
 constexpr int kCutSide =
     150; // of a picture of bricks, 32 x 16 pixels each, some cut by its borders
 
 nlohmann::json bakedAs(const Workplace& workplace, const std::string& input,
                        const Arguments& more = {}) {
-  Arguments all{"bake", input, "-o", workplace.path("noise.glb"), "--preview", "none", "--json"};
-  all.insert(all.end(), more.begin(), more.end());
-  const Ended ended = runLichen(all);
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  return nlohmann::json::parse(ended.output);
+  return jsonOf(Arguments{"bake", input, "-o", workplace.path("noise.glb"), "--preview", "none"} +
+                more);
 }
+
+std::string notesOf(const nlohmann::json& report) { return report.at("notes").dump(); }
 
 SrgbImage cutBricks() {
   const SrgbImage whole = brickwork(256);
@@ -62,15 +58,14 @@ TEST_CASE("bricks are baked by quilting, unless an option or their size says oth
   const std::string bricks = workplace.write("bricks.png", brickwork(160));
   const nlohmann::json report = bakedAs(workplace, bricks);
   CHECK(report.at("method") == "quilting");
-  CHECK_THAT(report.at("notes").dump(),
-             Catch::Contains("the exemplar repeats, so it is baked by quilting") &&
-                 Catch::Contains("--method tiling scatters it"));
+  CHECK_THAT(notesOf(report), Catch::Contains("the exemplar repeats, so it is baked by quilting") &&
+                                  Catch::Contains("--method tiling scatters it"));
   for (const Arguments& more : {Arguments{"--method", "tiling"}, Arguments{"--gaussian", "no"},
                                 Arguments{"--guide", "0"}, Arguments{"--crop", "0,0,120,160"}}) {
     INFO(more[0]);
     const nlohmann::json other = bakedAs(workplace, bricks, more);
     CHECK(other.at("method") == "tiling");
-    CHECK_THAT(other.at("notes").dump(), !Catch::Contains("baked by quilting"));
+    CHECK_THAT(notesOf(other), !Catch::Contains("baked by quilting"));
   }
   const std::string speckles = workplace.write("speckles.png", speckled(160, 160, 3));
   CHECK(bakedAs(workplace, speckles).at("method") == "tiling");
@@ -84,27 +79,28 @@ TEST_CASE("the tile of bricks that borders cut is whole periods, or what --recti
     return readBundle(workplace.path("noise.glb")).value().noises[0].preparation.corners;
   };
   // Bricks are of one grey, so that those which a border cuts could pass for ones that fit.
-  const Arguments open{"--periodic", "no"};
+  const Arguments open{"--periodic", "no", "--tile", "3"};
   const nlohmann::json whole = bakedAs(workplace, bricks, open);
   // Two rows of bricks, and one brick along them, are 32 pixels.
   CHECK(whole.at("width") == 128);
   CHECK(whole.at("height") == 128);
-  CHECK_THAT(whole.at("notes").dump(),
+  CHECK_THAT(notesOf(whole),
              Catch::Contains("the tile is the part of 128 x 128 pixels that holds whole periods; "
                              "--rectify off keeps the whole picture"));
+  // --tile is the width of the photograph.
+  CHECK(readBundle(workplace.path("noise.glb")).value().noises[0].tileSizeMetres ==
+        Approx(3.0 * 128.0 / kCutSide));
   REQUIRE(cornersOf());
   const TileCorners corners = *cornersOf();
   CHECK(corners[1][0] - corners[0][0] == Approx(128.0).margin(1.0));
   CHECK(corners[3][1] - corners[0][1] == Approx(128.0).margin(1.0));
   // By default compare uses the part that the bundle records.
-  const auto notesOf = [&](const Arguments& more) {
-    Arguments all{"compare", bricks, workplace.path("noise.glb")};
-    all.insert(all.end(), more.begin(), more.end());
-    return runLichen(all).errors;
+  const auto comparedWith = [&](const Arguments& more) {
+    return runLichen(Arguments{"compare", bricks, workplace.path("noise.glb")} + more).errors;
   };
   const auto other = Catch::Contains("the exemplar is 150 x 150, but was 128 x 128");
-  CHECK_THAT(notesOf({}), !other && Catch::Matches("[^]*--periodic no --rectify [0-9][^]*"));
-  CHECK_THAT(notesOf({"--rectify", "off"}), other);
+  CHECK_THAT(comparedWith({}), !other && Catch::Matches("[^]*--periodic no --rectify [0-9][^]*"));
+  CHECK_THAT(comparedWith({"--rectify", "off"}), other);
 
   const nlohmann::json off = bakedAs(workplace, bricks, {"--periodic", "no", "--rectify", "off"});
   CHECK(off.at("width") == kCutSide);
@@ -127,17 +123,6 @@ TEST_CASE("the note on a tile that is turned by nearly too much to be found asks
                                      "if it is wrong, give its four corners to --rectify");
   CHECK_THAT(notesOf(10.0), Catch::Contains("turned by 1") && !doubt);
   CHECK_THAT(notesOf(18.0), Catch::Matches("[^]*turned by 1[78][^]*") && doubt);
-}
-
-TEST_CASE("an option of another method is refused without claiming that a method was given") {
-  const Workplace workplace;
-  const std::string bricks = workplace.write("bricks.png", brickwork(128));
-  const std::string bundle = workplace.path("noise.glb");
-  constexpr int kUsage = 2;
-  checkRefusal({"bake", bricks, "-o", bundle, "--impacts", "20"}, kUsage,
-               {"--impacts: belongs to --method texton, which was not given"});
-  checkRefusal({"bake", bricks, "-o", bundle, "--impacts", "20", "--method", "quilting"}, kUsage,
-               {"--impacts: belongs to --method texton, not to quilting"});
 }
 
 TEST_CASE("the risk of cuts says what was found in the exemplar") {
@@ -167,14 +152,6 @@ TEST_CASE("a bake with --guide 0 says why it is by tiling, unless the method is 
   CHECK_THAT(given.at("notes").dump(), !reason);
 }
 
-TEST_CASE("--tile is the width of the photograph, also if only a part of it is baked") {
-  const Workplace workplace;
-  const std::string bricks = workplace.write("bricks.png", cutBricks());
-  (void)bakedAs(workplace, bricks, {"--periodic", "no", "--tile", "3"});
-  const Noise& noise = readBundle(workplace.path("noise.glb")).value().noises[0];
-  CHECK(noise.tileSizeMetres == Approx(3.0 * 128.0 / kCutSide));
-}
-
 TEST_CASE("the maps of a set are quilted together") {
   const Workplace workplace;
   const std::string color = workplace.write("bricks_color.png", brickwork(160));
@@ -187,57 +164,51 @@ TEST_CASE("the maps of a set are quilted together") {
 TEST_CASE("textures that do not hold whole exemplars of a quilting have a note with a size") {
   const Workplace workplace;
   (void)bakedAs(workplace, workplace.write("bricks.png", brickwork(160)));
-  const auto notesOf = [&](const std::string& size) {
-    const Ended ended = runLichen({"synth", workplace.path("noise.glb"), "-o",
-                                   workplace.path("tiles.png"), "--tileable", "--size", size});
-    REQUIRE(ended.code == 0);
-    return ended.errors + ended.output;
+  const auto notedAt = [&](const std::string& size) {
+    return succeed({"synth", workplace.path("noise.glb"), "-o", workplace.path("tiles.png"),
+                    "--tileable", "--size", size})
+        .errors;
   };
-  CHECK_THAT(notesOf("400x300"), Catch::Contains("2.5 x 1.875 exemplars break the rows of what "
+  CHECK_THAT(notedAt("400x300"), Catch::Contains("2.5 x 1.875 exemplars break the rows of what "
                                                  "repeats; whole numbers of them keep the rows: "
                                                  "--size 480x320"));
-  CHECK_THAT(notesOf("320x160"), !Catch::Contains("break the rows"));
+  CHECK_THAT(notedAt("320x160"), !Catch::Contains("break the rows"));
 }
 
 TEST_CASE("corners that are outside the picture, not four or not convex are refused") {
   const Workplace workplace;
   const std::string bricks = workplace.write("bricks.png", cutBricks());
   const std::string output = workplace.path("noise.glb");
-  checkRefusal({"bake", bricks, "-o", output, "--rectify", "0,0,151,0,150,150,0,150"}, kUsage,
+  const Arguments bakeOf{"bake", bricks, "-o", output};
+  checkRefusal(bakeOf + Arguments{"--rectify", "0,0,151,0,150,150,0,150"}, kUsage,
                {"--rectify: the corner 151,0 is outside the 150 x 150 pixels"});
-  for (const char* corners : {"0,0,100,0,100,100", "0,0,100,100,100,0,0,100", "whole"})
-    checkRefusal(
-        {"bake", bricks, "-o", output, "--rectify", corners}, kUsage,
-        {std::string("--rectify ") + corners,
-         "expected auto, off, or 8 numbers from 0 with commas between them: X,Y of the upper left, "
-         "upper right, lower right and lower left corner",
-         "the corners must be convex"});
+  checkRefusals(
+      bakeOf,
+      std::vector<RefusedValues>{
+          {"--rectify",
+           {"0,0,100,0,100,100", "0,0,100,100,100,0,0,100", "whole"},
+           "auto, off, or 8 numbers from 0 with commas between them: X,Y of the upper left, upper "
+           "right, lower right and lower left corner"}});
   // Verbs that do not look for whole periods refuse to.
-  checkRefusal({"compare", bricks, bricks, "--rectify", "auto"}, kUsage,
-               {"--rectify auto: expected off, or 8 numbers"});
-  checkRefusal({"mix", bricks, bricks, "-o", output, "--rectify", "auto"}, kUsage,
-               {"--rectify auto: expected off, or 8 numbers"});
+  for (const Arguments& verb : {Arguments{"compare"}, Arguments{"mix", "-o", output}})
+    checkRefusals(verb + Arguments{bricks, bricks},
+                  std::vector<RefusedValues>{{"--rectify", {"auto"}, "off, or 8 numbers"}});
 }
 
 TEST_CASE("a quilting has neither rotated tiles nor a mix, and the message says which noise does") {
   const Workplace workplace;
   const std::string bricks = bake(workplace, workplace.write("bricks.png", brickwork(128)),
                                   "bricks.glb", {"--method", "quilting"});
-  const std::string picture = workplace.path("bricks_new.png"), scene = workplace.path("new.glb");
-  const std::vector<std::string> rotation{"--tile-rotation: belongs to the method tiling",
-                                          "noise 'bricks'", "is of the method quilting",
-                                          "bake it with --method tiling"};
-  const std::vector<std::string> mix{
-      "--mix: noise 'bricks' is not a mix; expected one made by 'lichen mix', which blends "
-      "photographs"};
-  const auto checkOf = [&](const Arguments& more, const std::vector<std::string>& words) {
-    Arguments synth{"synth", bricks, "-o", picture};
-    synth.insert(synth.end(), more.begin(), more.end());
-    checkRefusal(synth, kUsage, words);
-    Arguments apply{"apply", bricks, "--noise", bricks, "--material", "0", "-o", scene};
-    apply.insert(apply.end(), more.begin(), more.end());
-    checkRefusal(apply, kUsage, words);
-  };
-  checkOf({"--tile-rotation", "4"}, rotation);
-  checkOf({"--mix", "0.5"}, mix);
+  for (const Arguments& verb : {Arguments{"synth", bricks, "-o", workplace.path("new.png")},
+                                Arguments{"apply", bricks, "--noise", bricks, "--material", "0",
+                                          "-o", workplace.path("new.glb")}})
+    checkRefusals(
+        verb,
+        std::vector<Refused>{
+            {{"--tile-rotation", "4"},
+             {"--tile-rotation: belongs to the method tiling", "noise 'bricks'",
+              "is of the method quilting", "bake it with --method tiling"}},
+            {{"--mix", "0.5"},
+             {"--mix: noise 'bricks' is not a mix; expected one made by 'lichen mix', which blends "
+              "photographs"}}});
 }

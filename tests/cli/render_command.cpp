@@ -44,36 +44,29 @@ bool isOneLine(const std::string& text) {
   return !text.empty() && text.find('\n') == text.size() - 1;
 }
 
+/// Checks the exit code, and that the only line of output has these words.
+void checkRefused(const std::string& arguments, int code, const std::string& words = "",
+                  const std::string& environment = "") {
+  const Outcome outcome = run(arguments, environment);
+  INFO(arguments << ": " << outcome.output);
+  CHECK(outcome.exitCode == code);
+  CHECK(isOneLine(outcome.output));
+  CHECK(outcome.output.find(words) != std::string::npos);
+}
+
 } // namespace
 
 TEST_CASE("wrong arguments are a usage error on one line that says what to do") {
   const TemporaryFolder folder;
   const std::string scene = writeInto(folder, "s.glb", triangleScene().glb()).string();
   const std::string out = " -o " + (folder.path() / "o.png").string() + " ";
-  const std::array cases{
-      std::string(""),
-      scene,
-      scene + " -o picture.bmp",
-      scene + out + "--size 0",
-      scene + out + "--size 99999",
-      scene + out + "--size 100x",
-      scene + out + "--size 0x10",
-      scene + out + "--size 10x99999",
-      scene + out + "--size 10x10x10",
-      scene + out + "--frames 0",
-      scene + out + "--frames many",
-      scene + out + "--exposure 99",
-      scene + out + "--debug-view colours",
-      scene + out + "--unknown",
-      scene + out + "second.glb",
-  };
-  for (const std::string& arguments : cases) {
-    INFO(arguments);
-    const Outcome outcome = run(arguments);
-    INFO(outcome.output);
-    CHECK(outcome.exitCode == 2);
-    CHECK(isOneLine(outcome.output));
-  }
+  checkRefused("", 2);
+  checkRefused(scene, 2);
+  checkRefused(scene + " -o picture.bmp", 2);
+  for (const char* arguments : {"--size 0", "--size 99999", "--size 100x", "--size 10x99999",
+                                "--size 10x10x10", "--frames 0", "--frames many", "--exposure 99",
+                                "--debug-view colours", "--unknown", "second.glb"})
+    checkRefused(scene + out + arguments, 2);
   CHECK_FALSE(std::filesystem::exists(folder.path() / "o.png"));
 }
 
@@ -93,14 +86,8 @@ TEST_CASE("a scene that cannot be read is bad input") {
   };
   for (const std::string& path :
        {written("s.gltf", "{}"), written("half.gltf", "{\"asset\": {"), written("photo.jpg", "no"),
-        folder.path().string(), (folder.path() / "absent.glb").string()}) {
-    const Outcome outcome = run(path + " -o " + (folder.path() / "o.png").string());
-    INFO(outcome.output);
-    CHECK(outcome.exitCode == 3);
-    CHECK(isOneLine(outcome.output));
-    CHECK(outcome.output.find(path) != std::string::npos);
-    CHECK(outcome.output.find("exception") == std::string::npos); // of a library
-  }
+        folder.path().string(), (folder.path() / "absent.glb").string()})
+    checkRefused(path + " -o " + (folder.path() / "o.png").string(), 3, path);
 }
 
 TEST_CASE("the error for a missing buffer file names it in one line") {
@@ -110,12 +97,9 @@ TEST_CASE("the error for a missing buffer file names it in one line") {
   const std::string text =
       R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 4, "uri": "gone%20.bin"}]})";
   const std::string path = writeInto(folder, "s.gltf", std::as_bytes(std::span(text))).string();
-  const Outcome outcome = run(path + " --size 8 -o " + (folder.path() / "o.png").string());
-  INFO(outcome.output);
-  CHECK(outcome.exitCode == 3);
-  CHECK(outcome.output ==
-        "lichen-render: " + path +
-            ": names the file \"gone .bin\", which is not in the scene's folder\n");
+  checkRefused(path + " --size 8 -o " + (folder.path() / "o.png").string(), 3,
+               "lichen-render: " + path +
+                   ": names the file \"gone .bin\", which is not in the scene's folder\n");
 }
 
 TEST_CASE("a fault in a noise is bad input, and the error states its JSON pointer") {
@@ -128,12 +112,8 @@ TEST_CASE("a fault in a noise is bad input, and the error states its JSON pointe
   scene.json["extensions"]["LICHEN_materials_exemplar_noise"]["noises"][0]["maps"][0]["gaussian"] =
       99;
   const std::string path = writeInto(folder, "s.glb", scene.glb()).string();
-  const Outcome outcome = run(path + " --size 8 -o " + (folder.path() / "o.png").string());
-  INFO(outcome.output);
-  CHECK(outcome.exitCode == 3);
-  CHECK(isOneLine(outcome.output));
-  CHECK(outcome.output.find(path) != std::string::npos);
-  CHECK(outcome.output.find("/noises/0/maps/0/gaussian") != std::string::npos);
+  checkRefused(path + " --size 8 -o " + (folder.path() / "o.png").string(), 3,
+               path + ": /extensions/LICHEN_materials_exemplar_noise/noises/0/maps/0/gaussian");
 }
 
 TEST_CASE("displacement needs a height map, and works with and without a tessellator") {
@@ -153,22 +133,16 @@ TEST_CASE("displacement needs a height map, and works with and without a tessell
     CHECK(isOneLine(outcome.output)); // no note
   }
   const std::string flat = writeInto(folder, "flat.glb", triangleScene().glb()).string();
-  const Outcome refused = run(flat + " --displace 0.1" + small);
-  CHECK(refused.exitCode == 3);
-  CHECK(isOneLine(refused.output));
-  CHECK(refused.output.find(flat + ": no mesh has a noise with a height map") != std::string::npos);
-  CHECK(run(path + " --displace -1" + small).exitCode == 2);
+  checkRefused(flat + " --displace 0.1" + small, 3,
+               flat + ": no mesh has a noise with a height map");
+  checkRefused(path + " --displace -1" + small, 2);
 }
 
 TEST_CASE("without a Vulkan device the error says what to install") {
   const TemporaryFolder folder;
   const std::string scene = writeInto(folder, "s.glb", triangleScene().glb()).string();
-  const Outcome outcome = run(scene + " -o " + (folder.path() / "o.png").string(),
-                              "VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent");
-  INFO(outcome.output);
-  CHECK(outcome.exitCode == 4);
-  CHECK(isOneLine(outcome.output));
-  CHECK(outcome.output.find("mesa-vulkan-drivers") != std::string::npos);
+  checkRefused(scene + " -o " + (folder.path() / "o.png").string(), 4, "mesa-vulkan-drivers",
+               "VK_DRIVER_FILES=/nonexistent VK_ICD_FILENAMES=/nonexistent");
 }
 
 TEST_CASE("lichen-render writes a PNG or EXR and a JSON report") {
@@ -215,14 +189,9 @@ TEST_CASE("lichen-render reports a picture on one line with notes, or nothing wi
 }
 
 TEST_CASE("control characters in names are escaped on the terminal, other characters are not") {
-  const Outcome absent =
-      run("\"$(printf 'm\\033[31m\\302\\233\\177\\nf\\303\\274').glb\" -o o.png");
-  CHECK(absent.exitCode == 3);
-  INFO(absent.output);
-  CHECK(isOneLine(absent.output));
-  CHECK(absent.output.find("m\\x1b[31m\\xc2\\x9b\\x7f\\x0af\xc3\xbc.glb") != std::string::npos);
-  CHECK(run("\"$(printf 'latin f\\374.glb')\" -o o.png").output.find("latin f\\xfc.glb: ") !=
-        std::string::npos);
+  checkRefused("\"$(printf 'm\\033[31m\\302\\233\\177\\nf\\303\\274').glb\" -o o.png", 3,
+               "m\\x1b[31m\\xc2\\x9b\\x7f\\x0af\xc3\xbc.glb");
+  checkRefused("\"$(printf 'latin f\\374.glb')\" -o o.png", 3, "latin f\\xfc.glb: ");
 }
 
 TEST_CASE("a failed write to standard output is an error of one line") {
@@ -242,17 +211,10 @@ TEST_CASE("errors that only the device can find have their exit codes") {
   const TemporaryFolder folder;
   const std::string scene = writeInto(folder, "s.glb", triangleScene().glb()).string();
   const std::string out = " -o " + (folder.path() / "o.png").string() + " --size 8x8 --frames 1 ";
-  CHECK(run(scene + out + "--device no-such-device").exitCode == 2);
-  const Outcome noDevice = run(scene + out + "--device 99");
-  INFO(noDevice.output);
-  CHECK(noDevice.exitCode == 2);
-  CHECK(noDevice.output.find("--device 99: no such Vulkan device; this machine has \"") !=
-        std::string::npos);
-  CHECK(noDevice.output.find("(index 0)") != std::string::npos);
-  CHECK(run(scene + out + "--camera nowhere").exitCode == 2);
-  CHECK(run(scene + out + "--environment " + scene).exitCode == 3);
-  const Outcome noFolder = run(scene + " -o /nonexistent/o.png --size 8x8 --frames 1");
-  INFO(noFolder.output);
-  CHECK(noFolder.exitCode == 4);
-  CHECK(isOneLine(noFolder.output));
+  checkRefused(scene + out + "--device no-such-device", 2);
+  checkRefused(scene + out + "--device 99", 2,
+               "--device 99: no such Vulkan device; this machine has \"");
+  checkRefused(scene + out + "--camera nowhere", 2);
+  checkRefused(scene + out + "--environment " + scene, 3);
+  checkRefused(scene + " -o /nonexistent/o.png --size 8x8 --frames 1", 4);
 }

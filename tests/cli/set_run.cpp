@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "set_run.h"
 
-#include <catch2/catch.hpp>
+#include <lichen/image_io.h>
 
 #include <filesystem>
 
@@ -18,15 +18,19 @@ void makeFolder(const Workplace& workplace, const std::string& name) {
   std::filesystem::create_directory(workplace.path(name));
 }
 
-nlohmann::json baked(const Workplace& workplace, Arguments inputs, const Arguments& more) {
-  inputs.insert(inputs.begin(), "bake");
-  inputs.insert(inputs.end(), {"-o", workplace.path("set.glb"), "--json"});
-  inputs.insert(inputs.end(), more.begin(), more.end());
-  const Ended ended = runLichen(inputs);
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  CHECK(runLichen({"check", workplace.path("set.glb")}).code == 0);
-  return nlohmann::json::parse(ended.output);
+std::string writeSet(const Workplace& workplace, const std::vector<FlatFile>& files) {
+  const std::string folder = "set" + std::to_string(workplace.names().size());
+  makeFolder(workplace, folder);
+  for (const auto& [name, value] : files)
+    workplace.write(folder + "/" + name, encodePng(flat(value), 8).value());
+  return workplace.path(folder);
+}
+
+nlohmann::json baked(const Workplace& workplace, const Arguments& inputs, const Arguments& more) {
+  const nlohmann::json report =
+      jsonOf(Arguments{"bake"} + inputs + Arguments{"-o", workplace.path("set.glb")} + more);
+  succeed({"check", workplace.path("set.glb")});
+  return report;
 }
 
 } // namespace lichen::cli_test

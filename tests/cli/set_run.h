@@ -4,9 +4,8 @@
 
 #include "command_run.h"
 
-#include <nlohmann/json.hpp>
-
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lichen::cli_test {
@@ -23,9 +22,16 @@ inline const Pixel kColor{code(200), code(100), code(50)};
 inline const Pixel kNormal{code(66), code(82), code(230)};
 inline const Pixel kNormalDown{code(66), code(173), code(230)};
 
+/// A file of a set, and its only value.
+using FlatFile = std::pair<std::string, Pixel>;
+
+/// Writes uniform maps into a new folder, and returns its path.
+std::string writeSet(const Workplace& workplace, const std::vector<FlatFile>& files);
+
 void makeFolder(const Workplace& workplace, const std::string& name);
 
 /// Bakes set.glb, requires that `check` accepts it, and returns the report of --json.
-nlohmann::json baked(const Workplace& workplace, Arguments inputs, const Arguments& more = {});
+nlohmann::json baked(const Workplace& workplace, const Arguments& inputs,
+                     const Arguments& more = {});
 
 } // namespace lichen::cli_test

@@ -5,7 +5,6 @@
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>
-#include <nlohmann/json.hpp>
 
 #include <filesystem>
 #include <string>
@@ -48,13 +47,10 @@ const Made& made() {
 
 /// Writes the textures into a new folder of `workplace` and returns their names.
 std::vector<std::string> writeTextures(const Workplace& workplace, const Arguments& more) {
-  Arguments all{"synth",  made().bundle, "--all-maps", "-o",    workplace.path("new/textures"),
-                "--size", "64",          "--tileable", "--json"};
-  all.insert(all.end(), more.begin(), more.end());
-  const Ended ended = runLichen(all);
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  return nlohmann::json::parse(ended.output)["files"].get<std::vector<std::string>>();
+  return jsonOf(Arguments{"synth", made().bundle, "--all-maps", "-o",
+                          workplace.path("new/textures"), "--size", "64", "--tileable"} +
+                more)
+      .at("files");
 }
 
 SrgbImage pngOf(const Workplace& workplace, const std::string& name) {
@@ -139,9 +135,8 @@ TEST_CASE("a material without metal is not metal in packed textures, and has its
   const std::string bundle = bake(workplace, workplace.path("set"), "noise.glb", {"--name", "mud"});
   const auto texture = [&](const std::string& program, const std::string& name) {
     const std::string folder = workplace.path(program);
-    REQUIRE(runLichen({"synth", bundle, "--all-maps", "-o", folder, "--size", "64", "--tileable",
-                       "--for", program})
-                .code == 0);
+    succeed({"synth", bundle, "--all-maps", "-o", folder, "--size", "64", "--tileable", "--for",
+             program});
     return std::get<SrgbImage>(readImage(folder + "/" + name).value().pixels);
   };
   const SrgbImage orm = texture("godot", "mud_OcclusionRoughnessMetallic.png"),
@@ -173,19 +168,15 @@ TEST_CASE("options of all maps need --all-maps, and those of one map exclude it"
   const std::string& bundle = made().bundle;
   const Workplace workplace;
   const std::string file = workplace.write("file", std::string("x"));
-  constexpr int kUsage = 2, kEnvironment = 4;
-  checkRefusal({"synth", bundle, "-o", workplace.path("x.png"), "--for", "unity"}, kUsage,
-               {"--for", "--all-maps"});
-  checkRefusal({"synth", bundle, "-o", workplace.path("x"), "--all-maps", "--map", "height"},
-               kUsage, {"--map", "--all-maps"});
-  checkRefusal({"synth", bundle, "-o", workplace.path("x"), "--all-maps", "--for", "maya"}, kUsage,
-               {"maya", "blender", "unreal"});
-  checkRefusal({"synth", bundle, "-o", workplace.path("x.png"), "--all-maps"}, kUsage,
-               {"x.png", "folder"});
-  checkRefusal({"synth", bundle, "-o", file + "/textures", "--all-maps"}, kEnvironment,
-               {file, "folder"});
-  const Ended ended =
-      runLichen({"synth", bundle, "-o", workplace.path("y"), "--all-maps", "--size", "16"});
-  CHECK(ended.code == 0);
-  CHECK_THAT(ended.errors, Catch::Contains("--tileable"));
+  checkRefusals(
+      {"synth", bundle, "-o"},
+      std::vector<Refused>{
+          {{workplace.path("x.png"), "--for", "unity"}, {"--for", "--all-maps"}},
+          {{workplace.path("x"), "--all-maps", "--map", "height"}, {"--map", "--all-maps"}},
+          {{workplace.path("x"), "--all-maps", "--for", "maya"}, {"maya", "blender", "unreal"}},
+          {{workplace.path("x.png"), "--all-maps"}, {"x.png", "folder"}},
+          {{file + "/textures", "--all-maps"}, {file, "folder"}, kEnvironment}});
+  CHECK_THAT(
+      succeed({"synth", bundle, "-o", workplace.path("y"), "--all-maps", "--size", "16"}).errors,
+      Catch::Contains("--tileable"));
 }

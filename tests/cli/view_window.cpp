@@ -29,17 +29,12 @@ SrgbImage picture(const std::string& path) {
   return std::get<SrgbImage>(std::move(file).value().pixels);
 }
 
-Arguments joined(Arguments arguments, const Arguments& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
 SrgbImage rendered(const Workplace& workplace, const std::string& scene, const std::string& size,
                    const Arguments& more = {}) {
   const Ended ended =
-      run(programPath("lichen-render"), joined({scene, "-o", workplace.path("reference.png"),
-                                                "--size", size, "--frames", kFrames, "--quiet"},
-                                               more));
+      run(programPath("lichen-render"), Arguments{scene, "-o", workplace.path("reference.png"),
+                                                  "--size", size, "--frames", kFrames, "--quiet"} +
+                                            more);
   INFO(ended.errors);
   REQUIRE(ended.code == 0);
   return picture(workplace.path("reference.png"));
@@ -52,9 +47,9 @@ public:
        const Arguments& more = {})
       : workplace_(workplace), server_(server),
         program_(programPath("lichen-view"),
-                 joined({scene, "--size", "96x64", "--frames", kFrames, "--output",
-                         workplace.path("."), "--validate"},
-                        more),
+                 Arguments{scene, "--size", "96x64", "--frames", kFrames, "--output",
+                           workplace.path("."), "--validate"} +
+                     more,
                  server.name(), workplace.path("view.out"), workplace.path("view.err")) {
     server.awaitWindow("scene.glb");
   }

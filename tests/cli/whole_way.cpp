@@ -5,19 +5,16 @@
 #include "device_needed.h"
 
 #include <string>
-#include <vector>
 
 using namespace lichen;
 using namespace lichen::cli_test;
 
 namespace {
 
-using Words = std::vector<std::string>;
-
 using Check = void (*)(const std::string& name, const std::filesystem::path& drawn);
 
 /// Bakes with these options, gives the preview's materials this mapping, and renders.
-void checkWholeWay(const std::string& name, const Words& options, const std::string& mapping,
+void checkWholeWay(const std::string& name, const Arguments& options, const std::string& mapping,
                    Check check = test::checkGoldenPicture) {
   INFO(name);
   const Workplace workplace;
@@ -25,15 +22,9 @@ void checkWholeWay(const std::string& name, const Words& options, const std::str
   REQUIRE(
       run(programPath("lichen-exemplars"), {workplace.path(""), "lichen_on_stone", "--size", "128"})
           .code == 0);
-  Words bake{"bake", workplace.path("lichen_on_stone.png"), "-o", noise};
-  bake.insert(bake.end(), options.begin(), options.end());
-  const Ended baked = runLichen(bake);
-  INFO(baked.errors);
-  REQUIRE(baked.code == 0);
-  const Ended applied = runLichen(
+  bake(workplace, workplace.path("lichen_on_stone.png"), "noise.glb", options);
+  succeed(
       {"apply", noise, "--noise", noise, "--material", "all", "--mapping", mapping, "-o", noise});
-  INFO(applied.errors);
-  REQUIRE(applied.code == 0);
   const Ended drawn = run(programPath("lichen-render"),
                           {noise, "-o", picture, "--size", "256x144", "--frames", "4"});
   INFO(drawn.errors);

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: MIT
-// fuzz_bundle_replay CASES SEED: runs mutations of valid bundles and KTX2 files through the
-// fuzzer's entry point; deterministic.
-// fuzz_bundle_replay corpus FOLDER: writes the unmutated files as a corpus for libFuzzer.
+// fuzz_bundle_replay: mutations of valid bundles and KTX2 files; see replay().
 #include "bundle_example.h"
 #include "bundle_surgery.h"
-#include "gltf_mutation.h"
+#include "mutation.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 using namespace lichen;
 using namespace lichen::fuzz;
@@ -81,38 +74,14 @@ Bytes mutated(const std::vector<Bytes>& files, Random& random) {
   constexpr std::size_t kMostMutations = 3;
   const std::size_t count = 1 + below(random, kMostMutations);
   for (std::size_t i = 0; i < count; ++i)
-    mutateBytes(file, random);
+    mutateBytes(file, files, random);
   return file;
-}
-
-int writeCorpus(const std::string& folder) {
-  int index = 0;
-  for (const Bytes& file : seeds()) {
-    std::ofstream stream(folder + "/bundle-" + std::to_string(index++), std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(file.data()), std::streamsize(file.size()));
-    if (!stream)
-      return EXIT_FAILURE;
-  }
-  return EXIT_SUCCESS;
 }
 
 } // namespace
 
 int main(int argumentCount, char** arguments) {
-  if (argumentCount != 3) {
-    std::fprintf(stderr, "usage: fuzz_bundle_replay CASES SEED | corpus FOLDER\n");
-    return 2;
-  }
-  if (std::strcmp(arguments[1], "corpus") == 0)
-    return writeCorpus(arguments[2]);
   const std::vector<Bytes> files = seeds();
-  const unsigned long long cases = std::strtoull(arguments[1], nullptr, 10);
-  const unsigned long long seed = std::strtoull(arguments[2], nullptr, 10);
-  for (unsigned long long i = 0; i < cases; ++i) {
-    Random random(seed * cases + i);
-    const Bytes file = mutated(files, random);
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
-  }
-  std::printf("%llu mutated files, none mishandled\n", cases);
-  return EXIT_SUCCESS;
+  return replay({arguments, std::size_t(argumentCount)}, files,
+                [&](Random& random) { return mutated(files, random); });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mutates scenes for libFuzzer: half of the time a JSON value, so that the file stays valid glTF;
 // else bytes of the binary chunk or of the whole file.
-#include "gltf_mutation.h"
+#include "mutation.h"
 
 #include <lichen/gltf_container.h>
 

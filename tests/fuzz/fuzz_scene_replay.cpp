@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
-// fuzz_scene_replay CASES SEED REGRESSIONS: runs the files of a folder, on which the loader once
-// failed, and mutations of valid scenes through the fuzzer's entry point; deterministic.
-// fuzz_scene_replay corpus FOLDER: writes the unmutated files as a corpus for libFuzzer: scenes
-// from this file, the glTF files of Debian's assimp-testmodels if installed, and bundles.
+// fuzz_scene_replay: mutations of valid scenes; see replay(). The corpus also has the glTF files of
+// Debian's assimp-testmodels if installed.
 #include "bundle_example.h"
-#include "gltf_mutation.h"
+#include "mutation.h"
 #include "render_gltf.h"
 
 #include <lichen/base64.h>
 #include <lichen/files.h>
 #include <lichen/gltf_container.h>
 
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 using namespace lichen;
 using namespace lichen::fuzz;
@@ -26,10 +18,6 @@ using nlohmann::json;
 namespace {
 
 const std::filesystem::path kModels = "/usr/share/assimp/models";
-
-/// Maximum processor time for one small file. The loader itself may take two seconds; sanitizers
-/// take about ten times as long.
-constexpr double kMostSeconds = 20.0;
 
 /// A triangle with a skin, a morph target, sparse positions and all members that a node may have.
 Bytes animated() {
@@ -138,25 +126,14 @@ Bytes selfContained(const std::filesystem::path& path, const Bytes& file) {
   return {bytes.begin(), bytes.end()};
 }
 
-bool write(const std::filesystem::path& path, const Bytes& file) {
-  std::ofstream stream(path, std::ios::binary);
-  stream.write(reinterpret_cast<const char*>(file.data()), std::streamsize(file.size()));
-  return bool(stream);
-}
-
-int writeCorpus(const std::filesystem::path& folder) {
-  constexpr std::size_t kMostBytes = std::size_t(1) << 18; // larger files are slow
-  std::vector<Bytes> files = seeds();
+std::vector<Bytes> models() {
+  std::vector<Bytes> files;
   if (std::filesystem::is_directory(kModels))
     for (const auto& entry : std::filesystem::recursive_directory_iterator(kModels))
       if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb")
         if (const auto bytes = readFile(entry.path()))
           files.push_back(selfContained(entry.path(), bytes.value()));
-  int index = 0;
-  for (const Bytes& file : files)
-    if (file.size() <= kMostBytes && !write(folder / ("scene-" + std::to_string(index++)), file))
-      return EXIT_FAILURE;
-  return EXIT_SUCCESS;
+  return files;
 }
 
 Bytes mutated(const std::vector<Bytes>& files, Random& random) {
@@ -165,7 +142,7 @@ Bytes mutated(const std::vector<Bytes>& files, Random& random) {
   const std::size_t count = 1 + below(random, kMostMutations);
   if (random() % 4 == 0) {
     for (std::size_t i = 0; i < count; ++i)
-      mutateBytes(file, random);
+      mutateBytes(file, files, random);
     return file;
   }
   test::GltfScene scene(file);
@@ -176,49 +153,13 @@ Bytes mutated(const std::vector<Bytes>& files, Random& random) {
   return frameGlb(scene.json.dump(), scene.binary);
 }
 
-void run(const Bytes& file) {
-  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(file.data()), file.size());
-}
-
-/// Number of files; nullopt if one cannot be read or takes too long.
-std::optional<std::size_t> replayFolder(const std::string& folder) {
-  const auto files = listFolder(folder);
-  if (!files)
-    return std::nullopt;
-  for (const std::filesystem::path& path : files.value()) {
-    const auto file = readFile(path);
-    if (!file)
-      return std::nullopt;
-    const std::clock_t start = std::clock();
-    run(file.value());
-    const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
-    if (seconds > kMostSeconds) {
-      std::fprintf(stderr, "%s: %.1f s, more than %.0f\n", path.c_str(), seconds, kMostSeconds);
-      return std::nullopt;
-    }
-  }
-  return files.value().size();
-}
-
 } // namespace
 
 int main(int argumentCount, char** arguments) {
-  if (argumentCount == 3 && std::string(arguments[1]) == "corpus")
-    return writeCorpus(arguments[2]);
-  if (argumentCount != 4) {
-    std::fprintf(stderr, "usage: fuzz_scene_replay CASES SEED REGRESSIONS | corpus FOLDER\n");
-    return 2;
-  }
-  const std::optional<std::size_t> replayed = replayFolder(arguments[3]);
-  if (!replayed)
-    return EXIT_FAILURE;
   const std::vector<Bytes> files = seeds();
-  const unsigned long long cases = std::strtoull(arguments[1], nullptr, 10);
-  const unsigned long long seed = std::strtoull(arguments[2], nullptr, 10);
-  for (unsigned long long i = 0; i < cases; ++i) {
-    Random random(seed * cases + i);
-    run(mutated(files, random));
-  }
-  std::printf("%zu regression files, %llu mutated files, none mishandled\n", *replayed, cases);
-  return EXIT_SUCCESS;
+  const bool isCorpus = argumentCount == 3 && arguments[1] == std::string("corpus");
+  return replay(
+      {arguments, std::size_t(argumentCount)}, files,
+      [&](Random& random) { return mutated(files, random); },
+      isCorpus ? models() : std::vector<Bytes>{});
 }

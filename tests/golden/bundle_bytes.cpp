@@ -20,42 +20,21 @@ std::vector<std::byte> golden(const std::string& name) {
 
 } // namespace
 
-TEST_CASE("the smallest bundle is written as its golden bytes") {
-  CHECK(encodeGlb(example::smallest()).value() == golden("bundle_smallest.glb"));
-}
-
-TEST_CASE("the smallest bundle of a texton is written as its golden bytes") {
-  CHECK(encodeGlb(example::smallestTexton()).value() == golden("bundle_texton.glb"));
-}
-
-TEST_CASE("the smallest bundle of cosines is written as its golden bytes") {
-  CHECK(encodeGlb(example::smallestCosines()).value() == golden("bundle_cosines.glb"));
-}
-
-TEST_CASE("the smallest bundle of kernels is written as its golden bytes") {
-  CHECK(encodeGlb(example::smallestKernels()).value() == golden("bundle_kernels.glb"));
-}
-
-TEST_CASE("the smallest bundle of quilting is written as its golden bytes") {
-  CHECK(encodeGlb(example::smallestQuilting()).value() == golden("bundle_quilting.glb"));
-}
-
-TEST_CASE("a layered bundle is written as its golden bytes") {
-  CHECK(encodeGlb(example::layered()).value() == golden("bundle_layers.glb"));
-}
-
-TEST_CASE("a KTX2 table is written as its golden bytes") {
-  CHECK(encodeKtx2(example::tableWithMips()) == golden("table_mips.ktx2"));
-}
-
-TEST_CASE("the golden files are read") {
-  CHECK(checkBundle(golden("bundle_smallest.glb")).empty());
-  CHECK(checkBundle(golden("bundle_texton.glb")).empty());
-  CHECK(checkBundle(golden("bundle_cosines.glb")).empty());
-  CHECK(checkBundle(golden("bundle_kernels.glb")).empty());
-  CHECK(checkBundle(golden("bundle_quilting.glb")).empty());
-  CHECK(checkBundle(golden("bundle_layers.glb")).empty());
-  const auto table = decodeKtx2(golden("table_mips.ktx2"), "mips");
+TEST_CASE("bundles and tables are written as their golden bytes, and these are read") {
+  for (const auto& [name, file] : {std::pair{"smallest", example::smallest()},
+                                   {"texton", example::smallestTexton()},
+                                   {"cosines", example::smallestCosines()},
+                                   {"kernels", example::smallestKernels()},
+                                   {"quilting", example::smallestQuilting()},
+                                   {"layers", example::layered()}}) {
+    INFO(name);
+    const std::vector<std::byte> bytes = golden("bundle_" + std::string(name) + ".glb");
+    CHECK((encodeGlb(file).value() == bytes));
+    CHECK(checkBundle(bytes).empty());
+  }
+  const std::vector<std::byte> bytes = golden("table_mips.ktx2");
+  CHECK((encodeKtx2(example::tableWithMips()) == bytes));
+  const auto table = decodeKtx2(bytes, "mips");
   REQUIRE(table.ok());
   CHECK(table.value().texels == example::tableWithMips().texels);
 }

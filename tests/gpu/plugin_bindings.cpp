@@ -1,81 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Descriptor sets: bindings from another first one (the shader is compiled with
-// LICHEN_FIRST_BINDING 7), sets that the host writes, and hosts without Vulkan's functions for
-// sets.
+// Hosts without Vulkan's functions for sets.
 #include "plugin_calls.h"
 #include "plugin_host.h"
 #include "require_device.h"
-#include "synthetic_noise.h"
 
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <cmath>
 #include <tiling_maps.comp.h>
-#include <tiling_maps.comp.rebound.h>
 
 using namespace lichen;
 using namespace lichen::test;
 
 namespace {
-
-constexpr std::array<SyntheticMap, 3> kBoundMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 32}}};
-
-std::vector<Point> boundPoints() {
-  std::vector<Point> points(200);
-  for (std::size_t k = 0; k < points.size(); ++k)
-    points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
-  return points;
-}
-
-/// A set that the host writes itself, without samplers: those are the layout's.
-struct HostSet {
-  HostSet(VkDevice d, VkDescriptorSetLayout layout, LichenVulkanAssets assets,
-          VkBuffer materialBuffer)
-      : device(d) {
-    constexpr VkDescriptorPoolSize kSizes[] = {
-        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
-        {VK_DESCRIPTOR_TYPE_SAMPLER, 2},
-        {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_SET_IMAGES}};
-    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    poolInfo.maxSets = 1;
-    poolInfo.poolSizeCount = 3;
-    poolInfo.pPoolSizes = kSizes;
-    REQUIRE(vkCreateDescriptorPool(device, &poolInfo, nullptr, &pool) == VK_SUCCESS);
-    VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-    allocation.descriptorPool = pool;
-    allocation.descriptorSetCount = 1;
-    allocation.pSetLayouts = &layout;
-    REQUIRE(vkAllocateDescriptorSets(device, &allocation, &set) == VK_SUCCESS);
-    VkDescriptorBufferInfo constants{};
-    std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> images{};
-    REQUIRE(lichenVulkanGetDescriptors(assets, 0, &constants, images.data()) == LICHEN_SUCCESS);
-    const VkDescriptorBufferInfo material{materialBuffer, 0, LICHEN_MATERIAL_BYTES};
-    std::array<VkWriteDescriptorSet, 3> writes{};
-    for (VkWriteDescriptorSet& write : writes) {
-      write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-      write.dstSet = set;
-      write.descriptorCount = 1;
-      write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-    }
-    writes[0].dstBinding = LICHEN_BINDING_NOISE;
-    writes[0].pBufferInfo = &constants;
-    writes[1].dstBinding = LICHEN_BINDING_MATERIAL;
-    writes[1].pBufferInfo = &material;
-    writes[2].dstBinding = LICHEN_BINDING_IMAGE(0); // images and tables have consecutive bindings
-    writes[2].descriptorCount = LICHEN_SET_IMAGES;
-    writes[2].descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
-    writes[2].pImageInfo = images.data();
-    vkUpdateDescriptorSets(device, std::uint32_t(writes.size()), writes.data(), 0, nullptr);
-  }
-  HostSet(const HostSet&) = delete;
-  HostSet& operator=(const HostSet&) = delete;
-  ~HostSet() { vkDestroyDescriptorPool(device, pool, nullptr); }
-
-  VkDevice device;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  VkDescriptorSet set = VK_NULL_HANDLE;
-};
 
 /// The layout of a host that asks the plugin only what each binding is, and which samplers it has.
 VkDescriptorSetLayout hostLayout(VkDevice device, LichenBundle bundle,
@@ -111,49 +48,13 @@ LichenVulkanFunctions shortFunctions() {
 
 } // namespace
 
-TEST_CASE("bindings may start at another number: the values match the oracle") {
-  const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kBoundMaps);
-  const Bundle bundle = parseBundle(glb, "synthetic").value();
-  LichenVulkanInfo info = defaultVulkanInfo(*device);
-  info.firstBinding = 7;
-  PluginHost host(*device, glb, info);
-  const std::vector<Point> points = boundPoints();
-  const auto values =
-      host.evaluate(tiling_maps_comp_rebound, 0, host.use(), points, kBoundMaps.size());
-  for (std::size_t m = 0; m < kBoundMaps.size(); ++m) {
-    const TilingReference reference(bundle, m);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const auto expected = reference.evaluate(points[k], host.material());
-      for (std::size_t c = 0; c < 3; ++c)
-        REQUIRE(std::abs(double(values[k * kBoundMaps.size() + m][c]) - expected.value[c]) <
-                1.0 / 255.0);
-    }
-  }
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
-
-TEST_CASE("a set that the host writes itself gives the same values") {
-  const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kBoundMaps);
-  const std::vector<Point> points = boundPoints();
-  PluginHost host(*device, glb);
-  const auto expected = host.evaluate(tiling_maps_comp, 0, host.use(), points, kBoundMaps.size());
-
-  const HostSet own(device->device(), host.context().layout(), host.assets(),
-                    host.materialBuffer());
-  host.useSet(own.set);
-  CHECK(host.evaluate(tiling_maps_comp, 0, host.use(), points, kBoundMaps.size()) == expected);
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
-
 TEST_CASE("a short function table serves a host with its own memory and descriptors") {
   const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kBoundMaps);
-  const std::vector<Point> points = boundPoints();
+  const std::vector<std::byte> glb = syntheticGlb(kThreeMaps);
+  const std::vector<Point> points = linePoints();
   PluginHost plain(*device, glb);
   const MaterialUse use = plain.use();
-  const auto expected = plain.evaluate(tiling_maps_comp, 0, use, points, kBoundMaps.size());
+  const auto expected = plain.evaluate(tiling_maps_comp, 0, use, points, kThreeMaps.size());
 
   const LichenVulkanFunctions functions = shortFunctions();
   HostMemory memory(*device);
@@ -178,7 +79,7 @@ TEST_CASE("a short function table serves a host with its own memory and descript
     run.before = [&](VkCommandBuffer commands) {
       CHECK(lichenVulkanRecordUpload(assets, commands) == LICHEN_SUCCESS);
     };
-    CHECK(runCompute<std::array<float, 4>>(*device, run, points, kBoundMaps.size()) == expected);
+    CHECK(runCompute<std::array<float, 4>>(*device, run, points, kThreeMaps.size()) == expected);
   }
   vkDestroyDescriptorSetLayout(device->device(), layout, nullptr);
   lichenVulkanDestroyAssets(assets);
@@ -189,7 +90,7 @@ TEST_CASE("a short function table serves a host with its own memory and descript
 
 TEST_CASE("what a short function table lacks is an error where it is needed") {
   const auto device = requireDevice();
-  LichenBundle bundle = parseOrThrow(syntheticGlb(kBoundMaps));
+  LichenBundle bundle = parseOrThrow(syntheticGlb(kThreeMaps));
   LichenVulkanFunctions functions = shortFunctions();
   HostMemory memory(*device);
   LichenVulkanInfo info = defaultVulkanInfo(*device);

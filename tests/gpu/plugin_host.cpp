@@ -24,6 +24,11 @@ void require(LichenResult result, const char* what) {
     throw std::runtime_error(what);
 }
 
+void requireVulkan(VkResult result) {
+  if (result != VK_SUCCESS)
+    throw std::runtime_error("no descriptor set");
+}
+
 LichenDiagnostic emptyDiagnostic() {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
@@ -31,6 +36,13 @@ LichenDiagnostic emptyDiagnostic() {
 }
 
 } // namespace
+
+std::vector<Point> linePoints() {
+  std::vector<Point> points(200);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
+  return points;
+}
 
 LichenBundle parseOrThrow(std::span<const std::byte> glb) {
   LichenDiagnostic diagnostic = emptyDiagnostic();
@@ -146,6 +158,44 @@ std::vector<std::byte> PluginHost::evaluateRun(ComputeRun run, const MaterialUse
   uploaded_ = true;
   lichenVulkanReleaseStaging(assets_);
   return values;
+}
+
+HostSet::HostSet(VkDevice d, VkDescriptorSetLayout layout, LichenVulkanAssets assets,
+                 VkBuffer materialBuffer)
+    : device(d) {
+  constexpr VkDescriptorPoolSize kSizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
+                                             {VK_DESCRIPTOR_TYPE_SAMPLER, 2},
+                                             {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_SET_IMAGES}};
+  VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  poolInfo.maxSets = 1;
+  poolInfo.poolSizeCount = 3;
+  poolInfo.pPoolSizes = kSizes;
+  requireVulkan(vkCreateDescriptorPool(device, &poolInfo, nullptr, &pool));
+  VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+  allocation.descriptorPool = pool;
+  allocation.descriptorSetCount = 1;
+  allocation.pSetLayouts = &layout;
+  requireVulkan(vkAllocateDescriptorSets(device, &allocation, &set));
+  VkDescriptorBufferInfo constants{};
+  std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> images{};
+  require(lichenVulkanGetDescriptors(assets, 0, &constants, images.data()), "no descriptors");
+  const VkDescriptorBufferInfo material{materialBuffer, 0, LICHEN_MATERIAL_BYTES};
+  std::array<VkWriteDescriptorSet, 3> writes{};
+  for (VkWriteDescriptorSet& write : writes) {
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.dstSet = set;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+  }
+  writes[0].dstBinding = LICHEN_BINDING_NOISE;
+  writes[0].pBufferInfo = &constants;
+  writes[1].dstBinding = LICHEN_BINDING_MATERIAL;
+  writes[1].pBufferInfo = &material;
+  writes[2].dstBinding = LICHEN_BINDING_IMAGE(0); // images and tables have consecutive bindings
+  writes[2].descriptorCount = LICHEN_SET_IMAGES;
+  writes[2].descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
+  writes[2].pImageInfo = images.data();
+  vkUpdateDescriptorSets(device, std::uint32_t(writes.size()), writes.data(), 0, nullptr);
 }
 
 std::vector<std::uint32_t> committedShader(const std::string& name) {

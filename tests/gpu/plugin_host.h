@@ -4,6 +4,7 @@
 #pragma once
 
 #include "compute_run.h"
+#include "synthetic_noise.h"
 #include "tiling_reference.h"
 
 #include <lichen/lichen_vulkan.h>
@@ -12,6 +13,12 @@
 #include <memory>
 
 namespace lichen::test {
+
+/// Base colour, slopes and ORM of a synthetic noise.
+inline constexpr std::array<SyntheticMap, 3> kThreeMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 32}}};
+
+/// Points on a line across several tiles, with an elongated footprint.
+[[nodiscard]] std::vector<Point> linePoints();
 
 /// Parses a bundle. Throws std::runtime_error with the plugin's diagnostic.
 [[nodiscard]] LichenBundle parseOrThrow(std::span<const std::byte> glb);
@@ -123,6 +130,19 @@ private:
   shader::LichenTriplanarMaterial planes_{};
   shader::LichenNoiseConstants constants_{};
   bool uploaded_ = false;
+};
+
+/// A set that the host writes itself, without samplers: those are the layout's.
+struct HostSet {
+  HostSet(VkDevice device, VkDescriptorSetLayout layout, LichenVulkanAssets assets,
+          VkBuffer materialBuffer);
+  HostSet(const HostSet&) = delete;
+  HostSet& operator=(const HostSet&) = delete;
+  ~HostSet() { vkDestroyDescriptorPool(device, pool, nullptr); }
+
+  VkDevice device;
+  VkDescriptorPool pool = VK_NULL_HANDLE;
+  VkDescriptorSet set = VK_NULL_HANDLE;
 };
 
 /// A committed shader, spirv/NAME.spv.

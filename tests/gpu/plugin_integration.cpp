@@ -4,7 +4,6 @@
 #include "integration_host.h"
 #include "plugin_host.h"
 #include "require_device.h"
-#include "synthetic_noise.h"
 
 #include <catch2/catch.hpp>
 
@@ -19,7 +18,6 @@ using namespace lichen::test;
 
 namespace {
 
-constexpr std::array<SyntheticMap, 3> kMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 32}}};
 constexpr std::uint32_t kFramesInFlight = 2;
 constexpr std::uint32_t kGenerations = 4;
 constexpr std::uint32_t kMaterials = 2;
@@ -35,7 +33,7 @@ void setCamera(LichenPlacement& placement, std::uint64_t frame) {
 
 /// A file with two materials that differ only in their seed.
 std::vector<std::byte> twoMaterials() {
-  BundleFile file = syntheticBundle(kMaps);
+  BundleFile file = syntheticBundle(kThreeMaps);
   MaterialNoise second;
   second.noise = 1;
   second.seed = 7;
@@ -114,7 +112,7 @@ struct Engine {
       std::uint32_t offset = 0;
       REQUIRE(updateMaterial(&host, &materials[k], std::uint32_t(frame % kFramesInFlight), &offset,
                              &diagnostic) == LICHEN_SUCCESS);
-      setArrays<Values::value_type>(runs[k], points, kMaps.size());
+      setArrays<Values::value_type>(runs[k], points, kThreeMaps.size());
       runs[k].spirv = tiling_maps_comp;
       runs[k].layout = setLayout;
       runs[k].set = materials[k].set;
@@ -138,9 +136,7 @@ struct Engine {
 TEST_CASE("the documented host draws two materials like the tests' host, even after reloading") {
   const auto device = requireDevice();
   const std::vector<std::byte> glb = twoMaterials();
-  std::vector<Point> points(200);
-  for (std::size_t k = 0; k < points.size(); ++k)
-    points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
+  const std::vector<Point> points = linePoints();
   PluginHost plain(*device, glb);
   std::vector<std::vector<Values>> expected; // of each frame: one for each material
   for (std::uint64_t frame = 0; frame < kGenerations * kFramesPerGeneration; ++frame) {
@@ -148,7 +144,8 @@ TEST_CASE("the documented host draws two materials like the tests' host, even af
     for (std::uint32_t k = 0; k < kMaterials; ++k) {
       MaterialUse use = plain.use(k);
       setCamera(use.placement, frame);
-      expected.back().push_back(plain.evaluate(tiling_maps_comp, 0, use, points, kMaps.size()));
+      expected.back().push_back(
+          plain.evaluate(tiling_maps_comp, 0, use, points, kThreeMaps.size()));
     }
   }
   REQUIRE(expected[0][0] != expected[0][1]);
@@ -191,7 +188,7 @@ TEST_CASE("the documented host continues after an invalid file") {
   const auto device = requireDevice();
   {
     Engine engine(*device);
-    const std::vector<std::byte> glb = syntheticGlb(kMaps);
+    const std::vector<std::byte> glb = syntheticGlb(kThreeMaps);
     NoiseBundle loaded{};
     const auto submitted = device->submit([&](VkCommandBuffer commands) {
       CHECK(loadBundle(engine.context, glb.data(), glb.size() / 2, commands, &loaded,

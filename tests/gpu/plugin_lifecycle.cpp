@@ -4,8 +4,6 @@
 #include "plugin_calls.h"
 #include "plugin_host.h"
 #include "require_device.h"
-#include "synthetic_noise.h"
-#include "tiling_reference.h"
 
 #include <catch2/catch.hpp>
 
@@ -16,19 +14,33 @@
 #include <future>
 #include <memory>
 #include <tiling_maps.comp.h>
+#include <tiling_maps.comp.rebound.h>
 
 using namespace lichen;
 using namespace lichen::test;
 
 namespace {
 
-constexpr std::array<SyntheticMap, 3> kMaps{{{3, 32, 32}, {2, 16, 16}, {1, 32, 32}}};
+using Values = std::vector<std::array<float, 4>>;
 
-std::vector<Point> somePoints() {
-  std::vector<Point> points(500);
-  for (std::size_t k = 0; k < points.size(); ++k)
-    points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
-  return points;
+/// The values of kThreeMaps, by a shader with bindings from 0.
+Values valuesOf(PluginHost& host, std::span<const std::uint32_t> spirv = tiling_maps_comp) {
+  return host.evaluate(spirv, 0, host.use(), linePoints(), kThreeMaps.size());
+}
+
+const std::vector<std::byte>& threeMaps() {
+  static const std::vector<std::byte> glb = syntheticGlb(kThreeMaps);
+  return glb;
+}
+
+/// What a host draws that leaves everything to the plugin.
+const Values& plainValues() {
+  static const Values values = [] {
+    const auto device = requireDevice();
+    PluginHost host(*device, threeMaps());
+    return valuesOf(host);
+  }();
+  return values;
 }
 
 /// The barriers before the first read, without their destination scope.
@@ -52,110 +64,96 @@ void VKAPI_CALL brokenBarrier(VkCommandBuffer commands, VkPipelineStageFlags sou
 
 TEST_CASE("several maps share the taps: each has the values of a noise with that map alone") {
   const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kMaps);
-  const Bundle bundle = parseBundle(glb, "synthetic").value();
-  PluginHost host(*device, glb);
-  const std::vector<Point> points = somePoints();
-  const auto values = host.evaluate(tiling_maps_comp, 0, host.use(), points, kMaps.size());
-  for (std::size_t m = 0; m < kMaps.size(); ++m) {
+  const Bundle bundle = parseBundle(threeMaps(), "synthetic").value();
+  PluginHost host(*device, threeMaps());
+  const std::vector<Point> points = linePoints();
+  const Values values = valuesOf(host);
+  CHECK(values == plainValues());
+  for (std::size_t m = 0; m < kThreeMaps.size(); ++m) {
     const TilingReference reference(bundle, m);
     for (std::size_t k = 0; k < points.size(); ++k) {
       const auto expected = reference.evaluate(points[k], host.material());
       for (std::size_t c = 0; c < 3; ++c)
-        REQUIRE(std::abs(double(values[k * kMaps.size() + m][c]) - expected.value[c]) <
+        REQUIRE(std::abs(double(values[k * kThreeMaps.size() + m][c]) - expected.value[c]) <
                 1.0 / 255.0);
     }
   }
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
-TEST_CASE("a cooked bundle gives the values of its glTF file") {
+TEST_CASE("hosts of every kind draw the same values") {
   const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kMaps);
-  const std::vector<std::byte> cooked = cookBundle(parseBundle(glb, "synthetic").value());
-  const std::vector<Point> points = somePoints();
-  PluginHost fromGlb(*device, glb);
-  PluginHost fromCooked(*device, cooked);
-  CHECK(fromCooked.evaluate(tiling_maps_comp, 0, fromCooked.use(), points, kMaps.size()) ==
-        fromGlb.evaluate(tiling_maps_comp, 0, fromGlb.use(), points, kMaps.size()));
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
-
-TEST_CASE("the loader, a function table and the host's own memory give the same values") {
-  const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kMaps);
-  const std::vector<Point> points = somePoints();
-  PluginHost byLoader(*device, glb);
-  const auto expected =
-      byLoader.evaluate(tiling_maps_comp, 0, byLoader.use(), points, kMaps.size());
-  const LichenVulkanFunctions functions = loadedFunctions();
-  HostMemory memory(*device);
   LichenVulkanInfo info = defaultVulkanInfo(*device);
-  info.getInstanceProcAddr = nullptr;
-  info.instance = VK_NULL_HANDLE;
-  info.functions = &functions;
-  info.deviceAllocator = &memory.callbacks;
-  {
-    PluginHost byTable(*device, glb, info);
-    CHECK(memory.alive == 3); // images, constants and staging
-    CHECK(byTable.evaluate(tiling_maps_comp, 0, byTable.use(), points, kMaps.size()) == expected);
-    CHECK(memory.alive == 2); // the staging buffer is released
+  LichenVulkanFunctions functions = loadedFunctions();
+  SECTION("a cooked bundle") {
+    const auto cooked = cookBundle(parseBundle(threeMaps(), "synthetic").value());
+    PluginHost host(*device, cooked);
+    CHECK(valuesOf(host) == plainValues());
   }
-  CHECK(memory.alive == 0);
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
-
-TEST_CASE("images that exceed one allocation use several, with the same values") {
-  const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kMaps);
-  const std::vector<Point> points = somePoints();
-  PluginHost plain(*device, glb);
-  const auto expected = plain.evaluate(tiling_maps_comp, 0, plain.use(), points, kMaps.size());
-
-  // Two of these images exceed the 1 GiB that every device can allocate at once.
-  static std::vector<VkDeviceSize> requested;
-  requested.clear();
-  LichenVulkanFunctions functions = Proxy::functions();
-  functions.getImageMemoryRequirements = [](VkDevice d, VkImage image,
-                                            VkMemoryRequirements* requirements) {
-    vkGetImageMemoryRequirements(d, image, requirements);
-    requirements->size = VkDeviceSize(600) << 20;
-  };
-  functions.allocateMemory = [](VkDevice d, const VkMemoryAllocateInfo* info,
-                                const VkAllocationCallbacks* callbacks, VkDeviceMemory* memory) {
-    requested.push_back(info->allocationSize);
-    VkMemoryAllocateInfo real = *info;
-    real.allocationSize = std::min(real.allocationSize, VkDeviceSize(16) << 20);
-    return Proxy::create<&vkAllocateMemory>(d, &real, callbacks, memory);
-  };
-  LichenVulkanInfo info = defaultVulkanInfo(*device);
-  info.functions = &functions;
-  {
-    PluginHost spread(*device, glb, info);
-    CHECK(requested.size() == 2 * (2 * kMaps.size() + 2) + 1); // images, their staging; constants
-    CHECK(*std::max_element(requested.begin(), requested.end()) <= VkDeviceSize(1) << 30);
-    CHECK(spread.evaluate(tiling_maps_comp, 0, spread.use(), points, kMaps.size()) == expected);
+  SECTION("the offset of a dynamic uniform buffer") {
+    info.flags = LICHEN_VULKAN_DYNAMIC_UNIFORMS;
+    PluginHost host(*device, threeMaps(), info);
+    CHECK(valuesOf(host) == plainValues());
   }
-  CHECK(Proxy::alive == 0);
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
-
-TEST_CASE("a dynamic uniform buffer's offset selects the uniforms") {
-  const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kMaps);
-  const std::vector<Point> points = somePoints();
-  PluginHost plain(*device, glb);
-  LichenVulkanInfo info = defaultVulkanInfo(*device);
-  info.flags = LICHEN_VULKAN_DYNAMIC_UNIFORMS;
-  PluginHost dynamic(*device, glb, info);
-  CHECK(dynamic.evaluate(tiling_maps_comp, 0, dynamic.use(), points, kMaps.size()) ==
-        plain.evaluate(tiling_maps_comp, 0, plain.use(), points, kMaps.size()));
+  SECTION("bindings from 7") {
+    info.firstBinding = 7;
+    PluginHost host(*device, threeMaps(), info);
+    CHECK(valuesOf(host, tiling_maps_comp_rebound) == plainValues());
+  }
+  SECTION("a set that the host writes itself") {
+    PluginHost host(*device, threeMaps());
+    const HostSet own(device->device(), host.context().layout(), host.assets(),
+                      host.materialBuffer());
+    host.useSet(own.set);
+    CHECK(valuesOf(host) == plainValues());
+  }
+  SECTION("a function table and the host's own memory") {
+    HostMemory memory(*device);
+    info.getInstanceProcAddr = nullptr;
+    info.instance = VK_NULL_HANDLE;
+    info.functions = &functions;
+    info.deviceAllocator = &memory.callbacks;
+    {
+      PluginHost host(*device, threeMaps(), info);
+      CHECK(memory.alive == 3); // images, constants and staging
+      CHECK(valuesOf(host) == plainValues());
+      CHECK(memory.alive == 2); // the staging buffer is released
+    }
+    CHECK(memory.alive == 0);
+  }
+  SECTION("images that exceed one allocation") {
+    // Two of these images exceed the 1 GiB that every device can allocate at once.
+    static std::vector<VkDeviceSize> requested;
+    requested.clear();
+    functions = Proxy::functions();
+    functions.getImageMemoryRequirements = [](VkDevice d, VkImage image,
+                                              VkMemoryRequirements* requirements) {
+      vkGetImageMemoryRequirements(d, image, requirements);
+      requirements->size = VkDeviceSize(600) << 20;
+    };
+    functions.allocateMemory = [](VkDevice d, const VkMemoryAllocateInfo* allocation,
+                                  const VkAllocationCallbacks* callbacks, VkDeviceMemory* memory) {
+      requested.push_back(allocation->allocationSize);
+      VkMemoryAllocateInfo real = *allocation;
+      real.allocationSize = std::min(real.allocationSize, VkDeviceSize(16) << 20);
+      return Proxy::create<&vkAllocateMemory>(d, &real, callbacks, memory);
+    };
+    info.functions = &functions;
+    {
+      PluginHost host(*device, threeMaps(), info);
+      // images, their staging; constants
+      CHECK(requested.size() == 2 * (2 * kThreeMaps.size() + 2) + 1);
+      CHECK(*std::max_element(requested.begin(), requested.end()) <= VkDeviceSize(1) << 30);
+      CHECK(valuesOf(host) == plainValues());
+    }
+    CHECK(Proxy::alive == 0);
+  }
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
 TEST_CASE("retired assets live until their last frame has completed") {
   const auto device = requireDevice();
-  LichenBundle bundle = parseOrThrow(syntheticGlb(kMaps));
+  LichenBundle bundle = parseOrThrow(threeMaps());
   const LichenVulkanFunctions functions = Proxy::functions();
   LichenVulkanInfo info = defaultVulkanInfo(*device);
   info.functions = &functions;
@@ -185,20 +183,17 @@ TEST_CASE("retired assets live until their last frame has completed") {
 }
 
 TEST_CASE("two devices in two threads draw one bundle at once, with the same values") {
-  const std::vector<std::byte> glb = syntheticGlb(kMaps);
-  const std::shared_ptr<LichenBundle_T> bundle(parseOrThrow(glb), lichenDestroyBundle);
-  const std::vector<Point> points = somePoints();
+  const std::shared_ptr<LichenBundle_T> bundle(parseOrThrow(threeMaps()), lichenDestroyBundle);
   const auto first = requireDevice(), second = requireDevice();
   const auto draw = [&](VulkanDevice& device) {
     PluginContext context(device);
     PluginHost host(context, bundle);
-    return host.evaluate(tiling_maps_comp, 0, host.use(), points, kMaps.size());
+    return valuesOf(host);
   };
   auto ofFirst = std::async(std::launch::async, draw, std::ref(*first));
   auto ofSecond = std::async(std::launch::async, draw, std::ref(*second));
-  const auto values = ofFirst.get();
-  CHECK(ofSecond.get() == values);
-  CHECK(draw(*first) == values); // as by one thread
+  CHECK(ofFirst.get() == plainValues());
+  CHECK(ofSecond.get() == plainValues());
   CHECK(first->messages().texts() == std::vector<std::string>{});
   CHECK(second->messages().texts() == std::vector<std::string>{});
 }
@@ -215,7 +210,7 @@ TEST_CASE("the buffers have the documented sizes") {
   };
   LichenVulkanInfo info = defaultVulkanInfo(*device);
   info.functions = &functions;
-  const PluginHost host(*device, syntheticGlb(kMaps), info);
+  const PluginHost host(*device, threeMaps(), info);
   LichenBundleProperties properties;
   LICHEN_INIT(properties, LICHEN_STRUCTURE_BUNDLE_PROPERTIES);
   REQUIRE(lichenGetBundleProperties(host.bundle(), &properties) == LICHEN_SUCCESS);
@@ -273,15 +268,11 @@ struct Transfers {
 
 TEST_CASE("an upload on a transfer queue releases what the other family acquires") {
   const auto device = requireDevice();
-  const std::vector<std::byte> glb = syntheticGlb(kMaps);
-  const std::vector<Point> points = somePoints();
-  PluginHost plain(*device, glb);
-  const auto expected = plain.evaluate(tiling_maps_comp, 0, plain.use(), points, kMaps.size());
   LichenVulkanFunctions functions = loadedFunctions();
   functions.cmdPipelineBarrier = Transfers::barrier;
   LichenVulkanInfo info = defaultVulkanInfo(*device);
   info.functions = &functions;
-  PluginHost host(*device, glb, info);
+  PluginHost host(*device, threeMaps(), info);
   constexpr std::uint32_t kTransfer = 2, kGraphics = 0;
   // One command buffer for both queues, since validation does not look across submissions.
   const auto submitted = device->submit([&](VkCommandBuffer commands) {
@@ -312,7 +303,7 @@ TEST_CASE("an upload on a transfer queue releases what the other family acquires
   CHECK(Transfers::buffers[0].srcQueueFamilyIndex == kTransfer);
   CHECK(Transfers::buffers[1].dstQueueFamilyIndex == kGraphics);
   host.noteUploaded();
-  CHECK(host.evaluate(tiling_maps_comp, 0, host.use(), points, kMaps.size()) == expected);
+  CHECK(valuesOf(host) == plainValues());
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }
 
@@ -322,8 +313,8 @@ TEST_CASE("synchronization validation reports a missing barrier of the upload") 
   functions.cmdPipelineBarrier = brokenBarrier;
   LichenVulkanInfo info = defaultVulkanInfo(*device);
   info.functions = &functions;
-  PluginHost host(*device, syntheticGlb(kMaps), info);
-  (void)host.evaluate(tiling_maps_comp, 0, host.use(), somePoints(), kMaps.size());
+  PluginHost host(*device, threeMaps(), info);
+  (void)valuesOf(host);
   REQUIRE(device->messages().errors() > 0);
   CHECK(device->messages().texts().front().find("SYNC-HAZARD") != std::string::npos);
 }

@@ -4,7 +4,6 @@
 #include "plugin_host.h"
 #include "require_device.h"
 #include "screen_pass.h"
-#include "synthetic_noise.h"
 #include "synthetic_texton.h"
 
 #include <lichen/shader_parameters.h>
@@ -30,21 +29,14 @@ using namespace lichen::test;
 namespace {
 
 constexpr std::size_t kRoles = LICHEN_MAX_MAPS;
-constexpr SyntheticMap kColor{3, 32, 32}, kSlopes{2, 16, 16}, kOrm{1, 32, 32};
-
-std::vector<Point> gridPoints() {
-  std::vector<Point> points(200);
-  for (std::size_t k = 0; k < points.size(); ++k)
-    points[k] = {{float(k) * 0.013f, float(k) * -0.007f}, {0.02f, 0.0f}, {0.0f, 0.05f}, {}};
-  return points;
-}
+constexpr SyntheticMap kColor = kThreeMaps[0], kSlopes = kThreeMaps[1], kOrm = kThreeMaps[2];
 
 } // namespace
 
 TEST_CASE("one shader and pipeline draw bundles with different maps") {
   const auto device = requireDevice();
   PluginContext context(*device);
-  const std::vector<Point> points = gridPoints();
+  const std::vector<Point> points = linePoints();
   for (const std::vector<SyntheticMap>& maps :
        {std::vector{kColor}, std::vector{kSlopes, kOrm}, std::vector{kColor, kSlopes, kOrm}}) {
     const std::vector<std::byte> glb = syntheticGlb(maps);
@@ -118,12 +110,12 @@ TEST_CASE("a shader with the switches that the library writes has the same value
   {
     PluginHost host(*device, syntheticGlb(maps));
     checkFitted(host, host.use(), fitted_switches, tiling_maps_comp, tiling_maps_comp_fitted,
-                gridPoints(), maps.size());
+                linePoints(), maps.size());
   }
   {
     PluginHost host(*device, syntheticTextonGlb({}));
     checkFitted(host, host.use(), fitted_texton_switches, roles_comp, roles_comp_fitted_texton,
-                gridPoints(), kRoles);
+                linePoints(), kRoles);
   }
   {
     SyntheticMap wood = kColor;

@@ -40,7 +40,7 @@ GltfScene twoNoises(float distance = 4.0f, std::uint32_t height = 64) {
 class Session {
 public:
   explicit Session(const GltfScene& source)
-      : scene_(readScene(source)), renderer_(testDevice(), scene_, settingsOf(kSide, kSide, 1)) {
+      : scene_(loaded(source)), renderer_(testDevice(), scene_, settingsOf(kSide, kSide, 1)) {
     testDevice().messages().clear();
   }
 
@@ -54,13 +54,6 @@ public:
   }
 
 private:
-  static renderer::Scene readScene(const GltfScene& source) {
-    const TemporaryFolder folder;
-    auto scene = renderer::readScene(writeInto(folder, "scene.glb", source.glb()));
-    REQUIRE(scene.ok());
-    return std::move(scene).value();
-  }
-
   renderer::Scene scene_;
   renderer::SceneRenderer renderer_;
 };

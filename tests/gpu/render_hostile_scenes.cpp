@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Breaks every glTF rule that the renderer relies on once: the error names the JSON pointer.
 #include "framing.h"
-#include "render_gltf.h"
-#include "scene.h"
-#include "scene_promises.h"
+#include "loaded_scene.h"
 
 #include <catch2/catch.hpp>
 
-#include <cmath>
+#include <array>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -63,90 +61,179 @@ GltfScene fullScene() {
   return scene;
 }
 
+/// One member of the full scene replaced, or removed where there is no value.
 struct Fault {
   const char* what;
-  const char* pointer; ///< part of the message
+  const char* message; ///< a part of it, mostly the JSON pointer
+  const char* member;  ///< JSON pointer of what is replaced
+  json value = json::value_t::discarded;
+};
+
+constexpr const char* kPrimitive = "/meshes/0/primitives/0";
+
+const std::vector<Fault> kFaults{
+    {"no asset", "asset", "/asset"},
+    {"glTF 1.0", "/asset", "/asset/version", "1.0"},
+    {"a version that is a number", "/asset", "/asset/version", 2},
+    {"a future minimum version", "/asset", "/asset/minVersion", "2.1"},
+    {"an unknown required extension",
+     "KHR_draco_mesh_compression",
+     "/extensionsRequired",
+     {"KHR_draco_mesh_compression"}},
+    {"geometry compressed by meshoptimizer",
+     "EXT_meshopt_compression",
+     "/extensionsRequired",
+     {"EXT_meshopt_compression"}},
+    {"textures in KTX2", "KHR_texture_basisu", "/extensionsRequired", {"KHR_texture_basisu"}},
+    {"nodes that are not an array", "/nodes", "/nodes", 3},
+    {"a node that is not an object", "/nodes/0", "/nodes/0", "x"},
+    {"a buffer longer than its chunk", "/buffers/0", "/buffers/0/byteLength", 1 << 20},
+    {"a buffer of negative length", "/buffers/0", "/buffers/0/byteLength", -4},
+    {"a second buffer without uri", "/buffers/1", "/buffers/-", {{"byteLength", 4}}},
+    {"a buffer outside the folder",
+     "is not in the scene's folder",
+     "/buffers/-",
+     {{"byteLength", 4}, {"uri", "../x.bin"}}},
+    {"an absolute buffer",
+     "is not in the scene's folder",
+     "/buffers/-",
+     {{"byteLength", 4}, {"uri", "/etc/passwd"}}},
+    {"a truncated data URI",
+     "cannot load the scene",
+     "/buffers/-",
+     {{"byteLength", 64}, {"uri", "data:application/octet-stream;base64,AAAA"}}},
+    {"a bufferView without a buffer", "/bufferViews/0", "/bufferViews/0/buffer", 1},
+    {"a bufferView outside its buffer", "/bufferViews/0", "/bufferViews/0/byteOffset", 1u << 30},
+    {"a bufferView whose end overflows", "/bufferViews/0", "/bufferViews/0/byteOffset",
+     std::uint64_t(-8)},
+    {"a stride of 2", "/bufferViews/0", "/bufferViews/0/byteStride", 2},
+    {"a stride of 6", "/bufferViews/0", "/bufferViews/0/byteStride", 6},
+    {"an accessor with a missing bufferView", "/accessors/0", "/accessors/0/bufferView", 99},
+    {"a bufferView index of -1", "/accessors/0", "/accessors/0/bufferView", -1},
+    {"a bufferView index of 4294967295", "/accessors/0", "/accessors/0/bufferView", 4294967295u},
+    {"an accessor beyond its bufferView", "/accessors/0", "/accessors/0/count", 4},
+    {"an accessor offset beyond its bufferView", "/accessors/0", "/accessors/0/byteOffset", 4},
+    {"a count of 0", "/accessors/0", "/accessors/0/count", 0},
+    {"a huge count", "/accessors/0", "/accessors/0/count", 4294967295u},
+    {"a huge count without a bufferView",
+     "/accessors/0",
+     "/accessors/0",
+     {{"componentType", 5126}, {"type", "VEC3"}, {"count", 4000000000u}}},
+    {"a fractional count", "/accessors/0", "/accessors/0/count", 2.5},
+    {"an unknown component type", "/accessors/0", "/accessors/0/componentType", 5124},
+    {"an unknown type", "/accessors/0", "/accessors/0/type", "VEC5"},
+    {"positions of two components", "/meshes/0/primitives/0/attributes/POSITION",
+     "/accessors/0/type", "VEC2"},
+    {"sparse values outside their bufferView",
+     "/accessors/0/sparse",
+     "/accessors/0/sparse",
+     {{"count", 3},
+      {"indices", {{"bufferView", 1}, {"componentType", 5125}}},
+      {"values", {{"bufferView", 0}}}}},
+    {"floats as indices", kPrimitive, "/meshes/0/primitives/0/indices", 0},
+    {"attributes of different counts", "/meshes/0/primitives/0/attributes/NORMAL",
+     "/accessors/2/count", 2},
+    {"an attribute with a missing accessor", "/meshes/0/primitives/0/attributes",
+     "/meshes/0/primitives/0/attributes/TEXCOORD_0", 17},
+    {"a mode of 7", kPrimitive, "/meshes/0/primitives/0/mode", 7},
+    {"no primitives", "/meshes/0", "/meshes/0/primitives"},
+    {"empty primitives", "/meshes/0/primitives", "/meshes/0/primitives", json::array()},
+    {"no attributes", kPrimitive, "/meshes/0/primitives/0/attributes"},
+    {"a missing material", kPrimitive, "/meshes/0/primitives/0/material", 1},
+    {"a missing texture", "/materials/0/pbrMetallicRoughness/baseColorTexture",
+     "/materials/0/pbrMetallicRoughness/baseColorTexture/index", 5},
+    {"a third set of texture coordinates", "/materials/0/pbrMetallicRoughness/baseColorTexture",
+     "/materials/0/pbrMetallicRoughness/baseColorTexture/texCoord", 2},
+    {"a texture transform of one number",
+     "KHR_texture_transform",
+     "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform/scale",
+     {2}},
+    {"a rotation of a mix's mask that overflows a float",
+     "/extensions/LICHEN_materials_exemplar_noise/mix/texture/extensions/KHR_texture_transform/"
+     "rotation: 1e+300 is invalid",
+     "/materials/0/extensions/LICHEN_materials_exemplar_noise/mix/texture/extensions/"
+     "KHR_texture_transform/rotation",
+     1e300},
+    {"a base colour of three numbers",
+     "/materials/0/pbrMetallicRoughness/baseColorFactor",
+     "/materials/0/pbrMetallicRoughness/baseColorFactor",
+     {1, 1, 1}},
+    {"a roughness of 2", "/materials/0/pbrMetallicRoughness/roughnessFactor",
+     "/materials/0/pbrMetallicRoughness/roughnessFactor", 2},
+    {"a roughness that is a string", "/materials/0/pbrMetallicRoughness/roughnessFactor",
+     "/materials/0/pbrMetallicRoughness/roughnessFactor", "rough"},
+    {"an unknown alpha mode", "/materials/0", "/materials/0/alphaMode", "GLASS"},
+    {"an image with a missing bufferView", "/images/0", "/images/0/bufferView", 77},
+    {"an image without a source", "/images/0", "/images/0", json::object()},
+    {"an image that is not an image file", "/images/0", "/images/0/bufferView", 0},
+    {"a missing image file",
+     "/images/0: its file \"absent.png\" cannot be read",
+     "/images/0",
+     {{"uri", "absent.png"}}},
+    {"an empty image", "", "/images/0", {{"uri", "data:image/png;base64,"}}},
+    {"a texture with a missing image", "/textures/0", "/textures/0/source", 2},
+    {"a texture with a missing sampler", "/textures/0", "/textures/0/sampler", 2},
+    {"an unknown wrap", "/samplers/0", "/samplers/0/wrapS", 1},
+    {"a camera without a projection", "/cameras/0", "/cameras/0/perspective"},
+    {"a camera whose near plane is not a number", "/cameras/0/perspective/znear",
+     "/cameras/0/perspective/znear", "near"},
+    {"a camera without a near plane", "/cameras/0/perspective", "/cameras/0/perspective/znear"},
+    {"more materials than any scene has", "/materials", "/materials",
+     std::vector<json>((1u << 18) + 1, json::object())},
+    {"a light of unknown type", "/extensions/KHR_lights_punctual/lights/0",
+     "/extensions/KHR_lights_punctual/lights/0/type", "area"},
+    {"a node with a missing light", "/nodes/2/extensions",
+     "/nodes/2/extensions/KHR_lights_punctual/light", 1},
+    {"a node with a missing mesh", "/nodes/0", "/nodes/0/mesh", 1},
+    {"a node with a missing child", "/nodes/0/children/0", "/nodes/0/children", {9}},
+    {"a node that is its own child", "/nodes", "/nodes/0/children", {0}},
+    {"a cycle of three nodes",
+     "/nodes",
+     "/nodes",
+     {{{"mesh", 0}, {"children", {1}}}, {{"children", {2}}}, {{"children", {0}}}}},
+    {"a node with two parents",
+     "/nodes/1/children/0",
+     "/nodes",
+     {{{"mesh", 0}, {"children", {2}}}, {{"children", {2}}}, json::object()}},
+    {"a scene whose node is a child", "/scenes/0/nodes/1", "/nodes/0/children", {1}},
+    {"a scene with a node twice", "/scenes/0/nodes", "/scenes/0/nodes", {0, 0}},
+    {"a scene that does not exist", "scene", "/scene", 1},
+    {"a matrix of 15 numbers", "/nodes/0/matrix", "/nodes/0/matrix", std::vector<int>(15, 1)},
+    {"a translation too large for a float",
+     "/nodes/0/translation",
+     "/nodes/0/translation",
+     {1e300, 0, 0}},
+    {"a missing joint", "/skins/0/joints/0", "/skins/0/joints", {40}},
+    {"a skin without joints", "/skins/0", "/skins/0/joints"},
+    {"joints of floats", "/meshes/0/primitives/0/attributes/JOINTS_0",
+     "/meshes/0/primitives/0/attributes/JOINTS_0", 4},
+    {"weights of two components", "/meshes/0/primitives/0/attributes/WEIGHTS_0",
+     "/accessors/4/type", "VEC2"},
+    {"a skin of fewer matrices than joints", "/skins/0", "/skins/0/joints", {0, 1}},
+    {"a missing skin", "/nodes/0/skin", "/nodes/0/skin", 3},
+    {"a morph target of indices", "/meshes/0/primitives/0/targets/0/POSITION",
+     "/meshes/0/primitives/0/targets/0/POSITION", 1},
+    {"a weight that is a string", "/meshes/0/weights/0", "/meshes/0/weights", {"x"}},
+    {"nothing to draw", "add a mesh with triangles, lines or points", "/scenes/0/nodes", {1}},
+};
+
+/// Faults of the binary chunk, and those that take several changes.
+struct OtherFault {
+  const char* what;
+  const char* message;
   std::function<void(GltfScene&)> breakIt;
 };
 
-const std::vector<Fault> kFaults{
-    {"no asset", "asset", [](GltfScene& s) { s.json.erase("asset"); }},
-    {"glTF 1.0", "/asset", [](GltfScene& s) { s.json["asset"]["version"] = "1.0"; }},
-    {"a version that is a number", "/asset", [](GltfScene& s) { s.json["asset"]["version"] = 2; }},
-    {"a future minimum version", "/asset",
-     [](GltfScene& s) { s.json["asset"]["minVersion"] = "2.1"; }},
-    {"an unknown required extension", "KHR_draco_mesh_compression",
-     [](GltfScene& s) { s.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }},
-    {"geometry compressed by meshoptimizer", "EXT_meshopt_compression",
-     [](GltfScene& s) { s.json["extensionsRequired"] = {"EXT_meshopt_compression"}; }},
-    {"textures in KTX2", "KHR_texture_basisu",
-     [](GltfScene& s) { s.json["extensionsRequired"] = {"KHR_texture_basisu"}; }},
-    {"nodes that are not an array", "/nodes", [](GltfScene& s) { s.json["nodes"] = 3; }},
-    {"a node that is not an object", "/nodes/0", [](GltfScene& s) { s.json["nodes"][0] = "x"; }},
-    {"a buffer longer than its chunk", "/buffers/0",
-     [](GltfScene& s) { s.json["buffers"][0]["byteLength"] = s.binary.size() + 1; }},
-    {"a buffer of negative length", "/buffers/0",
-     [](GltfScene& s) { s.json["buffers"][0]["byteLength"] = -4; }},
-    {"a second buffer without uri", "/buffers/1",
-     [](GltfScene& s) {
-       s.json["buffers"].push_back({{"byteLength", 4}});
-     }},
-    {"a buffer outside the folder", "is not in the scene's folder",
-     [](GltfScene& s) {
-       s.json["buffers"].push_back({{"byteLength", 4}, {"uri", "../x.bin"}});
-     }},
-    {"an absolute buffer", "is not in the scene's folder",
-     [](GltfScene& s) {
-       s.json["buffers"].push_back({{"byteLength", 4}, {"uri", "/etc/passwd"}});
-     }},
-    {"a truncated data URI", "cannot load the scene",
-     [](GltfScene& s) {
-       s.json["buffers"].push_back(
-           {{"byteLength", 64}, {"uri", "data:application/octet-stream;base64,AAAA"}});
-     }},
-    {"a bufferView without a buffer", "/bufferViews/0",
-     [](GltfScene& s) { s.json["bufferViews"][0]["buffer"] = 1; }},
-    {"a bufferView outside its buffer", "/bufferViews/0",
-     [](GltfScene& s) { s.json["bufferViews"][0]["byteOffset"] = 1u << 30; }},
-    {"a bufferView whose end overflows", "/bufferViews/0",
-     [](GltfScene& s) { s.json["bufferViews"][0]["byteOffset"] = std::uint64_t(-8); }},
-    {"a stride of 2", "/bufferViews/0",
-     [](GltfScene& s) { s.json["bufferViews"][0]["byteStride"] = 2; }},
-    {"a stride of 6", "/bufferViews/0",
-     [](GltfScene& s) { s.json["bufferViews"][0]["byteStride"] = 6; }},
-    {"an accessor with a missing bufferView", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["bufferView"] = 99; }},
-    {"a bufferView index of -1", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["bufferView"] = -1; }},
-    {"a bufferView index of 4294967295", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["bufferView"] = 4294967295u; }},
-    {"an accessor beyond its bufferView", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["count"] = 4; }},
-    {"an accessor offset beyond its bufferView", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["byteOffset"] = 4; }},
-    {"a count of 0", "/accessors/0", [](GltfScene& s) { s.json["accessors"][0]["count"] = 0; }},
-    {"a huge count", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["count"] = 4294967295u; }},
-    {"a huge count without a bufferView", "/accessors/0",
-     [](GltfScene& s) {
-       s.json["accessors"][0].erase("bufferView");
-       s.json["accessors"][0]["count"] = 4000000000u;
-     }},
-    {"a fractional count", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["count"] = 2.5; }},
-    {"an unknown component type", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["componentType"] = 5124; }},
-    {"an unknown type", "/accessors/0",
-     [](GltfScene& s) { s.json["accessors"][0]["type"] = "VEC5"; }},
-    {"positions of two components", "/meshes/0/primitives/0/attributes/POSITION",
-     [](GltfScene& s) { s.json["accessors"][0]["type"] = "VEC2"; }},
-    {"sparse values outside their bufferView", "/accessors/0/sparse",
-     [](GltfScene& s) {
-       s.json["accessors"][0]["sparse"] = {
-           {"count", 3},
-           {"indices", {{"bufferView", 1}, {"componentType", 5125}}},
-           {"values", {{"bufferView", 0}}}};
-     }},
+/// Overwrites the first bytes of an accessor's bufferView.
+template <class Value>
+void overwrite(GltfScene& scene, std::size_t accessor, Value value) {
+  const auto view = scene.json["accessors"][accessor]["bufferView"].get<std::size_t>();
+  std::memcpy(scene.binary.data() +
+                  scene.json["bufferViews"][view].value("byteOffset", std::size_t(0)),
+              &value, sizeof value);
+}
+
+const std::vector<OtherFault> kOtherFaults{
     {"a sparse index outside its accessor", "/accessors/0",
      [](GltfScene& s) {
        const std::size_t view = s.addView(std::as_bytes(std::span("\7\0\0\0", 4)));
@@ -156,179 +243,34 @@ const std::vector<Fault> kFaults{
            {"values", {{"bufferView", 0}}}};
      }},
     {"an index beyond the vertices", "/accessors/1",
-     [](GltfScene& s) { s.binary[36] = std::byte{3}; }},
-    {"floats as indices", "/meshes/0/primitives/0",
-     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0]["indices"] = 0; }},
+     [](GltfScene& s) { overwrite(s, 1, std::uint16_t(3)); }},
     {"NaN positions", "/accessors/0",
-     [](GltfScene& s) {
-       const float nan = std::numeric_limits<float>::quiet_NaN();
-       std::memcpy(s.binary.data(), &nan, sizeof nan);
-     }},
+     [](GltfScene& s) { overwrite(s, 0, std::numeric_limits<float>::quiet_NaN()); }},
     {"infinite normals", "/accessors/2",
-     [](GltfScene& s) {
-       const float infinity = std::numeric_limits<float>::infinity();
-       const auto view = s.json["accessors"][2]["bufferView"].get<std::size_t>();
-       std::memcpy(s.binary.data() + s.json["bufferViews"][view]["byteOffset"].get<std::size_t>(),
-                   &infinity, sizeof infinity);
-     }},
-    {"attributes of different counts", "/meshes/0/primitives/0/attributes/NORMAL",
-     [](GltfScene& s) { s.json["accessors"][2]["count"] = 2; }},
-    {"an attribute with a missing accessor", "/meshes/0/primitives/0/attributes",
-     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] = 17; }},
-    {"a mode of 7", "/meshes/0/primitives/0",
-     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0]["mode"] = 7; }},
-    {"no primitives", "/meshes/0", [](GltfScene& s) { s.json["meshes"][0].erase("primitives"); }},
-    {"empty primitives", "/meshes/0/primitives",
-     [](GltfScene& s) { s.json["meshes"][0]["primitives"] = json::array(); }},
-    {"no attributes", "/meshes/0/primitives/0",
-     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0].erase("attributes"); }},
-    {"a missing material", "/meshes/0/primitives/0",
-     [](GltfScene& s) { s.json["meshes"][0]["primitives"][0]["material"] = 1; }},
-    {"a missing texture", "/materials/0/pbrMetallicRoughness/baseColorTexture",
-     [](GltfScene& s) {
-       s.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["index"] = 5;
-     }},
-    {"a third set of texture coordinates", "/materials/0/pbrMetallicRoughness/baseColorTexture",
-     [](GltfScene& s) {
-       s.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 2;
-     }},
-    {"a texture transform of one number", "KHR_texture_transform",
-     [](GltfScene& s) {
-       s.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"]
-             ["KHR_texture_transform"]["scale"] = {2};
-     }},
-    {"a rotation of a mix's mask that overflows a float",
-     "/extensions/LICHEN_materials_exemplar_noise/mix/texture/extensions/KHR_texture_transform/"
-     "rotation: 1e+300 is invalid",
-     [](GltfScene& s) {
-       s.json["materials"][0]["extensions"]["LICHEN_materials_exemplar_noise"]["mix"]["texture"]
-             ["extensions"]["KHR_texture_transform"]["rotation"] = 1e300;
-     }},
-    {"a base colour of three numbers", "/materials/0/pbrMetallicRoughness/baseColorFactor",
-     [](GltfScene& s) {
-       s.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1};
-     }},
-    {"a roughness of 2", "/materials/0/pbrMetallicRoughness/roughnessFactor",
-     [](GltfScene& s) { s.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = 2; }},
-    {"a roughness that is a string", "/materials/0/pbrMetallicRoughness/roughnessFactor",
-     [](GltfScene& s) {
-       s.json["materials"][0]["pbrMetallicRoughness"]["roughnessFactor"] = "rough";
-     }},
-    {"an unknown alpha mode", "/materials/0",
-     [](GltfScene& s) { s.json["materials"][0]["alphaMode"] = "GLASS"; }},
-    {"an image with a missing bufferView", "/images/0",
-     [](GltfScene& s) { s.json["images"][0]["bufferView"] = 77; }},
-    {"an image without a source", "/images/0",
-     [](GltfScene& s) { s.json["images"][0] = json::object(); }},
-    {"an image that is not an image file", "/images/0",
-     [](GltfScene& s) { s.json["images"][0]["bufferView"] = 0; }},
-    {"a missing image file", "/images/0: its file \"absent.png\" cannot be read",
-     [](GltfScene& s) {
-       s.json["images"][0] = {{"uri", "absent.png"}};
-     }},
-    {"an empty image", "",
-     [](GltfScene& s) {
-       s.json["images"][0] = {{"uri", "data:image/png;base64,"}};
-     }},
-    {"a texture with a missing image", "/textures/0",
-     [](GltfScene& s) { s.json["textures"][0]["source"] = 2; }},
-    {"a texture with a missing sampler", "/textures/0",
-     [](GltfScene& s) { s.json["textures"][0]["sampler"] = 2; }},
-    {"an unknown wrap", "/samplers/0", [](GltfScene& s) { s.json["samplers"][0]["wrapS"] = 1; }},
-    {"a camera without a projection", "/cameras/0",
-     [](GltfScene& s) { s.json["cameras"][0].erase("perspective"); }},
-    {"a camera whose near plane is not a number", "/cameras/0/perspective/znear",
-     [](GltfScene& s) { s.json["cameras"][0]["perspective"]["znear"] = "near"; }},
-    {"a camera without a near plane", "/cameras/0/perspective",
-     [](GltfScene& s) { s.json["cameras"][0]["perspective"].erase("znear"); }},
-    {"more materials than any scene has", "/materials",
-     [](GltfScene& s) {
-       s.json["materials"] = json(std::vector<json>((1u << 18) + 1, json::object()));
-     }},
-    {"a light of unknown type", "/extensions/KHR_lights_punctual/lights/0",
-     [](GltfScene& s) {
-       s.json["extensions"]["KHR_lights_punctual"]["lights"][0]["type"] = "area";
-     }},
-    {"a node with a missing light", "/nodes/2/extensions",
-     [](GltfScene& s) { s.json["nodes"][2]["extensions"]["KHR_lights_punctual"]["light"] = 1; }},
-    {"a node with a missing mesh", "/nodes/0",
-     [](GltfScene& s) { s.json["nodes"][0]["mesh"] = 1; }},
-    {"a node with a missing child", "/nodes/0/children/0",
-     [](GltfScene& s) { s.json["nodes"][0]["children"] = {9}; }},
-    {"a node that is its own child", "/nodes",
-     [](GltfScene& s) { s.json["nodes"][0]["children"] = {0}; }},
-    {"a cycle of three nodes", "/nodes",
-     [](GltfScene& s) {
-       s.json["nodes"][0]["children"] = {1};
-       s.json["nodes"][1]["children"] = {2};
-       s.json["nodes"][2]["children"] = {0};
-     }},
-    {"a node with two parents", "/nodes/1/children/0",
-     [](GltfScene& s) {
-       s.json["nodes"][0]["children"] = {2};
-       s.json["nodes"][1]["children"] = {2};
-     }},
-    {"a scene whose node is a child", "/scenes/0/nodes/1",
-     [](GltfScene& s) { s.json["nodes"][0]["children"] = {1}; }},
-    {"a scene with a node twice", "/scenes/0/nodes",
-     [](GltfScene& s) {
-       s.json["scenes"][0]["nodes"] = {0, 0};
-     }},
-    {"a scene that does not exist", "scene", [](GltfScene& s) { s.json["scene"] = 1; }},
-    {"no scene at all", "no scene",
-     [](GltfScene& s) {
-       s.json.erase("scenes");
-       s.json.erase("scene");
-     }},
-    {"a matrix of 15 numbers", "/nodes/0/matrix",
-     [](GltfScene& s) { s.json["nodes"][0]["matrix"] = std::vector<int>(15, 1); }},
-    {"a translation too large for a float", "/nodes/0/translation",
-     [](GltfScene& s) {
-       s.json["nodes"][0]["translation"] = {1e300, 0, 0};
-     }},
+     [](GltfScene& s) { overwrite(s, 2, std::numeric_limits<float>::infinity()); }},
+    {"a vertex of a joint outside the skin", "joint 7 is not in the skin",
+     [](GltfScene& s) { overwrite(s, 3, std::uint8_t(7)); }},
     {"scales that multiply to infinity", "transform",
      [](GltfScene& s) {
        s.json["nodes"][0]["scale"] = {1e30, 1, 1};
        s.json["nodes"].push_back({{"scale", {1e30, 1, 1}}, {"children", {0}}});
        s.json["scenes"][0]["nodes"] = {s.json["nodes"].size() - 1};
      }},
-    {"a missing joint", "/skins/0/joints/0",
-     [](GltfScene& s) { s.json["skins"][0]["joints"] = {40}; }},
-    {"a skin without joints", "/skins/0", [](GltfScene& s) { s.json["skins"][0].erase("joints"); }},
-    {"joints of floats", "/meshes/0/primitives/0/attributes/JOINTS_0",
+    {"a morph target of another count", "/meshes/0/primitives/0/targets/0/POSITION",
      [](GltfScene& s) {
-       json& attributes = s.json["meshes"][0]["primitives"][0]["attributes"];
-       attributes["JOINTS_0"] = attributes["WEIGHTS_0"];
+       s.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] =
+           s.addFloats({0, 0, 0, 0, 0, 0}, 3);
      }},
-    {"weights of two components", "/meshes/0/primitives/0/attributes/WEIGHTS_0",
-     [](GltfScene& s) { s.json["accessors"][4]["type"] = "VEC2"; }},
-    {"a vertex of a joint outside the skin", "joint 7 is not in the skin",
+    {"no scene at all", "no scene",
      [](GltfScene& s) {
-       const auto view = s.json["accessors"][3]["bufferView"].get<std::size_t>();
-       s.binary[s.json["bufferViews"][view]["byteOffset"].get<std::size_t>()] = std::byte{7};
-     }},
-    {"a skin of fewer matrices than joints", "/skins/0",
-     [](GltfScene& s) {
-       s.json["skins"][0]["joints"] = {0, 1};
+       s.json.erase("scenes");
+       s.json.erase("scene");
      }},
     {"a joint outside the scene", "/skins/0/joints/0",
      [](GltfScene& s) {
        s.json["skins"][0]["joints"] = {s.json["nodes"].size()};
        s.json["nodes"].push_back(json::object());
      }},
-    {"a missing skin", "/nodes/0/skin", [](GltfScene& s) { s.json["nodes"][0]["skin"] = 3; }},
-    {"a morph target of two components", "/meshes/0/primitives/0/targets/0/POSITION",
-     [](GltfScene& s) {
-       s.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] =
-           s.addFloats({0, 0, 0, 0, 0, 0}, 2);
-     }},
-    {"a morph target of another count", "/meshes/0/primitives/0/targets/0/POSITION",
-     [](GltfScene& s) {
-       s.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] =
-           s.addFloats({0, 0, 0, 0, 0, 0}, 3);
-     }},
-    {"a weight that is a string", "/meshes/0/weights/0",
-     [](GltfScene& s) { s.json["meshes"][0]["weights"] = {"x"}; }},
     {"a weight that moves vertices beyond the range of floats", "beyond what a float can hold",
      [](GltfScene& s) {
        s.json["meshes"][0]["primitives"][0]["targets"][0]["POSITION"] =
@@ -339,40 +281,46 @@ const std::vector<Fault> kFaults{
      "a vertex is 1e+20 units from its mesh's origin; the limit is 1e+15",
      [](GltfScene& s) {
        s.json["meshes"][0]["primitives"][0]["mode"] = 1;
-       const float far = 1e20f;
-       std::memcpy(s.binary.data(), &far, sizeof far);
+       overwrite(s, 0, 1e20f);
      }},
-    {"nothing to draw", "add a mesh with triangles, lines or points",
-     [](GltfScene& s) { s.json["scenes"][0]["nodes"] = {1}; }},
 };
 
 } // namespace
 
 TEST_CASE("the scene without faults loads") {
-  const TemporaryFolder folder;
-  const auto scene = renderer::readScene(writeInto(folder, "full.glb", fullScene().glb()));
-  if (!scene)
-    FAIL(scene.error().message);
-  CHECK(scene.value().instances.size() == 1);
-  CHECK(scene.value().cameras.size() == 1);
-  CHECK(scene.value().lights.size() == 1);
-  CHECK(scene.value().images.size() == 1);
+  const renderer::Scene scene = loaded(fullScene());
+  CHECK(scene.instances.size() == 1);
+  CHECK(scene.cameras.size() == 1);
+  CHECK(scene.lights.size() == 1);
+  CHECK(scene.images.size() == 1);
 }
 
 TEST_CASE("each broken scene gives one line with the file and the JSON pointer") {
   const TemporaryFolder folder;
-  for (const Fault& fault : kFaults) {
-    INFO(fault.what);
-    GltfScene broken = fullScene();
-    fault.breakIt(broken);
+  const auto check = [&](const char* what, const char* message, const GltfScene& broken) {
+    INFO(what);
     const auto path = writeInto(folder, "broken.glb", broken.glb());
     const auto scene = renderer::readScene(path);
     REQUIRE_FALSE(scene.ok());
     INFO(scene.error().message);
     CHECK(scene.error().kind == ErrorKind::badInput);
     CHECK(scene.error().message.starts_with(path.string()));
-    CHECK(scene.error().message.find(fault.pointer) != std::string::npos);
+    CHECK(scene.error().message.find(message) != std::string::npos);
     CHECK(scene.error().message.find('\n') == std::string::npos);
+  };
+  for (const Fault& fault : kFaults) {
+    GltfScene broken = fullScene();
+    const json::json_pointer member(fault.member);
+    if (fault.value.is_discarded())
+      broken.json[member.parent_pointer()].erase(member.back());
+    else
+      broken.json[member] = fault.value;
+    check(fault.what, fault.message, broken);
+  }
+  for (const OtherFault& fault : kOtherFaults) {
+    GltfScene broken = fullScene();
+    fault.breakIt(broken);
+    check(fault.what, fault.message, broken);
   }
 }
 
@@ -424,13 +372,11 @@ TEST_CASE("an aspect ratio or far plane of 0 counts as absent, with a note") {
     GltfScene source = triangleScene();
     source.addCamera(4.0f, 0.6f);
     source.json["cameras"][0]["perspective"][key] = 0.0;
-    const TemporaryFolder folder;
-    const auto scene = renderer::readScene(writeInto(folder, "scene.glb", source.glb()));
-    REQUIRE(scene.ok());
-    CHECK(scene.value().notes ==
+    const renderer::Scene scene = loaded(source);
+    CHECK(scene.notes ==
           std::vector<std::string>{"/cameras/0/perspective/" + key +
                                    ": 0 is invalid and treated as absent; expected more than 0"});
-    CHECK(scene.value().cameras[0].fault.empty());
+    CHECK(scene.cameras[0].fault.empty());
   }
 }
 
@@ -442,27 +388,6 @@ TEST_CASE("a scene truncated at any byte is an error") {
     CHECK_FALSE(
         renderer::readScene(writeInto(folder, "cut.glb", std::span(whole).first(length))).ok());
   }
-}
-
-TEST_CASE("a scene with any bit flipped is an error or keeps the loader's contract") {
-  const TemporaryFolder folder;
-  const std::vector<std::byte> whole = fullScene().glb();
-  std::size_t refused = 0;
-  std::size_t read = 0;
-  for (std::size_t i = 0; i < whole.size() * 8; i += 7) { // all bits would take minutes
-    std::vector<std::byte> flipped = whole;
-    flipped[i / 8] ^= std::byte(1u << (i % 8));
-    const auto scene = renderer::readScene(writeInto(folder, "flipped.glb", flipped));
-    if (!scene) {
-      ++refused;
-      continue;
-    }
-    ++read;
-    INFO("bit " << i);
-    REQUIRE(brokenPromise(scene.value()) == "");
-  }
-  CHECK(refused > 0);
-  CHECK(read > 0);
 }
 
 TEST_CASE("an error for a file that is not glTF says what is expected") {

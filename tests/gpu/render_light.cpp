@@ -36,18 +36,11 @@ bool isWhite(const CubeLevel& level) {
 
 } // namespace
 
-TEST_CASE("a white panorama is white for every roughness and every normal") {
-  const Environment environment = prepareEnvironment(whitePanorama(64, 32));
-  for (const CubeLevel& level : environment.specular)
-    CHECK(isWhite(level));
-  CHECK(isWhite(environment.diffuse));
-}
-
-TEST_CASE("a panorama of any shape can be prefiltered, even a single row or column") {
-  for (const auto& [width, height] : {std::pair(1, 1), {1, 37}, {64, 1}, {2, 3}, {5, 4}}) {
+TEST_CASE("a white panorama is white for every roughness and normal, whatever its shape") {
+  for (const auto& [width, height] : {std::pair(64, 32), {1, 1}, {1, 37}, {64, 1}, {5, 4}}) {
     INFO(width << " x " << height);
     const Environment environment = prepareEnvironment(whitePanorama(width, height));
-    CHECK(isWhite(environment.specular.back()));
+    CHECK(std::ranges::all_of(environment.specular, isWhite));
     CHECK(isWhite(environment.diffuse));
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The glTF files of Debian's assimp-testmodels, valid and broken ones: the loader reads each with
-// all its content, or reports the expected error. One picture shows all valid ones side by side.
+// all its content, or reports an error. One picture shows all valid ones side by side.
 #include "rendered.h"
 #include "thin_solids.h"
 
@@ -94,58 +94,32 @@ const std::map<std::string, Model> kGood{
     {"glTF2/wrongTypes/badString.gltf", {1, 12, over(kSquare, kLogo)}}, // an unused scene name
 };
 
-const std::string kSupported =
-    "is not supported; export without it (supported: KHR_lights_punctual, "
-    "KHR_materials_emissive_strength, KHR_mesh_quantization, KHR_texture_transform, "
-    "LICHEN_materials_exemplar_noise)";
-const std::string kVersion1 = "/asset/version: absent or not 2.x; expected \"2.0\"";
+/// render_hostile_scenes.cpp has the messages.
+const std::set<std::string> kBroken{"glTF/BoxTextured-glTF-Binary/BoxTextured.glb",
+                                    "glTF/BoxTextured-glTF-Embedded/BoxTextured.gltf",
+                                    "glTF/BoxTextured-glTF-MaterialsCommon/BoxTextured.gltf",
+                                    "glTF/BoxTextured-glTF/BoxTextured.gltf",
+                                    "glTF/CesiumMilkTruck/CesiumMilkTruck.gltf",
+                                    "glTF/IncorrectVertexArrays/Cube_v1.gltf",
+                                    "glTF/TwoBoxes/TwoBoxes.gltf",
+                                    "glTF2/BoxTextured-glTF-techniqueWebGL/BoxTextured.gltf",
+                                    "glTF2/BoxWithInfinites-glTF-Binary/BoxWithInfinites.glb",
+                                    "glTF2/IncorrectVertexArrays/Cube.gltf",
+                                    "glTF2/IndexOutOfRange/AllIndicesOutOfRange.gltf",
+                                    "glTF2/IndexOutOfRange/IndexOutOfRange.gltf",
+                                    "glTF2/MissingBin/BoxTextured.gltf",
+                                    "glTF2/RecursiveNodes/RecursiveNodes.gltf",
+                                    "glTF2/SchemaFailures/sceneWrongType.gltf",
+                                    "glTF2/TestNoRootNode/NoScene.gltf",
+                                    "glTF2/TestNoRootNode/SceneWithoutNodes.gltf",
+                                    "glTF2/draco/2CylinderEngine.gltf",
+                                    "glTF2/wrongTypes/badArray.gltf",
+                                    "glTF2/wrongTypes/badExtension.gltf",
+                                    "glTF2/wrongTypes/badNumber.gltf",
+                                    "glTF2/wrongTypes/badObject.gltf",
+                                    "glTF2/wrongTypes/badUint.gltf"};
 
-/// Expected error messages without the path they start with.
-const std::map<std::string, std::string> kBroken{
-    {"glTF/BoxTextured-glTF-Binary/BoxTextured.glb", "GLB version 1; expected 2"},
-    {"glTF/BoxTextured-glTF-Embedded/BoxTextured.gltf", kVersion1},
-    {"glTF/BoxTextured-glTF-MaterialsCommon/BoxTextured.gltf", kVersion1},
-    {"glTF/BoxTextured-glTF/BoxTextured.gltf", kVersion1},
-    {"glTF/CesiumMilkTruck/CesiumMilkTruck.gltf", kVersion1},
-    {"glTF/IncorrectVertexArrays/Cube_v1.gltf", kVersion1},
-    {"glTF/TwoBoxes/TwoBoxes.gltf", kVersion1},
-    {"glTF2/BoxTextured-glTF-techniqueWebGL/BoxTextured.gltf",
-     "/extensionsRequired/0: the required extension KHR_technique_webgl " + kSupported},
-    {"glTF2/BoxWithInfinites-glTF-Binary/BoxWithInfinites.glb",
-     "/accessors/2: contains NaN or infinity; all values must be finite"},
-    {"glTF2/IncorrectVertexArrays/Cube.gltf",
-     "/bufferViews/2: bytes 504 to 936 exceed their buffer of 514 bytes"},
-    {"glTF2/IndexOutOfRange/AllIndicesOutOfRange.gltf",
-     "/accessors/0: index 65535 is out of range; expected 0 to 23"},
-    {"glTF2/IndexOutOfRange/IndexOutOfRange.gltf",
-     "/accessors/0: index 255 is out of range; expected 0 to 23"},
-    {"glTF2/MissingBin/BoxTextured.gltf",
-     "names the file \"BoxTextured0.bin\", which is not in the scene's folder"},
-    {"glTF2/RecursiveNodes/RecursiveNodes.gltf",
-     "/nodes: node 0 is its own ancestor; nodes must not form cycles"},
-    {"glTF2/SchemaFailures/sceneWrongType.gltf",
-     "/scene: \"hello\" is invalid; expected an index from 0 to 0"},
-    {"glTF2/TestNoRootNode/NoScene.gltf",
-     "/scene: 0 is invalid; the document has nothing to refer to"},
-    {"glTF2/TestNoRootNode/SceneWithoutNodes.gltf",
-     "its scene has nothing to draw; add a mesh with triangles, lines or points"},
-    {"glTF2/draco/2CylinderEngine.gltf",
-     "/extensionsRequired/0: the required extension KHR_draco_mesh_compression " + kSupported},
-    {"glTF2/wrongTypes/badArray.gltf",
-     "/meshes/0/primitives: an object is invalid; expected a non-empty array"},
-    {"glTF2/wrongTypes/badExtension.gltf",
-     "/materials/0/pbrMetallicRoughness/baseColorTexture/extensions/KHR_texture_transform: "
-     "\"Not an object\" is invalid; expected an object"},
-    {"glTF2/wrongTypes/badNumber.gltf",
-     "/materials/0/normalTexture: the required member \"index\" is missing"},
-    {"glTF2/wrongTypes/badObject.gltf",
-     "/materials/0/pbrMetallicRoughness: an array is invalid; expected an object"},
-    {"glTF2/wrongTypes/badUint.gltf",
-     "/materials/0/pbrMetallicRoughness/baseColorTexture/index: -1 is invalid; expected an index "
-     "from 0 to 0"},
-};
-
-Scene load(const std::string& name) {
+Scene modelOf(const std::string& name) {
   auto scene = renderer::readScene(kModels / name);
   if (!scene)
     FAIL(scene.error().message);
@@ -206,7 +180,7 @@ LinearImage sheetOf(int rows) {
   Scene sheet;
   int index = 0;
   for (const auto& [name, model] : kGood) {
-    const Scene scene = load(name);
+    const Scene scene = modelOf(name);
     const glm::vec2 cell(float(index % kColumns) + 0.5f, float(rows - index / kColumns) - 0.5f);
     append(sheet, scene, cellFromWorld(scene, cell));
     ++index;
@@ -262,7 +236,7 @@ TEST_CASE("each valid file loads completely, with a note for everything that is 
   requireModels();
   for (const auto& [name, model] : kGood) {
     INFO(name);
-    const Scene scene = load(name);
+    const Scene scene = modelOf(name);
     CHECK(scene.instances.size() == model.instances);
     CHECK(triangleCount(scene) == model.triangles);
     CHECK(scene.notes.size() == (model.note.empty() ? 0 : 1));
@@ -271,14 +245,15 @@ TEST_CASE("each valid file loads completely, with a note for everything that is 
   }
 }
 
-TEST_CASE("each broken file gives one sentence that says why") {
+TEST_CASE("each broken file gives one line that names it") {
   requireModels();
-  for (const auto& [name, refusal] : kBroken) {
+  for (const std::string& name : kBroken) {
     INFO(name);
     const auto scene = renderer::readScene(kModels / name);
     REQUIRE_FALSE(scene.ok());
     CHECK(scene.error().kind == ErrorKind::badInput);
-    CHECK(scene.error().message == (kModels / name).string() + ": " + refusal);
+    CHECK(scene.error().message.starts_with((kModels / name).string() + ": "));
+    CHECK(scene.error().message.find('\n') == std::string::npos);
   }
 }
 

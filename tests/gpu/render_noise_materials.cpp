@@ -44,6 +44,31 @@ LinearImage picture(const GltfScene& scene, const std::string& view = "") {
   return render(scene.glb(), settings);
 }
 
+double largestDifference(const LinearImage& a, const LinearImage& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    largest = std::max(largest, std::abs(double(a.values[i]) - double(b.values[i])));
+  return largest;
+}
+
+/// The scene's picture with this alpha mode and factor.
+LinearImage blended(GltfScene scene, const char* mode, double alpha) {
+  materialOf(scene)["alphaMode"] = mode;
+  materialOf(scene)["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, alpha};
+  return picture(scene);
+}
+
+/// A noise with base colour whose second map becomes one of another target, with one channel.
+BundleFile withOtherMap(MapTarget target, MapChannel channel) {
+  BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
+  NoiseMap& map = file.bundle.noises[0].maps[1];
+  map.target = target;
+  map.channels = {channel};
+  map.mean.resize(1);
+  map.covariance.resize(1);
+  return file;
+}
+
 /// A checkerboard in each core texture slot except base colour.
 void addCoreTextures(GltfScene& scene) {
   const std::size_t bumps = scene.addChecker(8, {0.65f, 0.5f, 0.95f}, {0.35f, 0.5f, 0.95f});
@@ -96,28 +121,10 @@ TEST_CASE("a noise replaces core textures of the channels it provides") {
   CHECK(picture(plain).values == picture(textured).values);
 }
 
-TEST_CASE("a map without a table renders next to one with a joint table") {
-  // In the middle of the ball. Roots with mean 1/2 and deviation 1/10 are 0.5^2 + 0.1^2 = 0.26 as
-  // light. An unread table would be black. Tolerance: a quarter, for a few patches of noise.
-  const auto middleOf = [](const SyntheticMap& map) {
-    const LinearImage image = picture(noiseBall({map, kOrm}), "base-color");
-    std::array<double, 3> mean{};
-    for (int y = 24; y < 40; ++y)
-      for (int x = 24; x < 40; ++x)
-        for (std::size_t c = 0; c < 3; ++c)
-          mean[c] += double(image.pixel(x, y)[c]) / 256.0;
-    return mean;
-  };
-  for (const double channel : middleOf({3, 64, 64, true, 0, SyntheticTable::none}))
-    CHECK(channel == Approx(0.26).margin(0.06));
-}
-
-TEST_CASE("a texton noise renders, and the impacts view shows its impacts") {
-  const SyntheticTexton texton;
-  BundleFile file = syntheticTextonBundle(texton);
-  const GltfScene scene = ballOf(encodeGlb(file).value());
-  file.bundle.materials[0]->seed = 2;
-  const GltfScene other = ballOf(encodeGlb(file).value());
+TEST_CASE(
+    "a map without a table beside one with a table, and textons, have their mean light, and the "
+    "impacts view shows impacts") {
+  // In the middle of the ball.
   const auto meanOf = [](const LinearImage& image) {
     std::array<double, 3> mean{};
     for (int y = 24; y < 40; ++y)
@@ -126,29 +133,33 @@ TEST_CASE("a texton noise renders, and the impacts view shows its impacts") {
           mean[c] += double(image.pixel(x, y)[c]) / 256.0;
     return mean;
   };
-  // In the middle of the ball: roots with mean 1/2 and deviation 0.08 are 0.5^2 + 0.08^2 = 0.256 as
-  // light. Tolerance: a fifth, for a few patches of noise.
-  const LinearImage color = picture(scene, "base-color");
+  // Roots with mean 1/2 and deviation 1/10 are 0.5^2 + 0.1^2 = 0.26 as light. An unread table would
+  // be black. Tolerance: a quarter, for a few patches of noise.
+  const GltfScene tiling = noiseBall({{3, 64, 64, true, 0, SyntheticTable::none}, kOrm});
+  for (const double channel : meanOf(picture(tiling, "base-color")))
+    CHECK(channel == Approx(0.26).margin(0.06));
+  BundleFile file = syntheticTextonBundle({});
+  const GltfScene textons = ballOf(encodeGlb(file).value());
+  file.bundle.materials[0]->seed = 2;
+  const GltfScene other = ballOf(encodeGlb(file).value());
+  // A deviation of 0.08: 0.256.
+  const LinearImage color = picture(textons, "base-color");
   for (const double channel : meanOf(color))
     CHECK(channel == Approx(0.256).margin(0.05));
   CHECK(color.values != picture(other, "base-color").values);
   // 30 of 60 impacts are green; 24 to 36 are at least half green, and none is white.
-  const auto impacts = meanOf(picture(scene, "impacts"));
+  const auto impacts = meanOf(picture(textons, "impacts"));
   CHECK(impacts[1] > 0.8);
   CHECK(impacts[0] < 0.5);
   CHECK(impacts[2] < 0.5);
-  const auto gaussian = meanOf(picture(scene, "gaussian"));
-  CHECK(gaussian[0] == Approx(0.5).margin(0.15));
+  CHECK(meanOf(picture(textons, "gaussian"))[0] == Approx(0.5).margin(0.15));
   // The lattice view is grey for textons.
-  CHECK(meanOf(picture(scene, "lattice"))[0] == Approx(0.5).margin(0.001));
+  CHECK(meanOf(picture(textons, "lattice"))[0] == Approx(0.5).margin(0.001));
 }
 
 TEST_CASE("channels that a noise's ORM map lacks come from the core texture") {
-  BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
-  NoiseMap& orm = file.bundle.noises[0].maps[1];
-  orm.channels = {MapChannel::roughness};
-  orm.mean.resize(1);
-  orm.covariance.resize(1);
+  const BundleFile file =
+      withOtherMap(MapTarget::occlusionRoughnessMetallic, MapChannel::roughness);
   GltfScene byFactor = ballOf(encodeGlb(file).value());
   GltfScene byTexture = byFactor;
   materialOf(byFactor)["pbrMetallicRoughness"]["metallicFactor"] = 0;
@@ -182,60 +193,36 @@ TEST_CASE("a masked surface has the same holes in the picture and in its shadow,
 }
 
 TEST_CASE("a noise's opacity replaces the base colour's alpha, in every alphaMode") {
-  BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
-  const auto withoutOpacity = ballOf(encodeGlb(syntheticBundle(std::vector{kBaseColor})).value());
-  NoiseMap& map = file.bundle.noises[0].maps[1];
-  map.target = MapTarget::opacity;
-  map.channels = {MapChannel::opacity};
-  map.mean.resize(1);
-  map.covariance.resize(1);
+  BundleFile file = withOtherMap(MapTarget::opacity, MapChannel::opacity);
   file.bundle.materials[0]->contrast = 0.0; // constant: the table's middle
   GltfScene scene = ballOf(encodeGlb(file).value());
-  GltfScene plain = withoutOpacity;
+  GltfScene plain = noiseBall({kBaseColor});
   materialOf(plain)["extensions"]["LICHEN_materials_exemplar_noise"]["contrast"] = 0.0;
-  const auto drawn = [](GltfScene shown, const char* mode, double alpha) {
-    materialOf(shown)["alphaMode"] = mode;
-    materialOf(shown)["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, alpha};
-    return picture(shown);
-  };
   // From synthetic_noise.cpp's table at (1/2, 1/2, 1/2): 1/2 + sin(3 * 0.65) / 4.
   const double middle = 0.5 + 0.25 * std::sin(3.0 * 0.65);
-  const LinearImage expected = drawn(plain, "BLEND", middle);
-  const LinearImage found = drawn(scene, "BLEND", 1.0);
-  double largest = 0.0;
-  for (std::size_t i = 0; i < expected.values.size(); ++i)
-    largest = std::max(largest, std::abs(double(found.values[i]) - double(expected.values[i])));
   // Half floats below 1 have steps of 2^-11 in the table; pictures add a few of them.
-  CHECK(largest < 4.0 * 0x1p-11);
-  CHECK(drawn(scene, "OPAQUE", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
+  CHECK(largestDifference(blended(plain, "BLEND", middle), blended(scene, "BLEND", 1.0)) <
+        4.0 * 0x1p-11);
+  CHECK(blended(scene, "OPAQUE", 1.0).values == blended(plain, "OPAQUE", 1.0).values);
   // The cutoff is 1/2, and the ground shows the shadow of the remaining part.
   for (GltfScene* shown : {&scene, &plain})
     shown->addGround(shown->addMaterial(json::object()), 10.0f, -1.0f);
-  CHECK(drawn(scene, "MASK", 1.0).values == drawn(plain, "OPAQUE", 1.0).values);
-  CHECK(drawn(scene, "MASK", 0.6).values == drawn(plain, "MASK", 0.4).values);
-  CHECK(drawn(scene, "MASK", 0.6).values != drawn(plain, "OPAQUE", 1.0).values);
+  CHECK(blended(scene, "MASK", 1.0).values == blended(plain, "OPAQUE", 1.0).values);
+  CHECK(blended(scene, "MASK", 0.6).values == blended(plain, "MASK", 0.4).values);
+  CHECK(blended(scene, "MASK", 0.6).values != blended(plain, "OPAQUE", 1.0).values);
 }
 
 TEST_CASE("a blended surface casts a shadow where its opacity is at least 1/2") {
   GltfScene scene = noiseBall({kBaseColor});
   scene.addGround(scene.addMaterial(json::object()), 10.0f, -1.0f);
   addHoles(scene); // half the texels have alpha 0, half have alpha 1
-  const auto drawn = [&](bool hasNoise, double alpha) {
-    GltfScene shown = hasNoise ? scene : withoutNoise(scene);
-    materialOf(shown)["alphaMode"] = "BLEND";
-    materialOf(shown)["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, alpha};
-    return picture(shown);
-  };
-  const auto largestDifference = [](const LinearImage& a, const LinearImage& b) {
-    double largest = 0.0;
-    for (std::size_t i = 0; i < a.values.size(); ++i)
-      largest = std::max(largest, std::abs(double(a.values[i]) - double(b.values[i])));
-    return largest;
+  const auto drawnAt = [&](bool hasNoise, double alpha) {
+    return blended(hasNoise ? scene : withoutNoise(scene), "BLEND", alpha);
   };
   for (const bool hasNoise : {false, true})
-    CHECK(largestDifference(drawn(hasNoise, 0.49), drawn(hasNoise, 0.51)) > 0.1);
+    CHECK(largestDifference(drawnAt(hasNoise, 0.49), drawnAt(hasNoise, 0.51)) > 0.1);
   // Without a shadow, changing opacity by 0.01 changes a pixel by about 0.01 of its range.
-  CHECK(largestDifference(drawn(true, 0.48), drawn(true, 0.49)) < 0.02);
+  CHECK(largestDifference(drawnAt(true, 0.48), drawnAt(true, 0.49)) < 0.02);
 }
 
 TEST_CASE("a material whose noise has a later revision renders without it, with a note") {
@@ -277,13 +264,8 @@ TEST_CASE("the error for a device that cannot filter a noise's table names file 
 }
 
 TEST_CASE("a note names each ignored map of a noise once") {
-  BundleFile file = syntheticBundle(std::vector{kBaseColor, kOrm});
-  NoiseMap& height = file.bundle.noises[0].maps[1];
-  height.target = MapTarget::height;
-  height.channels = {MapChannel::height};
-  height.mean.resize(1);
-  height.covariance.resize(1);
-  const GltfScene scene = ballOf(encodeGlb(file).value());
+  const GltfScene scene =
+      ballOf(encodeGlb(withOtherMap(MapTarget::height, MapChannel::height)).value());
   const auto notes = renderPicture(scene.glb(), settingsOf(16, 16, 1)).notes;
   REQUIRE(notes.size() == 1);
   CHECK(notes[0] == "the height map of the noise synthetic is ignored; lichen-render --displace "

@@ -13,8 +13,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <set>
+#include <tuple>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -114,6 +116,19 @@ std::vector<std::byte> triplanarBall(BundleFile file, bool withGround = true) {
   return ballOf(encodeGlb(file).value(), withGround);
 }
 
+/// Two boxes with texton noise, without texture coordinates.
+std::vector<std::byte> textonBoxes() {
+  BundleFile file = syntheticTextonBundle({.smoothings = 1});
+  file.bundle.materials[0]->mapping = Mapping::surface;
+  GltfScene scene(encodeGlb(file).value());
+  for (int box = 0; box < 2; ++box)
+    scene.addBox(0, {{"translation", {box == 0 ? -0.9 : 1.1, 0.0, 0.0}},
+                     {"rotation", {0.0, std::sin(0.4 + box), 0.0, std::cos(0.4 + box)}}});
+  scene.addCamera(5.0f, 0.6f, 0.8f, -0.15f);
+  scene.addSun(3.0f);
+  return scene.glb();
+}
+
 RenderSettings viewOf(std::string_view view) {
   RenderSettings settings = settingsOf(128, 72, 1);
   settings.debugView = view;
@@ -138,54 +153,27 @@ std::vector<std::byte> ballWith(std::string_view view) {
 
 } // namespace
 
-TEST_CASE("a still life with every material feature matches its golden image") {
-  checkGolden("still_life", render(stillLife().glb(), settingsOf(256, 160, 8)));
-}
-
-TEST_CASE("a noise on a ball and on its ground matches its golden image") {
-  checkGolden("noise_ball", render(noiseBall(false), settingsOf(256, 144, 4)));
-}
-
-TEST_CASE("a noise with base colour and ORM matches its golden image") {
-  checkGolden("noise_orm", render(noiseBall(true), settingsOf(192, 108, 2)));
-}
-
-TEST_CASE("textons on a ball and on its ground match their golden image") {
-  checkGolden("texton_ball", render(textonBall(), settingsOf(256, 144, 4)));
-}
-
-TEST_CASE("textons on surfaces without texture coordinates match their golden image") {
-  BundleFile file = syntheticTextonBundle({.smoothings = 1});
-  file.bundle.materials[0]->mapping = Mapping::surface;
-  GltfScene scene(encodeGlb(file).value());
-  for (int box = 0; box < 2; ++box)
-    scene.addBox(0, {{"translation", {box == 0 ? -0.9 : 1.1, 0.0, 0.0}},
-                     {"rotation", {0.0, std::sin(0.4 + box), 0.0, std::cos(0.4 + box)}}});
-  scene.addCamera(5.0f, 0.6f, 0.8f, -0.15f);
-  scene.addSun(3.0f);
-  checkGolden("texton_surface", render(scene.glb(), settingsOf(256, 144, 4)));
-}
-
-TEST_CASE("triplanar noise matches its golden images, for tiling and textons") {
-  const std::array maps{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
-  checkGolden("triplanar_tiling",
-              render(triplanarBall(syntheticBundle(maps)), settingsOf(256, 144, 4)));
-  checkGolden("triplanar_texton", render(triplanarBall(syntheticTextonBundle({.smoothings = 1})),
-                                         settingsOf(256, 144, 4)));
-}
-
-TEST_CASE("a mix of textons over a ball and its ground matches its golden image") {
-  BundleFile file = syntheticTextonBundle({.steps = 5, .smoothings = 1});
-  file.bundle.materials[0]->mix = {
+TEST_CASE("pictures of every feature match their golden images") {
+  const std::array slopesToo{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
+  BundleFile mix = syntheticTextonBundle({.steps = 5, .smoothings = 1});
+  mix.bundle.materials[0]->mix = {
       .source = MixSource::direction, .start = {0.0, 0.0}, .end = {0.0, 1.0}};
-  checkGolden("texton_mix", render(ballOf(encodeGlb(file).value(), true), settingsOf(256, 144, 4)));
-}
-
-TEST_CASE("the debug views of triplanar noise match their golden images") {
-  const SyntheticMap map{3, 64, 64, true, 4};
+  const RenderSettings small = settingsOf(256, 144, 4);
+  const std::tuple<const char*, std::vector<std::byte>, RenderSettings> rows[] = {
+      {"still_life", stillLife().glb(), settingsOf(256, 160, 8)},
+      {"noise_ball", noiseBall(false), small},
+      {"noise_orm", noiseBall(true), settingsOf(192, 108, 2)},
+      {"texton_ball", textonBall(), small},
+      {"texton_surface", textonBoxes(), small},
+      {"texton_mix", ballOf(encodeGlb(mix).value(), true), small},
+      {"triplanar_tiling", triplanarBall(syntheticBundle(slopesToo)), small},
+      {"triplanar_texton", triplanarBall(syntheticTextonBundle({.smoothings = 1})), small}};
+  for (const auto& [name, scene, settings] : rows)
+    checkGolden(name, render(scene, settings));
+  const std::vector<std::byte> ball =
+      triplanarBall(syntheticBundle(std::span(slopesToo).first(1)), false);
   for (const char* view : {"weights", "lattice", "mip-level", "gaussian"})
-    checkGolden("view_triplanar-" + std::string(view),
-                render(triplanarBall(syntheticBundle(std::span(&map, 1)), false), viewOf(view)));
+    checkGolden("view_triplanar-" + std::string(view), render(ball, viewOf(view)));
 }
 
 TEST_CASE("each debug view of a noise matches its golden image, and no two are alike") {
@@ -226,12 +214,6 @@ TEST_CASE("the views of quilting show its tiles, each in one colour, and the cut
   CHECK_THAT(notesOf(ball, "mip-level"), Catch::Contains("or of tiling or quilting"));
 }
 
-TEST_CASE("a debug view is grey where a noise does not have what it shows") {
-  const LinearImage picture = render(noiseBall(false, false), viewOf("impacts"));
-  for (int c = 0; c < 3; ++c)
-    CHECK(picture.pixel(64, 36)[c] == 0.5f); // in the middle of the ball
-}
-
 TEST_CASE("a note says that no material has what a debug view shows") {
   const std::vector<std::byte> tiling = noiseBall(false, false), textons = textonBall(false);
   CHECK(notesOf(tiling, "impacts") == "debug view impacts: no material of the scene has a noise of "
@@ -246,6 +228,9 @@ TEST_CASE("a note says that no material has what a debug view shows") {
     CHECK(notesOf(tiling, view).empty());
   for (const char* view : {"impacts", "mip-level", "gaussian"})
     CHECK(notesOf(textons, view).empty());
+  const LinearImage grey = render(tiling, viewOf("impacts"));
+  for (int c = 0; c < 3; ++c)
+    CHECK(grey.pixel(64, 36)[c] == 0.5f); // in the middle of the ball
 }
 
 TEST_CASE("the views of roughness, metallic and occlusion show the values used for shading") {
@@ -268,64 +253,20 @@ TEST_CASE("a white ball is invisible in a white furnace at any roughness") {
   // Half floats, and a table of the specular albedo with 32 steps.
   constexpr double kTolerance = 0.01;
   for (const double metallic : {0.0, 1.0})
-    for (const double roughness : {0.1, 0.3, 0.5, 0.8, 1.0}) {
+    for (const double roughness : {0.1, 0.5, 1.0}) {
       INFO("metallic " << metallic << ", roughness " << roughness);
       CHECK(furnaceError(metallic, roughness) < kTolerance);
     }
 }
 
-TEST_CASE("rendering a picture twice gives the same bits") {
-  const auto glb = noiseBall(true);
-  CHECK(render(glb, settingsOf(96, 54, 2)).values == render(glb, settingsOf(96, 54, 2)).values);
-}
-
-TEST_CASE("a ball under a mirrored node looks like the ball") {
-  // A ball is its own mirror image; only if both normals and winding are mirrored is the picture
-  // the same.
-  GltfScene scene;
-  const auto material = scene.addMaterial(
-      {{"pbrMetallicRoughness", {{"baseColorFactor", {0.6, 0.5, 0.4, 1}}, {"metallicFactor", 0}}}});
-  scene.addBall(material);
-  scene.addCamera(4.0f, 0.6f);
-  scene.addSun(2.0f);
-  const LinearImage plain = render(scene.glb(), settingsOf(64, 64, 1));
-  scene.json["nodes"][0]["scale"] = {-1, 1, 1};
-  const LinearImage mirrored = render(scene.glb(), settingsOf(64, 64, 1));
-  const auto sorted = codeDifferences(toSrgb(plain), toSrgb(mirrored));
-  CHECK(sorted[sorted.size() * 99 / 100] < 1.0);
-}
-
-TEST_CASE("a ball on a ground casts a shadow on the side away from the sun") {
-  GltfScene scene = stillLife();
-  RenderSettings settings = settingsOf(128, 80, 4);
-  const LinearImage lit = render(scene.glb(), settings);
-  // Right of the large ball, between it and the small one; compared with the same ground on the
-  // left.
-  const double shadow = lit.pixel(76, 52)[1];
-  const double open = lit.pixel(10, 60)[1];
-  CHECK(shadow < 0.6 * open);
-}
-
-TEST_CASE("exposure is in stops, and EXR pictures are not tone-mapped") {
-  RenderSettings settings = settingsOf(32, 32, 1);
-  settings.toneMap = false;
-  const LinearImage once = render(stillLife().glb(), settings);
-  settings.exposureEv = 2.0f;
-  const LinearImage four = render(stillLife().glb(), settings);
-  for (std::size_t i = 0; i < once.values.size(); i += 11)
-    CHECK(four.values[i] == Approx(4.0f * once.values[i]).epsilon(1e-3));
-}
-
 TEST_CASE("exceeding the device's limits is an error, not a crash") {
-  const TemporaryFolder folder;
-  const auto scene = renderer::readScene(writeInto(folder, "s.glb", triangleScene().glb()));
+  const renderer::Scene scene = loaded(triangleScene());
   RenderSettings settings = settingsOf(8, 8, 1);
   settings.width = testDevice().properties().limits.maxImageDimension2D + 1;
-  const auto tooWide = renderer::renderScene(testDevice(), scene.value(), settings);
+  const auto tooWide = renderer::renderScene(testDevice(), scene, settings);
   REQUIRE_FALSE(tooWide.ok());
   CHECK(tooWide.error().kind == ErrorKind::usage);
   settings = settingsOf(8, 8, 1);
   settings.camera = "nowhere";
-  CHECK(renderer::renderScene(testDevice(), scene.value(), settings).error().kind ==
-        ErrorKind::usage);
+  CHECK(renderer::renderScene(testDevice(), scene, settings).error().kind == ErrorKind::usage);
 }

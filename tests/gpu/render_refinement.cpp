@@ -4,9 +4,7 @@
 #include "../unit/bundle_example.h"
 #include "displacement.h"
 #include "framing.h"
-#include "render_gltf.h"
-
-#include <catch2/catch.hpp>
+#include "loaded_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,10 +30,7 @@ Scene heightScene(bool onBox) {
   else
     source.addBall(0);
   source.addCamera(4.0f, 0.6f);
-  const TemporaryFolder folder;
-  Result<Scene> scene = readScene(writeInto(folder, "scene.glb", source.glb()));
-  REQUIRE(scene.ok());
-  return std::move(scene).value();
+  return loaded(source);
 }
 
 Scene refined(const Scene& scene, float spacing, bool tessellated) {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Skins and morph targets have the pose of the file's nodes and weights; the expected corners are
 // computed by hand.
-#include "render_gltf.h"
-#include "scene.h"
-
-#include <catch2/catch.hpp>
+#include "loaded_scene.h"
 
 using namespace lichen;
 using namespace lichen::test;
@@ -12,14 +9,6 @@ using nlohmann::json;
 using renderer::Scene;
 
 namespace {
-
-Scene load(const GltfScene& scene) {
-  const TemporaryFolder folder;
-  auto loaded = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
-  if (!loaded)
-    FAIL(loaded.error().message);
-  return std::move(loaded).value();
-}
 
 /// Corners of the first triangle of an instance, in the world.
 std::array<glm::vec3, 3> corners(const Scene& scene, std::size_t instance = 0) {
@@ -96,7 +85,7 @@ TEST_CASE("a skinned mesh follows its joints, not its node") {
   const float half = std::sqrt(0.5f);
   std::vector<float> fromBind = kIdentity; // translation by (-1, 0, 0)
   fromBind[12] = -1.0f;
-  const Scene scene = load(skinnedTriangle(
+  const Scene scene = loaded(skinnedTriangle(
       {{"translation", {0, 2, 0}}}, {{"rotation", {0, 0, half, half}}, {"translation", {5, 0, 0}}},
       bothMatrices(kIdentity, fromBind)));
   const auto triangle = corners(scene);
@@ -110,9 +99,9 @@ TEST_CASE("a skinned mesh follows its joints, not its node") {
 
 TEST_CASE("a skinned mesh keeps its shape ten million units from the origin") {
   constexpr double kFar = 1e7 + 0.1;
-  const Scene scene = load(skinnedTriangle({{"translation", {kFar, -kFar, 0}}},
-                                           {{"translation", {kFar + 0.3, -kFar, 0}}},
-                                           bothMatrices(kIdentity, kIdentity)));
+  const Scene scene = loaded(skinnedTriangle({{"translation", {kFar, -kFar, 0}}},
+                                             {{"translation", {kFar + 0.3, -kFar, 0}}},
+                                             bothMatrices(kIdentity, kIdentity)));
   const glm::dmat4& placed = scene.instances.at(0).worldFromObject;
   CHECK(glm::dvec3(placed[3]) == glm::dvec3(kFar, -kFar, 0));
   const std::vector<renderer::Vertex>& vertices = scene.primitives[0].vertices;
@@ -125,7 +114,7 @@ TEST_CASE("a mesh mirrored by its joints keeps its front outside") {
   GltfScene file = skinnedTriangle({{"scale", {-1, 1, 1}}}, {{"scale", {-1, 1, 1}}},
                                    bothMatrices(kIdentity, kIdentity));
   attributesOf(file)["NORMAL"] = file.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
-  const Scene scene = load(file);
+  const Scene scene = loaded(file);
   for (const glm::vec3 normal : {scene.primitives[0].vertices[0].normal, [&] {
                                    const auto [a, b, c] = corners(scene);
                                    return glm::normalize(glm::cross(b - a, c - a));
@@ -137,7 +126,7 @@ TEST_CASE("a skin without inverse bind matrices uses the joints' transforms") {
   GltfScene file = skinnedTriangle({{"translation", {0, 2, 0}}}, {{"translation", {0, 4, 0}}},
                                    bothMatrices(kIdentity, kIdentity));
   file.json["skins"][0].erase("inverseBindMatrices");
-  const auto triangle = corners(load(file));
+  const auto triangle = corners(loaded(file));
   checkNear(triangle[0], {0, 2, 0});
   checkNear(triangle[1], {1, 4, 0});
   checkNear(triangle[2], {0, 4, 0});
@@ -145,13 +134,13 @@ TEST_CASE("a skin without inverse bind matrices uses the joints' transforms") {
 
 TEST_CASE("morph targets use the weights of the node, or else of the mesh, or none") {
   GltfScene file = morphedTriangle();
-  checkNear(corners(load(file))[1], {1, 0, 0});
+  checkNear(corners(loaded(file))[1], {1, 0, 0});
   file.json["meshes"][0]["weights"] = {0.5};
-  checkNear(corners(load(file))[1], {1, 0, 2});
+  checkNear(corners(loaded(file))[1], {1, 0, 2});
   // A second node of the mesh with its own weight.
   file.json["nodes"].push_back({{"mesh", 0}, {"weights", {-1}}, {"translation", {0, 0, 10}}});
   file.json["scenes"][0]["nodes"] = {0, file.json["nodes"].size() - 1};
-  const Scene scene = load(file);
+  const Scene scene = loaded(file);
   checkNear(corners(scene, 0)[1], {1, 0, 2});
   checkNear(corners(scene, 1)[1], {1, 0, 6});
 }
@@ -159,15 +148,15 @@ TEST_CASE("morph targets use the weights of the node, or else of the mesh, or no
 TEST_CASE("flat normals follow the morphed triangle") {
   GltfScene file = morphedTriangle();
   file.json["meshes"][0]["weights"] = {0.25};
-  checkNear(load(file).primitives[0].vertices[0].normal, glm::normalize(glm::vec3(-1, 0, 1)));
+  checkNear(loaded(file).primitives[0].vertices[0].normal, glm::normalize(glm::vec3(-1, 0, 1)));
 }
 
 TEST_CASE("a note says that animations are ignored") {
   GltfScene file = morphedTriangle();
-  CHECK(load(file).notes.empty());
+  CHECK(loaded(file).notes.empty());
   file.json["animations"] = {
       {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "weights"}}}}}},
        {"samplers", {{{"input", 0}, {"output", 0}}}}}};
-  REQUIRE(load(file).notes.size() == 1);
-  CHECK(load(file).notes[0].starts_with("animations are ignored"));
+  REQUIRE(loaded(file).notes.size() == 1);
+  CHECK(loaded(file).notes[0].starts_with("animations are ignored"));
 }

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Points and lines become closed solids with their front outside, around the original.
-#include "render_gltf.h"
-#include "scene.h"
+#include "loaded_scene.h"
 #include "thin_solids.h"
-
-#include <catch2/catch.hpp>
 
 #include <map>
 
@@ -58,11 +55,7 @@ std::size_t solidsOf(int mode) {
   primitive["attributes"]["POSITION"] = scene.addFloats({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, 3);
   primitive["indices"] = scene.addIndices({0, 1, 2, 3, 0}, 1);
   primitive["mode"] = mode;
-  const TemporaryFolder folder;
-  const auto loaded = renderer::readScene(writeInto(folder, "scene.glb", scene.glb()));
-  if (!loaded)
-    FAIL(loaded.error().message);
-  const Primitive& solids = loaded.value().primitives.at(0);
+  const Primitive solids = loaded(scene).primitives.at(0);
   CHECK(solids.vertices.size() * renderer::kThinSolidIndices ==
         solids.indices.size() * renderer::kThinSolidVertices);
   return solids.indices.size() / renderer::kThinSolidIndices;

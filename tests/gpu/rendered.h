@@ -3,8 +3,8 @@
 // fails the test.
 #pragma once
 
+#include "loaded_scene.h"
 #include "pipelines.h"
-#include "render_gltf.h"
 #include "renderer.h"
 #include "require_device.h"
 
