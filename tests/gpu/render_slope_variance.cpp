@@ -467,10 +467,10 @@ TEST_CASE(
   BundleFile flat = bumpy;
   removeVariance(flat.bundle);
   // 16 texels a pixel. Without mean slopes, the light is that of the hidden ones.
-  const auto seen = [](BundleFile file, double rotation, std::uint32_t tileRotation) {
-    file.bundle.materials[0]->rotation = rotation;
-    file.bundle.materials[0]->tileRotation = tileRotation;
-    return meanRadiance(render(planeUnder(file, kLightAngle).glb(), lightOnly(16)));
+  const auto seen = [](BundleFile each, double rotation, std::uint32_t tileRotation) {
+    each.bundle.materials[0]->rotation = rotation;
+    each.bundle.materials[0]->tileRotation = tileRotation;
+    return meanRadiance(render(planeUnder(each, kLightAngle).glb(), lightOnly(16)));
   };
   const double unrotated = seen(bumpy, 0.0, 0);
   constexpr double kTolerance = 0.01;
