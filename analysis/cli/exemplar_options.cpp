@@ -43,11 +43,12 @@ Accepted<Flattening> flattening() {
 Accepted<std::optional<PixelRectangle>> crop() {
   const Accepted<std::array<int, 4>> rectangle = pixelRectangle(kMaxImageSide);
   return {rectangle.placeholder, rectangle.sentence,
-          [read = rectangle.read](const std::string& text) {
+          [read = rectangle.read](
+              const std::string& text) -> std::optional<std::optional<PixelRectangle>> {
             const auto part = read(text);
-            return part ? std::optional(std::optional(
-                              PixelRectangle{(*part)[0], (*part)[1], (*part)[2], (*part)[3]}))
-                        : std::nullopt;
+            if (!part)
+              return std::nullopt;
+            return PixelRectangle{(*part)[0], (*part)[1], (*part)[2], (*part)[3]};
           }};
 }
 

@@ -51,8 +51,9 @@ TEST_CASE("apply adds the noise to one material and leaves all others unchanged"
 TEST_CASE("materials are given by name, by index or as all, and --material may be repeated") {
   Apply apply;
   const auto uses = [&](const std::string& material, const Arguments& more = {}) {
+    const json document = apply.document(wool(), material, kTriplanar + more);
     std::string which;
-    for (const json& each : apply.document(wool(), material, kTriplanar + more)["materials"])
+    for (const json& each : document["materials"])
       which += each.contains("extensions") ? "x" : "-";
     return which;
   };

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
 using namespace lichen;
@@ -124,7 +125,9 @@ TEST_CASE("the preview, the measures and the report use the material's impacts")
   const double found = colorDistance(sparse);
   CHECK(found > 1.3 * colorDistance(usual));
   const std::string page = workplace.read("report.html");
-  CHECK_THAT(page, Catch::Contains("\"value\":" + nlohmann::json(found).dump()));
+  char shown[16];
+  std::snprintf(shown, sizeof shown, "%.3g", found);
+  CHECK_THAT(page, Catch::Contains(std::string(">") + shown + "<"));
   succeed({"merge", sparse, "-o", workplace.path("merged.glb")});
   CHECK(previewOf(workplace, "merged.glb").values == previewOf(workplace, "sparse.glb").values);
 }
