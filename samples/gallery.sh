@@ -148,6 +148,7 @@ draw() {
       sheet 7x3 3 82 ;;
 
     defaults)
+      "$bin/lichen-test-exemplars" "$work" 512 photographs >/dev/null
       convert "$(file_of rust-even)" -shave 8x8 -bordercolor black -border 8 "$work/framed.png"
       mended concrete-vignette-58 --flatten none
       mended concrete-fold-58 --keep-outliers
