@@ -257,12 +257,11 @@ Result<std::string> describeMix(const BakeRecord& record, std::size_t map, int s
       element("h2", fmt::format("{}: {}", nameOf(record.inputs.front().exemplars[map].target),
                                 record.mix->weights.empty() ? "from input to input"
                                                             : "between the inputs")) +
-      element(
-          "p class=\"quiet\"",
-          "The inputs and the noise between them, all at one scale. Below the noise is its "
-          "texton, enlarged: the image that the shader adds up at random points (grey is zero). "
-          "Model error: how far the spectra of the noise are from those of the texture that it "
-          "should show, as a share of the deviation.");
+      element("p class=\"quiet\"",
+              "The inputs and the noise between them, all at one scale. Below the noise is the "
+              "image that the shader adds up at random points, enlarged; grey is zero. "
+              "Model error: how far the spectra of the noise are from those of the texture that it "
+              "should show, as a share of the deviation.");
   double done = 0.0;
   for (const Path& path : paths) {
     const Result<std::string> described =
