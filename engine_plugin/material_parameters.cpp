@@ -307,8 +307,7 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
   for (const std::uint32_t layer : std::span(layered.layers).first(layered.layerCount)) {
     for (const NoiseMap& map : plan.bundle.noises[layer].maps) {
       const bool hasTable = inverseTableOf(map).has_value();
-      if (plan.bundle.noises[layer].method() != Method::texton)
-        summary.mapKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
+      summary.mapKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
       if (map.encoding == ValueEncoding::log2)
         summary.mapKinds |= kValuesAboveOne;
     }

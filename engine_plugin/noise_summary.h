@@ -18,7 +18,7 @@ struct NoiseSummary {
   // For a layered noise: `constants` is its first layer.
   shader::LichenNoise layers[LICHEN_MAX_LAYERS - 1], indices[LICHEN_MAX_LAYER_NODES];
   std::uint32_t layerCount; // 1 of a noise that is not layered
-  // Over all layers, bit k: a map with the LichenTableKind k, but of textons; kValuesAboveOne
+  // Over all layers, bit k: a map with the LichenTableKind k; kValuesAboveOne
   std::uint32_t mapKinds;
   std::uint32_t reserved; // 0: to a multiple of 8 bytes
   std::uint32_t checksum; // of the members above

@@ -18,8 +18,5 @@ inline vec4 sampled(const ClampedVolume& table, const vec3& uvw, Float level) {
 inline vec4 fetched(const RepeatingImage& image, const ivec2& texel) {
   return asVec(image.texel(texel.x, texel.y));
 }
-inline vec4 gathered(const RepeatingImage& image, const vec2& uv) {
-  return asVec(image.gatherRed(uv.x.v, uv.y.v));
-}
 
 } // namespace lichen::glsl

@@ -30,13 +30,6 @@ public:
   [[nodiscard]] virtual Gaussian gaussian(std::size_t map, const Material& material,
                                           const Footprint& at, const MixPlace& mix = {}) const = 0;
 
-  /// The map's first channel and its derivatives along x and y of tile space [1 / tile], for bumps
-  /// of a height. Textons give the stored value, not clamped; tiling and quilting have no
-  /// derivatives, and give 0.
-  [[nodiscard]] virtual std::array<float, 3> gradient(std::size_t map, const Material& material,
-                                                      const TileFootprint& at,
-                                                      const MixPlace& mix = {}) const = 0;
-
   /// What a Gaussian value stands for where nothing is lost. The method is one with tables.
   [[nodiscard]] virtual Value decoded(std::size_t map,
                                       const std::array<float, 3>& gaussian) const = 0;

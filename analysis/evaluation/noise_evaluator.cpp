@@ -114,13 +114,6 @@ Value NoiseEvaluator::layered(std::size_t map, const Footprint& at) const {
   return {value.x.v, value.y.v, value.z.v, value.w.v};
 }
 
-std::array<float, 3> NoiseEvaluator::evaluateGradient(std::size_t map, const TileFootprint& at,
-                                                      const MixPlace& mix) const {
-  if (indices_.empty())
-    return layers_[0].method->gradient(map, layers_[0].material, at, mix);
-  return {layered(map, at)[0], 0.0f, 0.0f};
-}
-
 Value NoiseEvaluator::evaluateUv(std::size_t map, const UvFootprint& at) const {
   Library library;
   const Layer& first = layers_[0];

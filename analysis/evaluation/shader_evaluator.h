@@ -57,56 +57,23 @@ public:
                                   const MixPlace& mix) const override {
     const Library::LichenShadingPoint shading = shadingAt(material, at, mix);
     const Map& m = maps_[map];
-    vec3 lost(0.0), value(0.5);
-    if (std::holds_alternative<TriplanarFootprint>(at)) {
-      value = library_.lichenTriplanarGaussian(m.image, m.table, shading.triplanar, shading.point,
-                                               noise_, m.constants, lost);
-    } else if (std::holds_alternative<SurfaceFootprint>(at)) {
-#ifndef LICHEN_OMIT_SURFACE
-      value = library_.lichenSurfaceGaussian(m.image, m.table, shading.surface, shading.point,
-                                             shading.material, noise_, m.constants, lost);
-#endif
-    } else if (std::holds_alternative<SolidFootprint>(at)) {
-#ifndef LICHEN_OMIT_SOLID
-      glsl::Float depthSlope;
-      const vec4 solid = library_.lichenSolidGaussian(m.image, shading.solid, shading.material,
-                                                      noise_, m.constants, depthSlope);
-      value = solid.xyz();
-      lost = vec3(solid.w);
-#endif
-    } else {
-      value = library_.lichenGaussianAt(m.image, m.table, shading.point, shading.material, noise_,
-                                        m.constants, lost);
-    }
-    return {{value.x.v, value.y.v, value.z.v}, {lost.x.v, lost.y.v, lost.z.v}};
-  }
-
-  [[nodiscard]] std::array<float, 3> gradient(std::size_t map, const Material& material,
-                                              const TileFootprint& at,
-                                              const MixPlace& mix) const override {
-    const auto own = std::bit_cast<Library::LichenMaterial>(material.material);
-    const Map& m = maps_[map];
-    const vec3 value =
-        library_.lichenGradientAt(m.image, m.table, positionOf(own, at), asVec(at.dx), asVec(at.dy),
-                                  mix.weight, asVec(mix.gradient), own, noise_, m.constants);
-    return {value.x.v, value.y.v, value.z.v};
+    const Library::LichenGaussian found =
+        library_.lichenGaussian(m.image, m.table, shading, m.constants);
+    return {asArray(found.value), asArray(found.lost)};
   }
 
   [[nodiscard]] Value decoded(std::size_t map,
                               const std::array<float, 3>& gaussian) const override {
     const Map& m = maps_[map];
-    return asArray(library_.lichenDecode(m.table, asVec(gaussian), 0.0, 1.0, m.constants));
+    const Library::LichenGaussian exact{asVec(gaussian), vec3(0.0), 0.0};
+    return asArray(library_.lichenDecode(m.table, exact, 1.0, m.constants));
   }
 
-  [[nodiscard]] MixPlace mixAt([[maybe_unused]] const Material& material,
-                               [[maybe_unused]] const std::array<float, 2>& uv) const override {
-    MixPlace place;
-#ifdef LICHEN_HAS_TEXTONS
+  [[nodiscard]] MixPlace mixAt(const Material& material,
+                               const std::array<float, 2>& uv) const override {
     const auto own = std::bit_cast<Library::LichenMaterial>(material.material);
     const vec2 gradient = library_.lichenMixGradient(own);
-    place = {library_.lichenMixWeight(asVec(uv), own).v, {gradient.x.v, gradient.y.v}};
-#endif
-    return place;
+    return {library_.lichenMixWeight(asVec(uv), own).v, {gradient.x.v, gradient.y.v}};
   }
 
 private:
@@ -119,16 +86,10 @@ private:
   static vec2 asVec(const std::array<float, 2>& v) { return {v[0], v[1]}; }
   static vec3 asVec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
   static vec4 asVec(const std::array<float, 4>& v) { return {v[0], v[1], v[2], v[3]}; }
+  static std::array<float, 3> asArray(const vec3& v) { return {v.x.v, v.y.v, v.z.v}; }
   static Value asArray(const vec4& v) { return {v.x.v, v.y.v, v.z.v, v.w.v}; }
   static vec2 positionOf(const Library::LichenMaterial& material, const TileFootprint& at) {
     return asVec(at.position) + vec2(material.offsetX, material.offsetY);
-  }
-
-  void setMix([[maybe_unused]] Library::LichenPoint& point,
-              [[maybe_unused]] const MixPlace& mix) const {
-#ifdef LICHEN_HAS_TEXTONS
-    library_.lichenSetMix(point.texton, mix.weight, asVec(mix.gradient));
-#endif
   }
 
   /// GLSL passes structs by value; flattened, GCC copies none of them. The other mappings, which
@@ -139,7 +100,7 @@ private:
     const Map& m = maps_[map];
     Library::LichenPoint point =
         library_.lichenPointAt(positionOf(own, at), asVec(at.dx), asVec(at.dy), own, noise_);
-    setMix(point, mix);
+    library_.lichenSetMix(point, mix.weight, asVec(mix.gradient));
     return asArray(library_.lichenValueAt(m.image, m.table, point, own, noise_, m.constants));
   }
 
@@ -165,7 +126,7 @@ private:
       shading.point = library_.lichenPointAt(positionOf(planes.material, plane), asVec(plane.dx),
                                              asVec(plane.dy), planes.material, noise_);
     }
-    setMix(shading.point, mix);
+    library_.lichenSetMix(shading.point, mix.weight, asVec(mix.gradient));
     return shading;
   }
 

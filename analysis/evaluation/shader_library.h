@@ -16,7 +16,6 @@
 #define LICHEN_SAMPLE_2D(image, uv, level) sampled(image, uv, level)
 #define LICHEN_SAMPLE_3D(table, uvw, level) sampled(table, uvw, level)
 #define LICHEN_FETCH_2D(image, coordinate) fetched(image, coordinate)
-#define LICHEN_GATHER_2D(image, uv) gathered(image, uv)
 #define LICHEN_SAMPLE_CELLS(uv, level) sampled(*cells, uv, level)
 #define LICHEN_TILE_OFFSET(index) tileOffsets[index]
 #define LICHEN_NEAREST_TABLE_LEVEL nearestTableLevel
@@ -39,12 +38,10 @@
   LichenKernelsNoise { __VA_ARGS__ }
 #define LichenQuiltingNoise(...)                                                                   \
   LichenQuiltingNoise { __VA_ARGS__ }
-#define LichenGaussianSlopes(...)                                                                  \
-  LichenGaussianSlopes { __VA_ARGS__ }
+#define LichenGaussian(...)                                                                        \
+  LichenGaussian { __VA_ARGS__ }
 #define LichenKernelRow(...)                                                                       \
   LichenKernelRow { __VA_ARGS__ }
-#define LichenKernelSums(...)                                                                      \
-  LichenKernelSums { __VA_ARGS__ }
 #define LichenKernelColors(...)                                                                    \
   LichenKernelColors { __VA_ARGS__ }
 #define LichenPattern(...)                                                                         \

@@ -40,13 +40,6 @@ public:
     return mips_[0].texels[std::size_t(y) * std::size_t(mips_[0].width) + std::size_t(x)];
   }
 
-  /// The red of the four texels around (u, v) of level 0, in textureGather's order.
-  [[nodiscard]] Value gatherRed(float u, float v) const {
-    const Corners at = cornersOf(mips_[0], u - floorOf(u), v - floorOf(v));
-    return {texel(at.x0, at.y1)[0], texel(at.x1, at.y1)[0], texel(at.x1, at.y0)[0],
-            texel(at.x0, at.y0)[0]};
-  }
-
   [[nodiscard]] const std::vector<Value>& texels(std::size_t level) const {
     return mips_[level].texels;
   }

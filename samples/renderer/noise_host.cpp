@@ -5,7 +5,6 @@
 #include "printable.h"
 
 #include <lichen/bundle.h>
-#include <lichen/layered_noise.h>
 
 #include <algorithm>
 
@@ -188,20 +187,28 @@ void NoiseHost::change(const NoiseChanges& changes) {
       continue;
     material.parameters = changed(material.own);
     readUse(material);
-    noteFeatures(material);
+    features_.objectSpaces = features_.objectSpaces || material.use.inObjectSpace;
     place(m);
   }
+  features_.plain = switchesOf(false);
+  features_.layered = switchesOf(true);
 }
 
-/// Whether some map of a noise has no inverse table.
-void NoiseHost::noteTables(std::uint32_t noise) {
-  for (std::uint32_t m = 0; m < noises_[noise].mapCount; ++m) {
-    auto map = lichenStruct<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
-    checkLichen(lichenGetMapProperties(bundle_.get(), noise, m, &map));
-    features_.gaussianOnly =
-        features_.gaussianOnly ||
-        (noises_[noise].method != LICHEN_NOISE_TEXTON && map.tableKind == LICHEN_TABLE_NONE);
-  }
+/// The switches that fit all materials whose noise has layers, or none.
+NoiseSwitches NoiseHost::switchesOf(bool layered) const {
+  std::vector<const LichenMaterialParameters*> materials;
+  for (std::size_t m = 0; m < materials_.size(); ++m)
+    if (hasNoise(m) && isLayered(m) == layered)
+      materials.push_back(&materials_[m].parameters);
+  if (materials.empty())
+    return {};
+  auto switches = lichenStruct<LichenShaderSwitches>(LICHEN_STRUCTURE_SHADER_SWITCHES);
+  auto diagnostic = lichenStruct<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
+  checkLichen(lichenGetShaderSwitches(materials.data(), std::uint32_t(materials.size()), nullptr,
+                                      &switches, &diagnostic),
+              diagnostic);
+  return {switches.methods, switches.mappings, switches.roles, switches.features,
+          switches.layerMethods};
 }
 
 void NoiseHost::readUse(MaterialState& material) {
@@ -212,46 +219,15 @@ void NoiseHost::readUse(MaterialState& material) {
       material.parameters.mapping != LICHEN_MAPPING_UV &&
       changes_.inObjectSpace.value_or(material.properties.space == LICHEN_SPACE_OBJECT);
   const LichenNoiseProperties& noise = noises_[material.parameters.noise];
-  for (std::uint32_t layer = 1; layer < noise.layerCount; ++layer)
-    noteTables(noise.layers[layer]);
-  noteTables(material.parameters.noise);
   for (std::uint32_t m = 0; m < noise.mapCount; ++m) {
     auto map = lichenStruct<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     checkLichen(lichenGetMapProperties(bundle_.get(), material.parameters.noise, m, &map));
-    features_.roles |= 1u << map.target;
-    for (std::uint32_t layer = 0; layer < noise.layerCount && noise.layerCount > 1; ++layer)
-      features_.layerSlots |= 1u << layerSlot(layer, map.target);
     if (map.target == LICHEN_TARGET_BASE_COLOR)
       use.hasBaseColor = true;
     if (map.target == LICHEN_TARGET_HEIGHT && !material.displaces)
       changeNotes_.insert("the height map of the noise " + printable(noise.name) +
                           " is ignored; lichen-render --displace METRES shows it");
   }
-}
-
-/// What the method of a layer or of an index map uses of the shaders.
-void NoiseHost::noteMethod(const LichenNoiseProperties& noise) {
-  features_.structures = features_.structures || noise.hasStructure != 0;
-  features_.kernelKinds |= noise.kernelKinds;
-  features_.mixes = features_.mixes || noise.mixSteps > 1;
-}
-
-void NoiseHost::noteFeatures(const MaterialState& material) {
-  const LichenMaterialParameters& parameters = material.parameters;
-  const LichenNoiseProperties& noise = noises_[parameters.noise];
-  for (std::uint32_t layer = 0; layer < noise.layerCount; ++layer) {
-    const LichenNoiseProperties& each = noises_[noise.layers[layer]];
-    (noise.layerCount > 1 ? features_.layerMethods : features_.methods) |= 1u << each.method;
-    noteMethod(each);
-    if (layer > 0)
-      noteMethod(noises_[noise.indices[layer - 1]]);
-  }
-  (parameters.mapping == LICHEN_MAPPING_TRIPLANAR ? features_.triplanarNoises
-                                                  : features_.otherMappings) = true;
-  features_.surfaceNoises = features_.surfaceNoises || parameters.mapping == LICHEN_MAPPING_SURFACE;
-  features_.solidNoises = features_.solidNoises || parameters.mapping == LICHEN_MAPPING_SOLID;
-  features_.objectSpaces = features_.objectSpaces || material.use.inObjectSpace;
-  features_.tileRotation = features_.tileRotation || parameters.tileRotation > 1;
 }
 
 void NoiseHost::setOrigin(const glm::dvec3& origin) {

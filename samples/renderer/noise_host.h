@@ -30,24 +30,21 @@ struct NoiseUse {
   glm::vec3 fromTileOrigin{0.0f};
 };
 
+/// The plugin's LichenShaderSwitches, as far as the renderer's shaders take them.
+struct NoiseSwitches {
+  std::uint32_t methods = 0, mappings = 0, roles = 0, features = 0, layerMethods = 0;
+  [[nodiscard]] bool operator==(const NoiseSwitches&) const = default;
+};
+
 /// What the noises that are rendered use of the shaders.
 struct NoiseFeatures {
-  bool gaussianOnly = false;      ///< some map of a noise but textons has no inverse table
-  std::uint32_t methods = 0;      ///< bit m: some noise has the method m, but of layered ones
-  std::uint32_t layerMethods = 0; ///< the same of the layers of layered noises
-  std::uint32_t layerSlots = 0;   ///< bit s: some layer has an image in the slot s
-  std::uint32_t roles = 0;        ///< bit r: some noise has a map of the target r
-  bool surfaceNoises = false;     ///< some noise uses surface mapping
-  bool triplanarNoises = false;
-  bool solidNoises = false;
-  bool otherMappings = false;    ///< some noise uses a mapping other than triplanar
-  bool mixes = false;            ///< some texton noise is a mix
-  bool objectSpaces = false;     ///< some noise is placed in object space
-  bool tileRotation = false;     ///< some noise rotates its tiles
-  bool structures = false;       ///< some local random-phase noise has a structure
-  std::uint32_t kernelKinds = 0; ///< LICHEN_KERNELS_... that some multiple-kernels noise has
+  NoiseSwitches plain, layered; ///< of materials whose noise has no layers, and of the others
+  bool objectSpaces = false;    ///< some noise is placed in object space
   [[nodiscard]] bool hasMethod(LichenNoiseMethod method) const {
-    return ((methods >> method) & 1u) != 0;
+    return ((plain.methods >> method) & 1u) != 0;
+  }
+  [[nodiscard]] bool hasMapping(LichenMapping mapping) const {
+    return (((plain.mappings | layered.mappings) >> mapping) & 1u) != 0;
   }
   [[nodiscard]] bool operator==(const NoiseFeatures&) const = default;
 };
@@ -115,9 +112,7 @@ private:
   void createSets(VulkanDevice& device, ObjectOwner& objects);
   [[nodiscard]] LichenMaterialParameters changed(const LichenMaterialParameters& own) const;
   void readUse(MaterialState& material);
-  void noteTables(std::uint32_t noise);
-  void noteFeatures(const MaterialState& material);
-  void noteMethod(const LichenNoiseProperties& noise);
+  [[nodiscard]] NoiseSwitches switchesOf(bool layered) const;
   void place(std::size_t material);
 
   // In order of dependency: destroyed last to first.

@@ -209,107 +209,62 @@ Description depthDescription(VkPipelineLayout layout) {
   return d;
 }
 
-/// Specialization constants of surface.glsl, world_frame.glsl and scene.frag.
+/// Specialization constants of surface.glsl, noise_point.glsl and debug_views.glsl.
 struct Constants {
   VkBool32 hasNormalMap = VK_FALSE;
   std::int32_t debugView = DEBUG_NONE;
-  VkBool32 gaussianOnly = VK_FALSE;
-  std::uint32_t methods = 0;
-  VkBool32 mixedTextons = VK_FALSE;
-  VkBool32 triplanar = VK_FALSE;
-  VkBool32 otherMappings = VK_FALSE;
-  VkBool32 objectSpaces = VK_FALSE;
-  VkBool32 tileRotation = VK_FALSE;
-  VkBool32 solid = VK_FALSE;
-  VkBool32 surface = VK_FALSE;
-  VkBool32 structure = VK_FALSE;
-  VkBool32 ringKernels = VK_FALSE;
-  VkBool32 squareKernels = VK_FALSE;
-  VkBool32 kernelPattern = VK_FALSE;
-  std::uint32_t layerMethods = 0;
+  std::uint32_t features = 0;
   std::uint32_t roles = 0;
-  std::uint32_t layerSlots = 0;
+  std::uint32_t layerMethods = 0;
+  VkBool32 objectSpaces = VK_FALSE;
 };
 
 constexpr std::array kConstants{
     VkSpecializationMapEntry{1, offsetof(Constants, hasNormalMap), sizeof(VkBool32)},
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
-    VkSpecializationMapEntry{3, offsetof(Constants, gaussianOnly), sizeof(VkBool32)},
-    VkSpecializationMapEntry{4, offsetof(Constants, methods), sizeof(std::uint32_t)},
-    VkSpecializationMapEntry{5, offsetof(Constants, mixedTextons), sizeof(VkBool32)},
-    VkSpecializationMapEntry{6, offsetof(Constants, triplanar), sizeof(VkBool32)},
-    VkSpecializationMapEntry{7, offsetof(Constants, otherMappings), sizeof(VkBool32)},
-    VkSpecializationMapEntry{8, offsetof(Constants, objectSpaces), sizeof(VkBool32)},
-    VkSpecializationMapEntry{9, offsetof(Constants, tileRotation), sizeof(VkBool32)},
-    VkSpecializationMapEntry{10, offsetof(Constants, solid), sizeof(VkBool32)},
-    VkSpecializationMapEntry{18, offsetof(Constants, surface), sizeof(VkBool32)},
-    VkSpecializationMapEntry{11, offsetof(Constants, structure), sizeof(VkBool32)},
-    VkSpecializationMapEntry{12, offsetof(Constants, ringKernels), sizeof(VkBool32)},
-    VkSpecializationMapEntry{13, offsetof(Constants, squareKernels), sizeof(VkBool32)},
-    VkSpecializationMapEntry{14, offsetof(Constants, kernelPattern), sizeof(VkBool32)},
-    VkSpecializationMapEntry{15, offsetof(Constants, layerMethods), sizeof(std::uint32_t)},
-    VkSpecializationMapEntry{16, offsetof(Constants, roles), sizeof(std::uint32_t)},
-    VkSpecializationMapEntry{17, offsetof(Constants, layerSlots), sizeof(std::uint32_t)}};
+    VkSpecializationMapEntry{3, offsetof(Constants, features), sizeof(std::uint32_t)},
+    VkSpecializationMapEntry{4, offsetof(Constants, roles), sizeof(std::uint32_t)},
+    VkSpecializationMapEntry{5, offsetof(Constants, layerMethods), sizeof(std::uint32_t)},
+    VkSpecializationMapEntry{6, offsetof(Constants, objectSpaces), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
 }
 
-/// The smallest shader variants that support everything a scene needs.
 struct FragmentCode {
   std::span<const std::uint32_t> surface;
   std::span<const std::uint32_t> depth;
 };
 
-FragmentCode fragmentCodeFor(const NoiseFeatures& noises, bool hasNoise) {
-  if (!hasNoise)
-    return {scene_frag_bare, depth_frag_bare};
-  const bool hasTextons = noises.hasMethod(LICHEN_NOISE_TEXTON);
-  if (noises.hasMethod(LICHEN_NOISE_QUILTING))
-    return hasTextons || noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE) ||
-                   noises.hasMethod(LICHEN_NOISE_MULTIPLE_KERNELS)
-               ? FragmentCode{scene_frag, depth_frag}
-               : FragmentCode{scene_frag_quilting, depth_frag_quilting};
-  if (noises.hasMethod(LICHEN_NOISE_MULTIPLE_KERNELS)) {
-    if (hasTextons || noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE))
-      return {scene_frag, depth_frag};
-    return noises.triplanarNoises || noises.surfaceNoises
-               ? FragmentCode{scene_frag_kernels, depth_frag_kernels}
-               : FragmentCode{scene_frag_plane_kernels, depth_frag_plane_kernels};
-  }
-  if (noises.hasMethod(LICHEN_NOISE_LOCAL_RANDOM_PHASE))
-    return hasTextons ? FragmentCode{scene_frag, depth_frag}
-                      : FragmentCode{scene_frag_cosines, depth_frag_cosines};
-  if (!hasTextons && !noises.triplanarNoises)
-    return {scene_frag_tiling, depth_frag_tiling};
-  if (!hasTextons)
-    return {scene_frag_triplanar_tiling, depth_frag_triplanar_tiling};
-  if (noises.triplanarNoises)
-    return {scene_frag_textons, depth_frag_textons};
-  if (noises.surfaceNoises)
-    return {scene_frag_surface, depth_frag_surface};
-  return {scene_frag_plane, depth_frag_plane};
+/// The smallest variant of the shaders that has the methods and mappings of all noises.
+FragmentCode fragmentCodeFor(const NoiseSwitches& noises) {
+  struct Variant {
+    std::uint32_t methods, mappings; // as CMakeLists.txt defines them
+    FragmentCode code;
+  };
+  static const Variant kVariants[] = {
+      {1, 1, {scene_frag_tiling, depth_frag_tiling}},
+      {1, 3, {scene_frag_triplanar_tiling, depth_frag_triplanar_tiling}},
+      {3, 1, {scene_frag_plane, depth_frag_plane}},
+      {3, 5, {scene_frag_surface, depth_frag_surface}},
+      {3, 7, {scene_frag_textons, depth_frag_textons}},
+      {5, 11, {scene_frag_cosines, depth_frag_cosines}},
+      {9, 9, {scene_frag_plane_kernels, depth_frag_plane_kernels}},
+      {9, 15, {scene_frag_kernels, depth_frag_kernels}},
+      {17, 3, {scene_frag_quilting, depth_frag_quilting}},
+  };
+  for (const Variant& variant : kVariants)
+    if ((noises.methods & ~variant.methods) == 0 && (noises.mappings & ~variant.mappings) == 0)
+      return variant.code;
+  return {scene_frag, depth_frag};
 }
 
-Constants constantsOf(const SurfaceConstants& shared) {
-  const NoiseFeatures& noises = shared.noises;
+Constants constantsOf(const SurfaceConstants& shared, const NoiseSwitches& noises) {
   return {.debugView = shared.debugView,
-          .gaussianOnly = noises.gaussianOnly,
-          .methods = noises.methods,
-          .mixedTextons = noises.mixes,
-          .triplanar = noises.triplanarNoises,
-          .otherMappings = noises.otherMappings,
-          .objectSpaces = noises.objectSpaces,
-          .tileRotation = noises.tileRotation,
-          .solid = noises.solidNoises,
-          .surface = noises.surfaceNoises,
-          .structure = noises.structures,
-          .ringKernels = (noises.kernelKinds & LICHEN_KERNELS_RINGS) != 0,
-          .squareKernels = (noises.kernelKinds & LICHEN_KERNELS_SQUARE) != 0,
-          .kernelPattern = (noises.kernelKinds & LICHEN_KERNELS_PATTERN) != 0,
-          .layerMethods = noises.layerMethods,
+          .features = noises.features,
           .roles = noises.roles,
-          .layerSlots = noises.layerSlots};
+          .layerMethods = noises.layerMethods,
+          .objectSpaces = shared.noises.objectSpaces};
 }
 
 /// Sets the stages before the fragment shader, with this vertex shader for surfaces that are not
@@ -346,17 +301,17 @@ VkPipeline found(std::vector<Stored>& stored, const SurfaceConstants& constants,
 
 VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t kind) {
   return found(surfaces_, constants, kind, [&] {
-    Constants values = constantsOf(constants);
+    const bool hasNoise = (kind & 4) != 0, isLayered = (kind & 16) != 0;
+    const NoiseSwitches& noises = isLayered ? constants.noises.layered : constants.noises.plain;
+    Constants values = constantsOf(constants, noises);
     values.hasNormalMap = (kind & 2) != 0;
-    const bool isLayered = (kind & 16) != 0;
-    if (isLayered) // index maps have kernels
-      values.methods = values.layerMethods | (1u << LICHEN_NOISE_MULTIPLE_KERNELS);
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d;
     d.layout = shared_.sceneLayout;
     setStages(objects_, (kind & 8) != 0, constants.tessellates, scene_vert, d);
-    d.fragment = objects_.shader(
-        isLayered ? scene_frag_layers : fragmentCodeFor(constants.noises, (kind & 4) != 0).surface);
+    d.fragment = objects_.shader(isLayered  ? scene_frag_layers
+                                 : hasNoise ? fragmentCodeFor(noises).surface
+                                            : scene_frag_bare);
     d.specialization = &specialization;
     d.blends = (kind & 1) != 0;
     d.writesDepth = !d.blends;
@@ -366,12 +321,14 @@ VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t
 
 VkPipeline PipelineStore::depth(const SurfaceConstants& constants, std::size_t kind) {
   return found(depths_, constants, kind, [&] {
-    const Constants values = constantsOf(constants);
+    const NoiseSwitches& noises = constants.noises.plain;
+    const Constants values = constantsOf(constants, noises);
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d = depthDescription(shared_.sceneLayout);
     setStages(objects_, (kind & 4) != 0, constants.tessellates, depth_vert, d);
     if ((kind & 1) != 0)
-      d.fragment = objects_.shader(fragmentCodeFor(constants.noises, (kind & 2) != 0).depth);
+      d.fragment =
+          objects_.shader((kind & 2) != 0 ? fragmentCodeFor(noises).depth : depth_frag_bare);
     d.specialization = &specialization;
     return graphics(objects_, d);
   });

@@ -141,7 +141,7 @@ void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   case DEBUG_IMPACTS:
     return note("impacts", hasTextons, "a noise of the method texton");
   case DEBUG_PLANES:
-    return note("planes", noises_.features().triplanarNoises, "a noise with triplanar mapping");
+    return note("planes", noises_.features().hasMapping(LICHEN_MAPPING_TRIPLANAR), "a noise with triplanar mapping");
   case DEBUG_MIP_LEVEL:
     return note("mip-level", hasTextons || ((hasTiling || hasQuilting) && hasBaseColor),
                 "a noise of the method texton, or of tiling or quilting with a base colour");

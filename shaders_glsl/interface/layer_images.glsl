@@ -5,41 +5,28 @@
 #define LICHEN_LAYER_IMAGES_GLSL
 
 #include "../interface/lichen_interface.h"
-#include "../noise/method_choice.glsl"
+#ifndef LICHEN_MAPPINGS
+#define LICHEN_MAPPINGS 11 // no surfaces
+#endif
+#include "../noise/switches.glsl"
 
 #define LICHEN_FIRST_INDEX 6
 
-// Bit m: some layer has the method m, of LICHEN_USED_METHODS; index maps have multiple kernels. A
+// Bit m: some layer has the method m, of LICHEN_METHODS; index maps have multiple kernels. A
 // literal, or the host's specialization constant.
 #ifndef LICHEN_LAYER_METHODS
-#define LICHEN_LAYER_METHODS LICHEN_USED_METHODS
-#endif
-// Bit s: some layer has an image in slot s. A literal, or the host's specialization constant.
-#ifndef LICHEN_LAYER_SLOTS
-#define LICHEN_LAYER_SLOTS 63
+#define LICHEN_LAYER_METHODS LICHEN_METHODS
 #endif
 
-#define LICHEN_DECLARE_SLOT(slot)                                                                  \
-  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_IMAGE(slot))            \
-      uniform texture2D lichenImage##slot;                                                         \
-  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_TABLE(slot))            \
-      uniform texture3D lichenTable##slot
 #define LICHEN_DECLARE_INDEX(node)                                                                 \
-  layout(set = LICHEN_SET, binding = LICHEN_FIRST_BINDING + LICHEN_BINDING_INDEX(node))            \
-      uniform texture2D lichenIndex##node
-LICHEN_DECLARE_SLOT(0);
-LICHEN_DECLARE_SLOT(1);
-LICHEN_DECLARE_SLOT(2);
-LICHEN_DECLARE_SLOT(3);
-LICHEN_DECLARE_SLOT(4);
-LICHEN_DECLARE_SLOT(5);
+  layout(LICHEN_BINDING(LICHEN_BINDING_INDEX(node))) uniform texture2D lichenIndex##node
 LICHEN_DECLARE_INDEX(0);
 LICHEN_DECLARE_INDEX(1);
 LICHEN_DECLARE_INDEX(2);
 
 // Sets `texel` to FETCH(name) where the image is this one.
 #define LICHEN_FROM_SLOT(slot, FETCH, name)                                                        \
-  if (((int(LICHEN_LAYER_SLOTS) >> slot) & 1) != 0 && image == slot)                               \
+  if (LICHEN_USES(LICHEN_FEATURE_SLOT(slot)) && image == slot)                                     \
     texel = FETCH(name);
 #define LICHEN_FROM_SLOTS(FETCH, prefix)                                                           \
   LICHEN_FROM_SLOT(0, FETCH, prefix##0)                                                            \
@@ -79,13 +66,6 @@ vec4 lichenFetchLayer(int image, ivec2 at) {
   return texel;
 }
 
-#define LICHEN_GATHER_RED(name) textureGather(sampler2D(name, lichenImageSampler), uv, 0)
-vec4 lichenGatherLayer(int image, vec2 uv) {
-  vec4 texel = vec4(0.0);
-  LICHEN_FROM_SLOTS(LICHEN_GATHER_RED, lichenImage)
-  return texel;
-}
-
 #define LICHEN_SAMPLE_TABLE(name) textureLod(sampler3D(name, lichenTableSampler), uvw, level)
 vec4 lichenSampleLayerTable(int image, vec3 uvw, float level) {
   vec4 texel = vec4(0.0);
@@ -99,6 +79,5 @@ vec4 lichenSampleLayerTable(int image, vec3 uvw, float level) {
 #define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY) lichenSampleLayerGrad(image, uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) lichenSampleLayerTable(image, uvw, level)
 #define LICHEN_FETCH_2D(image, texel) lichenFetchLayer(image, texel)
-#define LICHEN_GATHER_2D(image, uv) lichenGatherLayer(image, uv)
 
 #endif

@@ -14,6 +14,28 @@
 #define LICHEN_MAX_LAYER_NODES 3
 #define LICHEN_MAX_MIPS 16
 
+// Bits of LICHEN_FEATURES, beside bit m for the method m: what some noise or material has.
+#define LICHEN_FEATURE_UV 0x20u // a mapping, as the next three
+#define LICHEN_FEATURE_TRIPLANAR 0x40u
+#define LICHEN_FEATURE_SURFACE 0x80u
+#define LICHEN_FEATURE_SOLID 0x100u
+#define LICHEN_FEATURE_TABLES 0x200u          // a map with an inverse table
+#define LICHEN_FEATURE_GAUSSIAN_ONLY 0x400u   // a map without one
+#define LICHEN_FEATURE_VALUES_ABOVE_ONE 0x800u // the encoding log2
+#define LICHEN_FEATURE_PERIOD 0x1000u          // a periodic lattice
+#define LICHEN_FEATURE_GRAIN 0x2000u           // of tiling: a lattice stretched along a grain,
+#define LICHEN_FEATURE_BLEND_SHARPNESS 0x4000u // an exponent of the weights, rotated tiles
+#define LICHEN_FEATURE_TILE_ROTATION 0x8000u
+#define LICHEN_FEATURE_CUBIC_TEXTONS 0x10000u // textons of order 3, of order 0, mixes of textons
+#define LICHEN_FEATURE_NEAREST_TEXTONS 0x20000u
+#define LICHEN_FEATURE_MIXES 0x40000u
+#define LICHEN_FEATURE_POISSON_POINTS 0x80000u // of textons: a Poisson process
+#define LICHEN_FEATURE_STRUCTURES 0x100000u    // of local random phase
+#define LICHEN_FEATURE_RING_KERNELS 0x200000u  // of multiple kernels
+#define LICHEN_FEATURE_SQUARE_KERNELS 0x400000u
+#define LICHEN_FEATURE_PATTERNS 0x800000u
+#define LICHEN_FEATURE_SLOT(slot) (0x1000000u << (slot)) // of layers: an image in the slot
+
 // LichenMap::encoding, of the stored values.
 #define LICHEN_ENCODING_ROOT 0 // square roots of light
 #define LICHEN_ENCODING_LINEAR 1

@@ -44,12 +44,12 @@ LichenNoise lichenIndexOf(LichenNoise noise) {
 /// The shading point of one layer, or of an index map.
 LichenShadingPoint lichenLayerPoint(LichenLayeredPlace at, LichenTriplanarMaterial planes,
                                     LichenNoise noise) {
-#ifndef LICHEN_OMIT_TRIPLANAR
+#if LICHEN_HAS_TRIPLANAR
   if (lichenIsTriplanar(planes.material))
     return lichenPointTriplanarGrad(at.position, at.gradientX, at.gradientY, at.normal, planes,
                                     noise);
 #endif
-#ifndef LICHEN_OMIT_SOLID
+#if LICHEN_HAS_SOLIDS
   if (lichenIsSolid(planes.material, noise))
     return lichenPointSolidGrad(at.position, at.gradientX, at.gradientY, planes.material, noise);
 #endif

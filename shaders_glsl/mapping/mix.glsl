@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The weight of a mix of textons where a host has it: from a mask, from vertex colours, or its own.
-// LichenImpacts + weight and its derivative, or a mask's values -> LichenImpacts. The library
+// LichenPoint + weight and its derivative, or a mask's values -> LichenPoint. The library
 // fetches no mask, since each host binds images in its own way. Constants and directions are in the
 // uniform block, and the functions of uv.glsl use them.
 #ifndef LICHEN_MIX_GLSL
 #define LICHEN_MIX_GLSL
 
-#include "../noise/texton_mix.glsl"
+#include "../noise/noise.glsl"
 
 /// Half the size of a texton [tiles].
 vec2 lichenImpactReach(LichenNoise noise) {
@@ -27,9 +27,9 @@ mat2 lichenMaskReach(mat2 uvGradients, mat2 tileGradients, LichenNoise noise) {
 
 /// From a mask: its value at the point, and for each column of lichenMaskReach the value at plus
 /// the column less that at minus the column.
-void lichenMixByMask(LICHEN_INOUT(LichenImpacts) impacts, float weight, vec2 differences,
+void lichenMixByMask(LICHEN_INOUT(LichenPoint) point, float weight, vec2 differences,
                      LichenNoise noise) {
-  lichenSetMix(impacts, weight, differences / (2.0 * lichenImpactReach(noise)));
+  lichenSetMix(point, weight, differences / (2.0 * lichenImpactReach(noise)));
 }
 
 #endif

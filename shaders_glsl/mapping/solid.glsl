@@ -16,7 +16,7 @@ LichenShadingPoint lichenPointSolidGrad(vec3 position, vec3 positionGradientX,
   LichenShadingPoint shading;
   shading.material = material;
   shading.noise = noise;
-#ifndef LICHEN_OMIT_SOLID
+#if LICHEN_HAS_SOLIDS
   float perTile = 1.0 / noise.tileSizeMetres;
   float perScale = length(vec2(material.uvToTileXX, material.uvToTileXY));
   vec3 offset = vec3(material.offsetX, material.offsetY, 0.0); // methods add their own along z
@@ -29,8 +29,8 @@ LichenShadingPoint lichenPointSolidGrad(vec3 position, vec3 positionGradientX,
       vec3(dot(right, positionGradientX.xy), dot(down, positionGradientX.xy), positionGradientX.z);
   vec3 tileY =
       vec3(dot(right, positionGradientY.xy), dot(down, positionGradientY.xy), positionGradientY.z);
-  shading.solid =
-      lichenSolidPointAt(offset + scale * tile, scale * tileX, scale * tileY, material, noise);
+  shading.point =
+      lichenPointInSolid(offset + scale * tile, scale * tileX, scale * tileY, material, noise);
 #endif
   return shading;
 }

@@ -7,7 +7,6 @@
 #ifndef LICHEN_SURFACE_GLSL
 #define LICHEN_SURFACE_GLSL
 
-#include "../noise/mix_point.glsl"
 #include "../noise/shading_point.glsl"
 
 /// The columns point to the right, down and outward in the exemplar as it lies on the surface:
@@ -34,7 +33,7 @@ LichenShadingPoint lichenPointSurfaceGrad(vec3 position, vec3 positionGradientX,
   LichenShadingPoint shading;
   shading.material = material;
   shading.noise = noise;
-#ifndef LICHEN_OMIT_SURFACE
+#if LICHEN_HAS_SURFACES
   // As on texture coordinates, the exemplar is rotated against the surface, and scaled.
   vec2 rotation = vec2(material.uvToTileXX, material.uvToTileXY); // (cos, sin) / scale
   float perScale = length(rotation);
@@ -49,9 +48,9 @@ LichenShadingPoint lichenPointSurfaceGrad(vec3 position, vec3 positionGradientX,
                           tiles * vec2(right.z, down.z));
   shading.point = lichenPointAt(vec2(0.0), toTiles * positionGradientX, toTiles * positionGradientY,
                                 material, noise);
-  lichenSetMixFromMaterial(shading.point, material, noise);
-  shading.surface = lichenSurfacePointAt(tilesPerMetre * position, mat3(right, down, frame[2]),
-                                         shading.point, material, noise);
+  lichenSetMix(shading.point, lichenMixWeight(vec2(0.0), material), vec2(0.0));
+  lichenSetOnSurface(shading.point, tilesPerMetre * position, mat3(right, down, frame[2]), material,
+                     noise);
 #endif
   return shading;
 }

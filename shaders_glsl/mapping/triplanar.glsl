@@ -7,19 +7,19 @@
 #ifndef LICHEN_TRIPLANAR_MAPPING_GLSL
 #define LICHEN_TRIPLANAR_MAPPING_GLSL
 
-#include "../noise/mix_point.glsl"
 #include "../noise/shading_point.glsl"
 
 // The shader scales the largest weight to 1, subtracts this from all three and skips planes below
 // 0, so weights have no jump. A plane of this weight moves an 8-bit value, whose deviation is an
 // eighth of the range, by half a step.
-#define LICHEN_LEAST_PLANE_WEIGHT (1.0 / 64.0)
+const float kLichenLeastPlaneWeight = 1.0 / 64.0;
 
+#if LICHEN_HAS_TRIPLANAR
 /// Weights of the planes that look along x, y and z; their squares sum to 1.
 vec3 lichenPlaneWeights(vec3 normal, LichenMaterial material) {
   vec3 slant = abs(normal);
   slant /= max(slant.x, max(slant.y, slant.z));
-  vec3 weights = max(pow(slant, vec3(material.planeSharpness)) - LICHEN_LEAST_PLANE_WEIGHT, 0.0);
+  vec3 weights = max(pow(slant, vec3(material.planeSharpness)) - kLichenLeastPlaneWeight, 0.0);
   return weights * inversesqrt(dot(weights, weights));
 }
 
@@ -52,9 +52,10 @@ LichenShadingPoint lichenPointTriplanarGrad(vec3 position, vec3 positionGradient
   shading.triplanar.order = ivec3(first, second, third);
   shading.triplanar.count = int(weights.x > 0.0) + int(weights.y > 0.0) + int(weights.z > 0.0);
   shading.triplanar.planes = planes;
-  lichenSetMixFromMaterial(shading.point, material, noise);
+  lichenSetMix(shading.point, lichenMixWeight(vec2(0.0), material), vec2(0.0));
   return shading;
 }
+#endif
 
 /// The unit normal of a surface whose slopes have this gradient in space, on any side of it.
 vec3 lichenNormalFromGradient(vec3 normal, vec3 gradient) {

@@ -5,10 +5,7 @@
 #ifndef LICHEN_UV_GLSL
 #define LICHEN_UV_GLSL
 
-#include "../noise/cosine_gradient.glsl"
-#include "../noise/mix_point.glsl"
 #include "../noise/shading_point.glsl"
-#include "../noise/texton_gradient.glsl"
 #include "../noise/tile_frame.glsl"
 
 /// The shading point at `uv` with explicit gradients: usable in compute and in non-uniform control
@@ -21,36 +18,29 @@ LichenShadingPoint lichenPointUvGrad(vec2 uv, vec2 uvGradientX, vec2 uvGradientY
   shading.noise = noise;
   shading.point = lichenPointAt(position, lichenUvToTile(uvGradientX, material),
                                 lichenUvToTile(uvGradientY, material), material, noise);
-  lichenSetMixFromUv(shading.point, uv, material, noise);
+  lichenSetMix(shading.point, lichenMixWeight(uv, material), lichenMixGradient(material));
   return shading;
 }
 
-/// The value of a map's first channel at `position` [tiles] and its derivatives along x and y of
-/// tile space [1 / tile], for bumps of a height. Tiling and quilting have none, and give 0. The
-/// weight of a mix and its derivatives are those that lichenSetMix takes.
+/// The value of a map's first channel and its derivatives along x and y of tile space [1 / tile],
+/// for bumps of a height: differences over a texel of the footprint. The weight of a mix and its
+/// derivatives are those that lichenSetMix takes.
 vec3 lichenGradientAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, vec2 position, vec2 gradientX,
                       vec2 gradientY, float mixWeight, vec2 mixGradient, LichenMaterial material,
                       LichenNoise noise, LichenMap map) {
-#ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
-  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, noise))
-    return lichenCosinesGradient(image, table, position, gradientX, gradientY, material, noise,
-                                 map);
-#endif
-#ifdef LICHEN_HAS_MULTIPLE_KERNELS
-  if (lichenHasMethod(LICHEN_METHOD_MULTIPLE_KERNELS, noise))
-    return lichenKernelsGradient(image, table, position, gradientX, gradientY, material, noise,
-                                 map);
-#endif
-#ifdef LICHEN_HAS_TEXTONS
-  if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise)) {
-    LichenImpacts impacts =
-        lichenGradientImpactsAt(position, gradientX, gradientY, material, noise);
-    lichenSetMix(impacts, mixWeight, mixGradient);
-    return lichenTextonGradient(image, table, impacts, material, noise, map);
+  vec2 texels = vec2(noise.tileTexelsX, noise.tileTexelsY);
+  float level = lichenSharpLevel(lichenFootprintLevel(gradientX * texels, gradientY * texels));
+  vec2 halfTexel = 0.5 * exp2(level) / texels;
+  vec3 gradient = vec3(0.0);
+  for (int k = 0; k < 5; ++k) { // the point, then half a texel to each side
+    vec2 side = vec2(float(int(k == 1) - int(k == 2)), float(int(k == 3) - int(k == 4)));
+    vec2 away = side * halfTexel;
+    LichenPoint point = lichenPointAt(position + away, gradientX, gradientY, material, noise);
+    lichenSetMix(point, mixWeight + dot(mixGradient, away), mixGradient);
+    float value = lichenValueAt(image, table, point, material, noise, map).x;
+    gradient += value * vec3(float(int(k == 0)), 0.5 * side / halfTexel);
   }
-#endif
-  LichenPoint point = lichenPointAt(position, gradientX, gradientY, material, noise);
-  return vec3(lichenValueAt(image, table, point, material, noise, map).x, 0.0, 0.0);
+  return gradient;
 }
 
 /// The same at `uv`, with the material's weight of a mix.

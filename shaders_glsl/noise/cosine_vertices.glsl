@@ -7,18 +7,35 @@
 
 #include "../interface/lichen_interface.h"
 #include "hash.glsl"
+#include "lattice.glsl"
 #include "method_parts.glsl"
-#include "periodic_lattice.glsl"
+#include "solid_footprint.glsl"
 
 /// What all maps of a noise share at one point.
 struct LichenCosinesPoint {
-  ivec2 cell;    // of octave 0 that holds the point, from the cell of the tile origin on
-  vec2 inside;   // the place in it, [0, 1)
+  ivec3 cell;    // of octave 0 that holds the point, from the cell of the tile origin on; of a
+                 // plane z is 0, and the members below are set
+  vec3 inside;   // the place in it, [0, 1)
   vec2 position; // [tiles] modulo whole tiles
   uvec2 origin;  // the cell of the tile origin, modulo 2^32
   uint seedWord; // of the plane, as is the origin
   vec2 gradientX, gradientY; // [tiles / pixel]
+#if LICHEN_HAS_SOLIDS
+  LichenSolidFootprint footprint; // of a solid
+#endif
 };
+
+/// The number of cosines of an octave.
+int lichenOctaveCosines(int octave, LichenCosinesNoise cosines) {
+  uint word = octave < 4 ? cosines.octaves0 : (octave < 8 ? cosines.octaves1 : cosines.octaves2);
+  return int((word >> (8u * uint(octave & 3))) & 255u);
+}
+
+/// The two numbers that a float's halves hold, with 8 significant bits each.
+vec2 lichenBfloat16Pair(float pair) {
+  uint bits = floatBitsToUint(pair);
+  return vec2(uintBitsToFloat(bits & 0xFFFF0000u), uintBitsToFloat(bits << 16u));
+}
 
 /// The three vertices around a point in the lattice of one octave.
 struct LichenCosinesVertices {
@@ -42,7 +59,7 @@ vec3 lichenCosineWindows(vec3 columns, vec3 rows) {
 /// A vertex (i, j) from the cell of the tile origin on -> modulo 2^32, or the vertex of the period
 /// that stands for it.
 uvec2 lichenCosineVertex(ivec2 vertex, int finer, uvec2 origin, LichenMaterial material) {
-  if (!bool(LICHEN_PERIODIC_LATTICE) || material.periodRows == 0)
+  if (!lichenIsPeriodic(material))
     return uvec2(vertex) + (origin << uint(finer));
   int columns = material.periodColumns << finer;
   int rows = material.periodRows << finer;
@@ -68,10 +85,10 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
                                             LichenMaterial material) {
   int finer = lichenFinerOctaves(octave, material);
   float scale = float(1 << finer);
-  vec2 place = point.inside * scale;
+  vec2 place = point.inside.xy * scale;
   vec2 corner = floor(place);
   place -= corner;
-  ivec2 cell = (point.cell << finer) + ivec2(corner);
+  ivec2 cell = (point.cell.xy << finer) + ivec2(corner);
   int far = int(place.x + place.y >= 1.0);
   vec3 columns = place.x - vec3(float(far), 1.0, 0.0);
   vec3 rows = place.y - vec3(float(far), 0.0, 1.0);

@@ -9,36 +9,27 @@
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "gaussian_cdf.glsl"
+#include "switches.glsl"
 
-// LICHEN_TABLES is 0 where no map has an inverse table, LICHEN_GAUSSIAN_ONLY where every map has
-// one. Literals, or the host's specialization constants. Not both are 0.
-#ifndef LICHEN_TABLES
-#define LICHEN_TABLES 1
-#endif
-#ifndef LICHEN_GAUSSIAN_ONLY
-#define LICHEN_GAUSSIAN_ONLY 1
-#endif
-// 0 where no map has values above 1 (the encoding log2). Likewise.
-#ifndef LICHEN_VALUES_ABOVE_ONE
-#define LICHEN_VALUES_ABOVE_ONE 1
-#endif
 // 1 fetches the nearest mip level of a table alone: cheaper, and colours change in steps with
-// distance. Likewise.
+// distance. A literal, or the host's specialization constant.
 #ifndef LICHEN_NEAREST_TABLE_LEVEL
 #define LICHEN_NEAREST_TABLE_LEVEL 0
 #endif
 
-// The layers that a noise may have; 1 where no noise is layered. A literal.
-#ifndef LICHEN_LAYERS
-#define LICHEN_LAYERS 1
-#endif
+/// The Gaussian value of a map at a point.
+struct LichenGaussian {
+  vec3 value;       // mean 1/2; deviation 1/6 where nothing is lost
+  vec3 lost;        // the share of each channel's variance that filtering lost
+  float depthSlope; // of slopes in a solid: the one along z
+};
 
 /// `map` with the encoding that its role implies, except whether values exceed 1. Compilers can
 /// then leave out the code of other encodings.
 LichenMap lichenMapOf(int role, LichenMap map) {
   // docs/gltf_extension/README.md, "Maps".
   bool isColor = role == LICHEN_BASE_COLOR || role == LICHEN_EMISSIVE;
-  bool isAboveOne = bool(LICHEN_VALUES_ABOVE_ONE) && (isColor || role == LICHEN_HEIGHT) &&
+  bool isAboveOne = LICHEN_USES(LICHEN_FEATURE_VALUES_ABOVE_ONE) && (isColor || role == LICHEN_HEIGHT) &&
                     map.encoding == uint(LICHEN_ENCODING_LOG2);
   if (role == LICHEN_NORMAL)
     map.encoding = uint(LICHEN_ENCODING_SLOPE);
@@ -117,12 +108,20 @@ vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
   return vec4(stored * stored + variance, 1.0);
 }
 
-/// Decodes by the map's table, or without one. `contrast` is the factor on the Gaussian value about
-/// its mean. It scales the lost part too.
-vec4 lichenDecode(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, float contrast, LichenMap map) {
+/// The value that a Gaussian value stands for: light for colours, the decoded quantity for others.
+/// `contrast` is the factor on the Gaussian value about its mean. It scales the lost part too.
+vec4 lichenDecode(LICHEN_IMAGE_3D table, LichenGaussian gaussian, float contrast, LichenMap map) {
+#if (LICHEN_METHODS & 16) != 0
+  if (map.decoding == uint(LICHEN_DECODING_NONE)) {
+    vec3 here = map.mean.xyz + gaussian.value - 0.5;
+    if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
+      return vec4(here.xy, max(here.z, 0.0), 1.0);
+    return vec4(clamp(here, 0.0, map.encoding == uint(LICHEN_ENCODING_LOG2) ? 3.0e38 : 1.0), 1.0);
+  }
+#endif
   // In variables: of a specialization constant negated here, glslang 11 makes invalid SPIR-V.
-  bool hasTables = bool(LICHEN_TABLES);
-  bool hasGaussian = bool(LICHEN_GAUSSIAN_ONLY);
+  bool hasTables = LICHEN_USES(LICHEN_FEATURE_TABLES);
+  bool hasGaussian = LICHEN_USES(LICHEN_FEATURE_GAUSSIAN_ONLY);
   bool isGaussian = !hasTables || map.decoding == uint(LICHEN_DECODING_GAUSSIAN);
 #if LICHEN_LAYERS > 1
   bool isIndex = map.encoding == uint(LICHEN_ENCODING_INDEX);
@@ -130,10 +129,10 @@ vec4 lichenDecode(LICHEN_IMAGE_3D table, vec3 gaussian, float lost, float contra
   isGaussian = isGaussian || isIndex;
 #endif
   if (hasGaussian && isGaussian)
-    return lichenDecodeGaussian(gaussian, vec3(contrast * contrast * lost), map);
+    return lichenDecodeGaussian(gaussian.value, contrast * contrast * gaussian.lost, map);
   // A table averages over no more than all of it.
   float within = min(contrast, 1.0);
-  vec4 value = lichenDecodeTable(table, gaussian, within * within * lost, map);
+  vec4 value = lichenDecodeTable(table, gaussian.value, within * within * gaussian.lost.x, map);
   // The variance of c g clamped to the table, over that of g, is 2 c - 1 within 3 % up to c = 2 and
   // within a quarter up to 4, for near-Gaussian slopes. Of slopes in clusters it is less.
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))

@@ -26,8 +26,7 @@ uint lichenPcg(uint value) {
 }
 
 // The first step of pcg3d, a linear congruential generator for each word.
-#define LICHEN_PCG3D_FACTOR 1664525u
-#define LICHEN_PCG3D_TERM 1013904223u
+const uint kLichenPcg3dFactor = 1664525u, kLichenPcg3dTerm = 1013904223u;
 
 /// The other steps of pcg3d.
 uvec3 lichenPcg3dMix(uvec3 v) {
@@ -44,7 +43,26 @@ uvec3 lichenPcg3dMix(uvec3 v) {
 /// Three words hashed to three.
 uvec3 lichenPcg3d(uvec3 v) {
   // [JO20] listing "pcg3d".
-  return lichenPcg3dMix(v * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM);
+  return lichenPcg3dMix(v * kLichenPcg3dFactor + kLichenPcg3dTerm);
+}
+
+/// Impacts in a cell of the Poisson process: the quantile of a Poisson variable of mean 1.
+uint lichenPoissonCount(uint hash) {
+  // 2^32 times its distribution function at 0, 1, ...; more than 12 have a probability of 6e-11.
+  uint count = 0u;
+  count += hash >= 1580030169u ? 1u : 0u;
+  count += hash >= 3160060337u ? 1u : 0u;
+  count += hash >= 3950075422u ? 1u : 0u;
+  count += hash >= 4213413783u ? 1u : 0u;
+  count += hash >= 4279248374u ? 1u : 0u;
+  count += hash >= 4292415292u ? 1u : 0u;
+  count += hash >= 4294609778u ? 1u : 0u;
+  count += hash >= 4294923276u ? 1u : 0u;
+  count += hash >= 4294962463u ? 1u : 0u;
+  count += hash >= 4294966817u ? 1u : 0u;
+  count += hash >= 4294967253u ? 1u : 0u;
+  count += hash >= 4294967292u ? 1u : 0u;
+  return count;
 }
 
 /// The word that stands for a noise's seed and a projection plane (0 for uv).

@@ -12,13 +12,8 @@
 #include "footprint_level.glsl"
 #include "hash.glsl"
 #include "method_parts.glsl"
-#include "periodic_lattice.glsl"
-#include "poisson_count.glsl"
-
-// 0 where no texton is of order 3. A literal, or the host's specialization constant.
-#ifndef LICHEN_CUBIC_TEXTONS
-#define LICHEN_CUBIC_TEXTONS 1
-#endif
+#include "surface_cubes.glsl"
+#include "switches.glsl"
 
 /// What all maps of a texton noise share at one point. Offsets from an impact or a
 /// cell's corner to the point [texels] are in the frame of the impact's texton, from the middle of
@@ -26,9 +21,6 @@
 struct LichenImpacts {
   float footprintLevel; // of the mip that shows what the footprint does, at least 0
   float level;          // likewise, as far as the textons have mips
-#if LICHEN_ANISOTROPIC
-  vec2 majorAxis, minorAxis; // [texels] of the footprint, as far as textons are fetched with it
-#endif
   vec2 middle, radius; // [texels] of what a texton reaches, fetched at this level
   ivec2 firstCell;     // of those whose impacts may reach the point, in the period
   vec2 start, end;     // offsets to the point from corners of cells: first, beyond the last
@@ -36,6 +28,9 @@ struct LichenImpacts {
   uint seedWord;       // of the hash
   float mixWeight;     // [0, 1] of a mix: from its first exemplar to its last
   vec2 mixGradient;    // [1 / tile] its derivative
+#if LICHEN_HAS_SURFACES
+  LichenSurfaceCubes cubes; // on a surface: what replaces the cells of a plane
+#endif
 };
 
 /// A walk over the impacts of those cells. All of it but the last three members is about the next
@@ -64,7 +59,7 @@ uint lichenCellNumber(float cell, int period) {
   uint number = lichenLowWord(cell);
   // A quotient of floats is off by few periods, which lichenWrapped mends; their product would be
   // rounded, but modulo 2^32 it is exact, and so is what is left of the number.
-  if (bool(LICHEN_PERIODIC_LATTICE) && period != 0)
+  if (LICHEN_USES(LICHEN_FEATURE_PERIOD) && period != 0)
     number -= lichenLowWord(floor(cell / float(period))) * uint(period);
   return number;
 }
@@ -87,85 +82,16 @@ void lichenMipReach(float level, vec2 coefficients, LICHEN_OUT(vec2) low, LICHEN
   high = (ceil(coefficients / side) + 0.5) * side;
 }
 
-#if LICHEN_ANISOTROPIC
-/// The level of a footprint whose axes have these lengths [texels]: of a square of the same area.
-float lichenAnisotropicLevel(float major, float minor, float maxAnisotropy) {
-  // The same rule as in lichenAnisotropicTilingLevel.
-  return max(0.0, log2(major) - 0.5 * log2(clamp(major / minor, 1.0, maxAnisotropy)));
-}
-#endif
-
-/// The levels and axes of the footprint with these derivatives [texels / pixel].
-void lichenSetFootprint(LICHEN_INOUT(LichenImpacts) impacts, vec2 texelsX, vec2 texelsY,
-                        LichenMaterial material, LichenNoise noise) {
-  float lastLevel = float(int(lichenTextonNoise(noise).mipCount) - 1);
-#if LICHEN_ANISOTROPIC
-  // The axes of the ellipse: eigenvectors of texelsX texelsX^T + texelsY texelsY^T.
-  const float kLeast = 1.0e-10; // texels; keeps axes and levels defined at a point
-  float mean = 0.5 * (dot(texelsX, texelsX) + dot(texelsY, texelsY));
-  float covariance = texelsX.x * texelsX.y + texelsY.x * texelsY.y;
-  float difference = 0.5 * (texelsX.x * texelsX.x + texelsY.x * texelsY.x - texelsX.y * texelsX.y -
-                            texelsY.y * texelsY.y);
-  float root = length(vec2(difference, covariance));
-  float major = sqrt(max(mean + root, kLeast * kLeast));
-  float minor = sqrt(max(mean - root, kLeast * kLeast));
-  vec2 direction =
-      difference >= 0.0 ? vec2(root + difference, covariance) : vec2(covariance, root - difference);
-  direction = root > 0.0 ? normalize(direction) : vec2(1.0, 0.0);
-  // What interpolation averages is as wide along the major axis as along the minor one.
-  float blur = minor > 1.0 ? minor - exp2(lichenSharpLevel(log2(minor))) : 0.0;
-  minor -= blur;
-  major -= blur;
-  impacts.footprintLevel = lichenAnisotropicLevel(major, minor, material.maxAnisotropy);
-  // The frame's zeros are one texel of the last mip wide. A longer footprint than half of it would
-  // see across them, unless it is one fetch.
-  float most = exp2(lastLevel);
-  minor = min(minor, most);
-  major = min(major, max(minor, 0.5 * most));
-  impacts.level = min(lichenAnisotropicLevel(major, minor, material.maxAnisotropy), lastLevel);
-  impacts.majorAxis = major * direction;
-  impacts.minorAxis = minor * vec2(-direction.y, direction.x);
-#else
-  impacts.footprintLevel = lichenSharpLevel(lichenFootprintLevel(texelsX, texelsY));
-  impacts.level = min(impacts.footprintLevel, lastLevel);
-#endif
-}
-
-/// The footprint as a square of this side [texels, a mip's].
-void lichenSetSquare(LICHEN_INOUT(LichenImpacts) impacts, float side) {
-  impacts.level = log2(side);
-#if LICHEN_ANISOTROPIC
-  impacts.majorAxis = vec2(side, 0.0);
-  impacts.minorAxis = vec2(0.0, side);
-#endif
-}
-
 /// How far the footprint is from magnified, 0, to at least the first mip, 1.
-float lichenMinified(LichenImpacts impacts) {
-#if LICHEN_ANISOTROPIC
-  return clamp(0.5 * log2(dot(impacts.majorAxis, impacts.majorAxis)), 0.0, 1.0);
-#else
-  return min(impacts.level, 1.0);
-#endif
-}
+float lichenMinified(LichenImpacts impacts) { return min(impacts.level, 1.0); }
 
 /// The texels outside which a texton fetched with this footprint is 0.
-void lichenReach(LichenImpacts impacts, LichenMaterial material, LichenNoise noise,
-                 LICHEN_OUT(vec2) low, LICHEN_OUT(vec2) high) {
+void lichenReach(LichenImpacts impacts, LichenNoise noise, LICHEN_OUT(vec2) low,
+                 LICHEN_OUT(vec2) high) {
   vec2 coefficients = lichenTextonCoefficients(noise);
-#if LICHEN_ANISOTROPIC
-  // Fetches in a row along the major axis, each at the level of the minor one.
-  float major = length(impacts.majorAxis);
-  float ratio = clamp(major / length(impacts.minorAxis), 1.0, material.maxAnisotropy);
-  lichenMipReach(max(0.0, log2(major / ratio)), coefficients, low, high);
-  vec2 row = 0.5 * (1.0 - 1.0 / ceil(ratio)) * abs(impacts.majorAxis);
-  low -= row;
-  high += row;
-#else
   lichenMipReach(impacts.level, coefficients, low, high);
-#endif
   float minified = lichenMinified(impacts);
-  if (bool(LICHEN_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0) {
+  if (LICHEN_USES(LICHEN_FEATURE_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0) {
     vec2 lowMip, highMip;
     lichenMipReach(minified, coefficients, lowMip, highMip);
     const float kReach = 1.5; // of a cubic B-spline beyond the border of its texel
@@ -175,19 +101,18 @@ void lichenReach(LichenImpacts impacts, LichenMaterial material, LichenNoise noi
 }
 
 /// Impacts around `position` [tiles, relative to the host's integer tile origin] whose textons
-/// reach it, or reach `margin` texels of their mip beyond.
-LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, vec2 gradientY,
-                                  LichenMaterial material, LichenNoise noise) {
+/// reach it.
+void lichenSetPoint(LICHEN_OUT(LichenImpacts) impacts, vec2 position, vec2 gradientX,
+                    vec2 gradientY, LichenMaterial material, LichenNoise noise) {
   vec2 texelsPerTile = vec2(noise.tileTexelsX, noise.tileTexelsY);
   vec2 cellsPerTile = vec2(material.columnsPerTile, material.rowsPerTile);
   vec2 coefficients = lichenTextonCoefficients(noise);
-  LichenImpacts impacts;
-  lichenSetFootprint(impacts, gradientX * texelsPerTile, gradientY * texelsPerTile, material,
-                     noise);
+  impacts.footprintLevel = lichenSharpLevel(
+      lichenFootprintLevel(gradientX * texelsPerTile, gradientY * texelsPerTile));
+  impacts.level =
+      min(impacts.footprintLevel, float(int(lichenTextonNoise(noise).mipCount) - 1));
   vec2 low, high;
-  lichenReach(impacts, material, noise, low, high);
-  low -= margin * exp2(impacts.level);
-  high += margin * exp2(impacts.level);
+  lichenReach(impacts, noise, low, high);
   impacts.middle = 0.5 * (low + high);
   impacts.radius = high - impacts.middle;
   // The centre of a texton's coefficients lies on its impact.
@@ -205,21 +130,45 @@ LichenImpacts lichenImpactsWithin(float margin, vec2 position, vec2 gradientX, v
       ivec2(uvec2(ivec2(first)) +
             uvec2(lichenCellNumber(cell.x, material.periodColumns) + uint(material.cellI),
                   lichenCellNumber(cell.y, material.periodRows) + uint(material.cellJ)));
-  if (bool(LICHEN_PERIODIC_LATTICE)) {
+  if (LICHEN_USES(LICHEN_FEATURE_PERIOD)) {
     impacts.firstCell.x = lichenWrapped(impacts.firstCell.x, material.periodColumns);
     impacts.firstCell.y = lichenWrapped(impacts.firstCell.y, material.periodRows);
   }
   impacts.seedWord = material.seedWord;
   impacts.mixWeight = 0.0;
   impacts.mixGradient = vec2(0.0);
-  return impacts;
 }
 
-/// Those of values; see method.glsl.
-void lichenSetPoint(LICHEN_OUT(LichenImpacts) impacts, vec2 position, vec2 gradientX,
-                    vec2 gradientY, LichenMaterial material, LichenNoise noise) {
-  impacts = lichenImpactsWithin(0.0, position, gradientX, gradientY, material, noise);
+#if LICHEN_HAS_SURFACES
+/// How thick a layer of impacts a point sees. [texels]
+float lichenSurfaceThickness(LichenNoise noise) {
+  // [GLM17] section 6: r, the side of a square texton; of another that of the square of its area.
+  vec2 support = lichenTextonCoefficients(noise) + float(int(lichenTextonNoise(noise).order));
+  return sqrt(support.x * support.y);
 }
+
+/// Sets the cubes around a point, whose footprint in the tangent plane is set. Offsets are in texels,
+/// from the middle of the reach of an impact's texton.
+void lichenSetSurfacePoint(LICHEN_INOUT(LichenImpacts) impacts, vec3 position, mat3 frame,
+                           LichenMaterial material, LichenNoise noise) {
+  LichenTextonMaterial own = lichenTextonMaterial(material);
+  float side = own.surfaceCubeTexels;
+  float greatestHeight = 0.5 * lichenSurfaceThickness(noise);
+  mat3 axes = mat3(side * frame[0], side * frame[1], side / greatestHeight * frame[2]);
+  vec3 grid = position * material.columnsPerTile;
+  vec3 corner = floor(grid);
+  // 2^28 tiles of 16384 texels have 2^46 cubes: cubes of 0.08 texels, for 1000 impacts of one
+  // texel.
+  uvec3 cell = uvec3(lichenLowWord(corner.x), lichenLowWord(corner.y), lichenLowWord(corner.z)) +
+               uvec3(ivec3(material.cellI, material.cellJ, own.cellK));
+  // The centre of a texton's coefficients lies on its impact.
+  vec2 shift = 0.5 * lichenTextonCoefficients(noise) - impacts.middle;
+  bool isPoisson = LICHEN_USES(LICHEN_FEATURE_POISSON_POINTS) &&
+                   own.pointProcess == uint(LICHEN_POINTS_POISSON);
+  impacts.cubes = lichenSurfaceCubesAt(grid - corner, cell, axes, vec3(shift, 0.0),
+                               vec3(impacts.radius, 1.0), material.seedWord, isPoisson);
+}
+#endif
 
 /// Where an impact lies in its cell, [0, 1).
 vec2 lichenImpactInCell(uint word) {
@@ -234,7 +183,7 @@ vec2 lichenImpactInCell(uint word) {
 LichenWalk lichenFirstImpact(LichenImpacts impacts, LichenMaterial material) {
   LichenWalk walk;
   walk.cell =
-      uvec3(uvec2(impacts.firstCell), impacts.seedWord) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM;
+      uvec3(uvec2(impacts.firstCell), impacts.seedWord) * kLichenPcg3dFactor + kLichenPcg3dTerm;
   walk.index = 0u;
   walk.corner = impacts.start;
   walk.isReached = false;
@@ -247,10 +196,10 @@ LichenWalk lichenFirstImpact(LichenImpacts impacts, LichenMaterial material) {
 /// after the last of the period.
 uint lichenNextCell(uint cell, int period) {
   // A sum in place of a product: cell numbers wrap as the hash's words do.
-  if (bool(LICHEN_PERIODIC_LATTICE) &&
-      cell == uint(period - 1) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM)
-    return LICHEN_PCG3D_TERM;
-  return cell + LICHEN_PCG3D_FACTOR;
+  if (LICHEN_USES(LICHEN_FEATURE_PERIOD) &&
+      cell == uint(period - 1) * kLichenPcg3dFactor + kLichenPcg3dTerm)
+    return kLichenPcg3dTerm;
+  return cell + kLichenPcg3dFactor;
 }
 
 /// To the next cell of the window, row by row.
@@ -258,7 +207,7 @@ void lichenNextCellOf(LICHEN_INOUT(LichenWalk) walk, LichenImpacts impacts,
                       LichenMaterial material) {
   walk.corner.x -= impacts.cellTexels.x;
   bool endsRow = walk.corner.x < impacts.end.x;
-  uint first = uint(impacts.firstCell.x) * LICHEN_PCG3D_FACTOR + LICHEN_PCG3D_TERM;
+  uint first = uint(impacts.firstCell.x) * kLichenPcg3dFactor + kLichenPcg3dTerm;
   walk.cell.x = endsRow ? first : lichenNextCell(walk.cell.x, material.periodColumns);
   walk.cell.y = endsRow ? lichenNextCell(walk.cell.y, material.periodRows) : walk.cell.y;
   walk.corner = endsRow ? vec2(impacts.start.x, walk.corner.y - impacts.cellTexels.y) : walk.corner;
@@ -268,7 +217,7 @@ void lichenNextCellOf(LICHEN_INOUT(LichenWalk) walk, LichenImpacts impacts,
 /// together, all would wait for the one that finds its own last.
 void lichenStep(LICHEN_INOUT(LichenWalk) walk, LichenImpacts impacts, LichenMaterial material,
                 LichenNoise noise) {
-  bool isPoisson = bool(LICHEN_POISSON_POINTS) &&
+  bool isPoisson = LICHEN_USES(LICHEN_FEATURE_POISSON_POINTS) &&
                    lichenTextonMaterial(material).pointProcess == uint(LICHEN_POINTS_POISSON);
   uvec3 hash = lichenPcg3dMix(walk.cell);
   uint word = isPoisson ? lichenPcg(hash.x + walk.index) : hash.x;

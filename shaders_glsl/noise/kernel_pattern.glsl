@@ -6,28 +6,25 @@
 
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
-#include "decoded_gradient.glsl"
 #include "method_parts.glsl"
-#include "periodic_lattice.glsl"
+#include "switches.glsl"
 #include "wave.glsl"
 
 /// The sum of the cosines.
 struct LichenPattern {
   vec3 gaussian; // less its mean
-  LichenGaussianSlopes slopes;
   float squares, lost; // the variance of all channels, and what the footprint takes of it
 };
 
 /// The pattern at `position` [tiles], from any whole number of tiles or from the period's begin.
-/// `footprint` as lichenWaveFootprint has it. Slopes are 0 unless `hasSlopes`, a constant.
+/// `footprint` as lichenWaveFootprint has it.
 LichenPattern lichenPatternAt(LICHEN_IMAGE_2D image, vec2 position, vec3 footprint,
-                              LichenMaterial material, LichenKernelsNoise kernels, bool hasSlopes) {
-  LichenPattern pattern =
-      LichenPattern(vec3(0.0), LichenGaussianSlopes(vec3(0.0), vec3(0.0)), 0.0, 0.0);
+                              LichenMaterial material, LichenKernelsNoise kernels) {
+  LichenPattern pattern = LichenPattern(vec3(0.0), 0.0, 0.0);
   // A period holds the pattern a whole number of times.
   vec2 repeats = vec2(1.0);
   vec2 place = fract(position);
-  if (bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0) {
+  if (lichenIsPeriodic(material)) {
     vec2 tiles = vec2(material.periodTilesX, material.periodTilesY);
     repeats = max(floor(tiles + 0.5), 1.0) / tiles;
     place = position;
@@ -48,12 +45,6 @@ LichenPattern lichenPatternAt(LICHEN_IMAGE_2D image, vec2 position, vec3 footpri
     pattern.gaussian += retained * (wave.x * cosines + wave.y * sines);
     pattern.squares += own;
     pattern.lost += own * (1.0 - retained * retained);
-    if (hasSlopes) {
-      const float kRadians = 6.28318531;
-      vec3 turned = kRadians * retained * (wave.x * sines - wave.y * cosines);
-      pattern.slopes.alongX += frequency.x * turned;
-      pattern.slopes.alongY += frequency.y * turned;
-    }
   }
   return pattern;
 }

@@ -3,8 +3,8 @@
 // footprint -> for each octave the three vertices around it and their windows -> the sum of the
 // cosines of each, and of the structure, with the share of the variance that the footprint loses.
 // decode.glsl makes the material's value of it.
-// [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/009-local-random-phase.md
-// and 028-structure.md.
+// [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/009-local-random-phase.md.
+
 #ifndef LICHEN_LOCAL_RANDOM_PHASE_GLSL
 #define LICHEN_LOCAL_RANDOM_PHASE_GLSL
 
@@ -15,18 +15,6 @@
 #include "method_parts.glsl"
 #include "structure.glsl"
 #include "wave.glsl"
-
-/// The number of cosines of an octave.
-int lichenOctaveCosines(int octave, LichenCosinesNoise cosines) {
-  uint word = octave < 4 ? cosines.octaves0 : (octave < 8 ? cosines.octaves1 : cosines.octaves2);
-  return int((word >> (8u * uint(octave & 3))) & 255u);
-}
-
-/// The two numbers that a float's halves hold, with 8 significant bits each.
-vec2 lichenBfloat16Pair(float pair) {
-  uint bits = floatBitsToUint(pair);
-  return vec2(uintBitsToFloat(bits & 0xFFFF0000u), uintBitsToFloat(bits << 16u));
-}
 
 /// Adds one cosine at three vertices: to the sum of Gaussian values, to the sum of the squared
 /// amplitudes of all channels under the windows, and in w to what the footprint takes of it.
@@ -62,10 +50,10 @@ void lichenAddCosine(LICHEN_INOUT(vec4) sum, LICHEN_INOUT(float) squares,
       vec4(values.x * amplitude0.rgb + values.y * amplitude1.rgb + values.z * amplitude2.rgb, 0.0);
 }
 
-/// The Gaussian value, and in w the share of its variance that the footprint loses, averaged over
-/// the channels.
-vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point, LichenMaterial material,
-                           LichenNoise noise, LichenMap map) {
+/// The Gaussian value; the loss is averaged over the channels.
+LichenGaussian lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                                LichenCosinesPoint point, LichenMaterial material,
+                                LichenNoise noise, LichenMap map) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));
@@ -92,48 +80,23 @@ vec4 lichenCosinesGaussian(LICHEN_IMAGE_2D image, LichenCosinesPoint point, Lich
   }
   lichenAddStructure(sum, squares, image, point, material, noise, map);
   const float kLeast = 1.0e-20; // of a map that does not vary
-  return vec4(0.5 + material.contrast * sum.rgb, sum.w / max(squares, kLeast));
+  return LichenGaussian(0.5 + material.contrast * sum.rgb, vec3(sum.w / max(squares, kLeast)), 0.0);
 }
-
-// The seam's functions; see method.glsl.
 
 void lichenSetPoint(LICHEN_OUT(LichenCosinesPoint) point, vec2 position, vec2 gradientX,
                     vec2 gradientY, LichenMaterial material, LichenNoise noise) {
-  float row = position.y * material.rowsPerTile;
-  vec2 skewed = vec2(position.x * material.columnsPerTile - 0.5 * row, row);
+  vec2 skewed = lichenSkewed(position, material);
   vec2 cell = floor(skewed);
-  point.cell = ivec2(cell);
-  if (bool(LICHEN_PERIODIC_LATTICE) && material.periodRows != 0) {
-    int rows = lichenFloorDivide(point.cell.y, material.periodRows);
-    point.cell += rows * ivec2(material.periodRows / 2, -material.periodRows);
-    int columns = lichenFloorDivide(point.cell.x, material.periodColumns);
-    point.cell.x -= columns * material.periodColumns;
-  }
-  point.inside = skewed - cell;
+  ivec2 vertex = ivec2(cell);
+  if (lichenIsPeriodic(material))
+    lichenWholePeriods(vertex, material);
+  point.cell = ivec3(vertex, 0);
+  point.inside = vec3(skewed - cell, 0.0);
   point.position = fract(position);
   point.origin = uvec2(ivec2(material.cellI, material.cellJ));
   point.seedWord = material.seedWord;
   point.gradientX = gradientX;
   point.gradientY = gradientY;
-}
-
-vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenCosinesPoint point,
-                      LichenMaterial material, LichenNoise noise, LichenMap map,
-                      LICHEN_OUT(vec3) lost) {
-  vec4 gaussian = lichenCosinesGaussian(image, point, material, noise, map);
-  lost = vec3(gaussian.w);
-  return gaussian.rgb;
-}
-
-vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenCosinesPoint point,
-                     LichenMaterial material, LichenNoise noise, LichenMap map) {
-  return lichenDecode(table, gaussian, lost.x, material.contrast, map);
-}
-
-vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenCosinesPoint point,
-                   LichenMaterial material, LichenNoise noise, LichenMap map) {
-  vec4 gaussian = lichenCosinesGaussian(image, point, material, noise, map);
-  return lichenDecode(table, gaussian.rgb, gaussian.w, material.contrast, map);
 }
 
 #endif

@@ -9,11 +9,11 @@
 
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
+#include "decode.glsl"
 #include "footprint_level.glsl"
 #include "hash.glsl"
+#include "lattice.glsl"
 #include "method_parts.glsl"
-#include "periodic_lattice.glsl"
-#include "simplex_lattice.glsl"
 
 /// What all maps of a noise share at one point.
 struct LichenQuiltingPoint {
@@ -123,32 +123,14 @@ vec3 lichenQuiltingTile(LICHEN_IMAGE_2D image, vec2 uv, float weight, float leve
   return weight * (lichenQuiltingDecode(texel, map) - map.mean.xyz);
 }
 
-// The seam's functions; see method.glsl. A "Gaussian" value is the value about its mean.
-
-vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenQuiltingPoint point,
-                      LichenMaterial material, LichenNoise noise, LichenMap map,
-                      LICHEN_OUT(vec3) lost) {
+/// The value about its mean, in place of a Gaussian value.
+LichenGaussian lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                                LichenQuiltingPoint point, LichenMaterial material,
+                                LichenNoise noise, LichenMap map) {
   float level = lichenSharpLevel(point.footprintLevel + map.levelOffset);
-  lost = vec3(0.0);
-  return 0.5 + lichenQuiltingTile(image, point.uv0, point.weights.x, level, map) +
-         lichenQuiltingTile(image, point.uv1, point.weights.y, level, map);
-}
-
-vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenQuiltingPoint point,
-                     LichenMaterial material, LichenNoise noise, LichenMap map) {
-  vec3 value = map.mean.xyz + gaussian - 0.5;
-  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
-    value.z = max(value.z, 0.0);
-  else
-    value = clamp(value, 0.0, map.encoding == uint(LICHEN_ENCODING_LOG2) ? 3.0e38 : 1.0);
-  return vec4(value, 1.0);
-}
-
-vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenQuiltingPoint point,
-                   LichenMaterial material, LichenNoise noise, LichenMap map) {
-  vec3 lost;
-  vec3 gaussian = lichenGaussianAt(image, table, point, material, noise, map, lost);
-  return lichenDecodedAt(table, gaussian, lost, point, material, noise, map);
+  return LichenGaussian(0.5 + lichenQuiltingTile(image, point.uv0, point.weights.x, level, map) +
+                            lichenQuiltingTile(image, point.uv1, point.weights.y, level, map),
+                        vec3(0.0), 0.0);
 }
 
 #endif

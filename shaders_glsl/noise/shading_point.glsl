@@ -4,40 +4,60 @@
 #ifndef LICHEN_SHADING_POINT_GLSL
 #define LICHEN_SHADING_POINT_GLSL
 
-#include "method.glsl"
-#include "solid_method.glsl"
-#include "surface_method.glsl"
+#include "noise.glsl"
+#include "tile_frame.glsl"
 #include "triplanar.glsl"
 
-/// What all maps of a noise share at one point; the parts of its method and mapping are set.
+/// What all maps of a noise share at one point.
 struct LichenShadingPoint {
   LichenMaterial material;
   LichenNoise noise;
   LichenPoint point;
-  LichenSurfacePoint surface;
-  LichenTriplanar triplanar;
-  LichenSolidPoint solid;
+#if LICHEN_HAS_TRIPLANAR
+  LichenTriplanar triplanar; // set where the mapping is triplanar, `point` but for its mix elsewhere
+#endif
 };
+
+/// The Gaussian value of one map: mean 1/2, deviation 1/6 where nothing is lost.
+LichenGaussian lichenGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                              LichenShadingPoint shading, LichenMap map) {
+  LichenMap here = lichenMapAt(table, shading.point, shading.noise, map);
+#if LICHEN_HAS_TRIPLANAR
+  if (lichenIsTriplanar(shading.material))
+    return lichenTriplanarGaussian(image, table, shading.triplanar, shading.point, shading.noise,
+                                   here);
+#endif
+#if LICHEN_HAS_SURFACES
+  if (lichenIsSurface(shading.material, shading.noise))
+    return lichenSurfaceGaussian(image, table, shading.point, shading.material, shading.noise, here);
+#endif
+#if LICHEN_HAS_SOLIDS
+  if (lichenIsSolid(shading.material, shading.noise))
+    return lichenSolidGaussian(image, shading.point, shading.material, shading.noise, here);
+#endif
+  return lichenGaussianAt(image, table, shading.point, shading.material, shading.noise, here);
+}
 
 /// The value of one map: light for colours, the decoded quantity for the others. For slopes, z is
 /// the variance of a slope lost to filtering, for lichenRoughness; triplanar and solid ones are a
 /// gradient in space, and the variance is w.
 vec4 lichenValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenShadingPoint shading,
                  LichenMap map) {
-#ifndef LICHEN_OMIT_TRIPLANAR
-  if (lichenIsTriplanar(shading.material))
-    return lichenTriplanarValue(image, table, shading.triplanar, shading.point, shading.noise, map);
+  bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
+#if LICHEN_HAS_TRIPLANAR
+  if (lichenIsTriplanar(shading.material) && isSlope)
+    return lichenTriplanarSlopes(image, table, shading.triplanar, shading.point, shading.noise,
+                                 map);
 #endif
-#ifndef LICHEN_OMIT_SURFACE
-  if (lichenIsSurface(shading.material, shading.noise))
-    return lichenSurfaceValue(image, table, shading.surface, shading.point, shading.material,
-                              shading.noise, map);
-#endif
-#ifndef LICHEN_OMIT_SOLID
-  if (lichenIsSolid(shading.material, shading.noise))
-    return lichenSolidValue(image, table, shading.solid, shading.material, shading.noise, map);
-#endif
-  return lichenValueAt(image, table, shading.point, shading.material, shading.noise, map);
+  if (!lichenHasSlopesInSpace(shading.material, shading.noise) &&
+      !lichenIsSurface(shading.material, shading.noise))
+    return lichenValueAt(image, table, shading.point, shading.material, shading.noise, map);
+  LichenGaussian gaussian = lichenGaussian(image, table, shading, map);
+  vec4 value = lichenDecode(table, gaussian, shading.material.contrast,
+                            lichenMapAt(table, shading.point, shading.noise, map));
+  if (isSlope && lichenIsSolid(shading.material, shading.noise))
+    value = vec4(lichenSlopesToUv(value.xy, shading.material), gaussian.depthSlope, value.z);
+  return value;
 }
 
 #endif

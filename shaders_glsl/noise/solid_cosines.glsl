@@ -11,11 +11,12 @@
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
 #include "decode.glsl"
-#include "local_random_phase.glsl"
+#include "cosine_vertices.glsl"
 #include "method_parts.glsl"
 #include "solid_vertices.glsl"
 #include "tile_frame.glsl"
 
+#if LICHEN_HAS_SOLIDS
 /// Sums over cosines.
 struct LichenSolidSum {
   vec3 gaussian;       // less its mean
@@ -44,7 +45,7 @@ void lichenAddSolidVertex(LICHEN_INOUT(LichenSolidSum) sum, vec3 frequency, floa
 /// the vertices' random numbers.
 void lichenAddSolidCosine(LICHEN_INOUT(LichenSolidSum) sum, LICHEN_INOUT(uvec4) states,
                           LICHEN_INOUT(uvec4) depths, LichenSolidVertices vertices,
-                          LichenSolidCosinesPoint point, vec2 box, vec2 variant0, vec2 variant1,
+                          LichenCosinesPoint point, vec2 box, vec2 variant0, vec2 variant1,
                           vec2 variant2, vec2 variant3, float aspect, LichenMap map) {
   vec2 middle = lichenBfloat16Pair(box.x), size = lichenBfloat16Pair(box.y);
   vec4 amplitude0 = vec4(lichenBfloat16Pair(variant0.x), lichenBfloat16Pair(variant0.y));
@@ -80,7 +81,7 @@ void lichenAddSolidCosine(LICHEN_INOUT(LichenSolidSum) sum, LICHEN_INOUT(uvec4) 
 }
 
 /// The sum of all cosines.
-LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenSolidCosinesPoint point,
+LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
                               LichenMaterial material, LichenNoise noise, LichenMap map) {
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
   LichenSolidSum sum = LichenSolidSum(vec3(0.0), 0.0, 0.0, 0.0);
@@ -107,9 +108,7 @@ LichenSolidSum lichenSolidSum(LICHEN_IMAGE_2D image, LichenSolidCosinesPoint poi
   return sum;
 }
 
-// The seam's functions; see solid_method.glsl.
-
-void lichenSetSolidPoint(LICHEN_OUT(LichenSolidCosinesPoint) point, vec3 position,
+void lichenSetSolidPoint(LICHEN_OUT(LichenCosinesPoint) point, vec3 position,
                          LichenSolidFootprint footprint, LichenMaterial material) {
   vec3 cubesPerTile = vec3(material.columnsPerTile, material.rowsPerTile, material.columnsPerTile);
   vec3 skewed = lichenSkewed((position + vec3(0.0, 0.0, lichenCosinesMaterial(material).offsetZ)) *
@@ -120,13 +119,14 @@ void lichenSetSolidPoint(LICHEN_OUT(LichenSolidCosinesPoint) point, vec3 positio
   point.footprint = footprint;
 }
 
-vec4 lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenSolidCosinesPoint point,
-                           LichenMaterial material, LichenNoise noise, LichenMap map,
-                           LICHEN_OUT(float) depthSlope) {
+LichenGaussian lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenCosinesPoint point,
+                                     LichenMaterial material, LichenNoise noise, LichenMap map) {
   LichenSolidSum sum = lichenSolidSum(image, point, material, noise, map);
-  depthSlope = material.contrast * sum.depthSlope;
   const float kLeast = 1.0e-20; // of a map that does not vary
-  return vec4(0.5 + material.contrast * sum.gaussian, sum.lost / max(sum.squares, kLeast));
+  return LichenGaussian(0.5 + material.contrast * sum.gaussian,
+                        vec3(sum.lost / max(sum.squares, kLeast)),
+                        material.contrast * sum.depthSlope);
 }
+#endif
 
 #endif

@@ -10,17 +10,10 @@
 #include "../interface/lichen_interface.h"
 #include "hash.glsl"
 #include "method_parts.glsl"
-#include "multiple_kernels.glsl"
+#include "kernels.glsl"
 #include "solid_footprint.glsl"
 
-/// What all maps of a solid noise share at one point. Along z a tile is as long as it is wide.
-struct LichenSolidKernelsPoint {
-  LichenKernelsPoint plane; // x and y
-  int groupZ;               // of LICHEN_KERNEL_TILES tile widths; modulo 2^32
-  float insideZ;            // the place in it, [0, 1)
-  LichenSolidFootprint footprint;
-};
-
+#if LICHEN_HAS_SOLIDS
 /// A kernel in space. Offsets along z are in layers of cells.
 struct LichenSolidKernel {
   LichenKernel plane;
@@ -45,10 +38,10 @@ struct LichenSolidKernelSums {
 };
 
 /// The kernel of a row around a point.
-LichenSolidKernel lichenSolidKernelAt(LichenKernelRow row, LichenSolidKernelsPoint point,
+LichenSolidKernel lichenSolidKernelAt(LichenKernelRow row, LichenKernelsPoint point,
                                       LichenMaterial material, LichenNoise noise) {
   LichenSolidKernel kernel;
-  kernel.plane = lichenKernelAt(row, point.plane, material);
+  kernel.plane = lichenKernelAt(row, point, material);
   kernel.aspect = noise.tileAspect;
   kernel.frequency = row.isRing ? row.frequency : row.frequency * vec2(1.0, kernel.aspect);
   // Windows in space are wider by the root of 15 / 14: planes then have the spread of the window in
@@ -58,10 +51,10 @@ LichenSolidKernel lichenSolidKernelAt(LichenKernelRow row, LichenSolidKernelsPoi
   kernel.plane.amplitude *=
       sqrt(kShrink * kShrink * kShrink * row.toWindowZ / (kIntegral * layersPerTile));
   kernel.perLayer = 1.0 / layersPerTile;
-  float position = point.insideZ * row.layers;
+  float position = point.inside.z * row.layers;
   float corner = floor(position);
   kernel.place = position - corner;
-  kernel.layer = uint(int(corner)) + uint(point.groupZ) * uint(int(row.layers));
+  kernel.layer = uint(int(corner)) + uint(point.group.z) * uint(int(row.layers));
   LichenSolidFootprint axes = point.footprint;
   // Of the window, and of the wave: rings have all directions.
   vec3 windowA = vec3(row.toWindow * axes.a.xy, row.toWindowZ * axes.a.z);
@@ -182,30 +175,22 @@ LichenSolidKernelSums lichenSolidKernelSums(LichenSolidKernel kernel, uint seed,
   return sums;
 }
 
-// The seam's functions; see solid_method.glsl.
-
-void lichenSetSolidPoint(LICHEN_OUT(LichenSolidKernelsPoint) point, vec3 position,
+void lichenSetSolidPoint(LICHEN_OUT(LichenKernelsPoint) point, vec3 position,
                          LichenSolidFootprint footprint, LichenMaterial material) {
   LichenKernelsMaterial own = lichenKernelsMaterial(material);
   vec3 place = (position + vec3(0.0, 0.0, own.offsetZ)) / float(LICHEN_KERNEL_TILES);
   vec3 group = floor(place);
-  point.plane.inside = place.xy - group.xy;
-  point.plane.group = ivec2(group.xy) + ivec2(material.cellI, material.cellJ);
-  point.plane.seedWord = material.seedWord;
-  point.plane.gradientX = vec2(0.0);
-  point.plane.gradientY = vec2(0.0);
-  point.insideZ = place.z - group.z;
-  point.groupZ = int(group.z) + own.cellK;
+  point.inside = place - group;
+  point.group = ivec3(group) + ivec3(material.cellI, material.cellJ, own.cellK);
+  point.seedWord = material.seedWord;
   point.footprint = footprint;
 }
 
-vec4 lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenSolidKernelsPoint point,
-                           LichenMaterial material, LichenNoise noise, LichenMap map,
-                           LICHEN_OUT(float) depthSlope) {
+LichenGaussian lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenKernelsPoint point,
+                                     LichenMaterial material, LichenNoise noise, LichenMap map) {
   bool isSlope = map.encoding == uint(LICHEN_ENCODING_SLOPE);
   vec3 sum = vec3(0.0);
-  float squares = 0.0, lost = 0.0;
-  depthSlope = 0.0;
+  float squares = 0.0, lost = 0.0, depthSlope = 0.0;
   LichenKernelsNoise kernels = lichenKernelsNoise(noise);
   for (int k = 0; k < int(kernels.kernels); ++k) {
     LichenKernelColors colors = lichenKernelColors(image, k);
@@ -217,15 +202,14 @@ vec4 lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenSolidKernelsPoint point,
     lost += own * (1.0 - retained.x);
     if (retained.y > 0.0 && own > 0.0) {
       LichenSolidKernelSums sums =
-          lichenSolidKernelSums(kernel, lichenPcg(point.plane.seedWord + uint(k)), isSlope);
+          lichenSolidKernelSums(kernel, lichenPcg(point.seedWord + uint(k)), isSlope);
       sum += lichenColored(colors, sums.waves);
       depthSlope += dot(map.row0.x * colors.channel0 + map.row0.y * colors.channel1, sums.depthX) +
                     dot(map.row1.x * colors.channel0 + map.row1.y * colors.channel1, sums.depthY);
     }
   }
-  depthSlope *= material.contrast;
-  const float kLeast = 1.0e-20; // of a map that does not vary
-  return vec4(0.5 + material.contrast * sum, lost / max(squares, kLeast));
+  return lichenOfKernels(sum, squares, lost, depthSlope, material);
 }
+#endif
 
 #endif

@@ -7,17 +7,12 @@
 #define LICHEN_SOLID_VERTICES_GLSL
 
 #include "../interface/lichen_interface.h"
+#include "cosine_vertices.glsl"
 #include "hash.glsl"
 #include "method_parts.glsl"
 #include "solid_footprint.glsl"
 
-/// What all maps of a solid noise share at one point. Along z a tile is as long as it is wide.
-struct LichenSolidCosinesPoint {
-  ivec3 cell;  // of octave 0 that holds the point, from that of the tile origin on
-  vec3 inside; // the place in it, [0, 1)
-  LichenSolidFootprint footprint;
-};
-
+#if LICHEN_HAS_SOLIDS
 /// The four vertices around a point in the lattice of one octave.
 struct LichenSolidVertices {
   uvec4 states;                   // of their random numbers
@@ -42,7 +37,7 @@ uint lichenSolidHash(uvec3 vertex, uint seed) {
   return lichenVertexHash(vertex.x, vertex.y, lichenPcg(seed + vertex.z));
 }
 
-LichenSolidVertices lichenSolidVertices(LichenSolidCosinesPoint point, int octave,
+LichenSolidVertices lichenSolidVertices(LichenCosinesPoint point, int octave,
                                         LichenMaterial material) {
   float scale = float(1 << octave);
   vec3 place = point.inside * scale;
@@ -76,5 +71,6 @@ LichenSolidVertices lichenSolidVertices(LichenSolidCosinesPoint point, int octav
   vertices.spread = kSpread * cubesPerTile * cubesPerTile;
   return vertices;
 }
+#endif
 
 #endif

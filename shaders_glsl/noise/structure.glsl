@@ -11,12 +11,6 @@
 #include "cosine_vertices.glsl"
 #include "footprint_level.glsl"
 #include "method_parts.glsl"
-#include "mip_variance.glsl"
-
-// 0 where no noise has a structure. A literal, or the host's specialization constant.
-#ifndef LICHEN_STRUCTURE
-#define LICHEN_STRUCTURE 1
-#endif
 
 /// Where an image of cosines has the structure; its sides are powers of two.
 struct LichenStructureImage {
@@ -126,7 +120,8 @@ void lichenAddStructure(LICHEN_INOUT(vec4) sum, LICHEN_INOUT(float) squares, LIC
                         LichenMap map) {
   const int kPlacementOctave = 2; // edges of a quarter of a tile
   LichenCosinesNoise shape = lichenCosinesNoise(noise);
-  if (!bool(LICHEN_STRUCTURE) || shape.structure == 0u)
+  bool hasStructures = LICHEN_USES(LICHEN_FEATURE_STRUCTURES);
+  if (!hasStructures || shape.structure == 0u)
     return;
   LichenStructureImage structure = lichenStructureImage(shape);
   vec2 size = vec2(structure.size);

@@ -8,8 +8,8 @@
 #ifndef LICHEN_SURFACE_CUBES_GLSL
 #define LICHEN_SURFACE_CUBES_GLSL
 
+#include "../interface/lichen_interface.h"
 #include "hash.glsl"
-#include "poisson_count.glsl"
 
 /// Cubes around a point. Offsets from an impact to the point have x and y along the tangent plane,
 /// in the method's units, and the height over it, in units of that where the weight is 0. Cubes are

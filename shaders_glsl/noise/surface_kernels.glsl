@@ -6,18 +6,12 @@
 #ifndef LICHEN_SURFACE_KERNELS_GLSL
 #define LICHEN_SURFACE_KERNELS_GLSL
 
-#include "multiple_kernels.glsl"
+#include "kernels.glsl"
 #include "surface_cubes.glsl"
 
-/// What all maps of a noise share at one point.
-struct LichenSurfaceKernelsPoint {
-  ivec3 group; // of LICHEN_KERNEL_TILES tile widths; modulo 2^32
-  vec3 inside; // the place in it, [0, 1)
-  mat3 frame;
-};
-
+#if LICHEN_HAS_SURFACES
 /// The cubes of a kernel's grid around a point. Offsets are in the window's coordinates.
-LichenSurfaceCubes lichenKernelCubes(LichenKernelRow row, LichenSurfaceKernelsPoint point,
+LichenSurfaceCubes lichenKernelCubes(LichenKernelRow row, LichenKernelsPoint point,
                                      float aspect, float greatestHeight, uint seed) {
   float side = float(LICHEN_KERNEL_TILES) / row.cubes;         // [tile widths]
   vec3 right = point.frame[0], down = aspect * point.frame[1]; // [tiles]
@@ -31,7 +25,7 @@ LichenSurfaceCubes lichenKernelCubes(LichenKernelRow row, LichenSurfaceKernelsPo
 }
 
 /// The sums over the impacts of a kernel that reach the point, of their four waves.
-vec4 lichenSurfaceKernelSums(LichenKernelRow row, LichenSurfaceKernelsPoint point, float aspect,
+vec4 lichenSurfaceKernelSums(LichenKernelRow row, LichenKernelsPoint point, float aspect,
                              uint seed, uint window) {
   // The layer is as thick as the square root of the support's area. Over it the squared weight is a
   // third on average ([GLM17] proposition 3), and the amplitude makes up for that and for the
@@ -67,52 +61,41 @@ vec4 lichenSurfaceKernelSums(LichenKernelRow row, LichenSurfaceKernelsPoint poin
   return amplitude * sums;
 }
 
-// The seam's functions; see surface_method.glsl.
-
-void lichenSetSurfacePoint(LICHEN_OUT(LichenSurfaceKernelsPoint) surface, vec3 position, mat3 frame,
-                           LichenKernelsPoint point, LichenMaterial material, LichenNoise noise) {
+/// Sets where a point lies on a surface. lichenSetPoint has set its footprint in the tangent plane.
+void lichenSetSurfacePoint(LICHEN_INOUT(LichenKernelsPoint) point, vec3 position, mat3 frame,
+                           LichenMaterial material, LichenNoise noise) {
   LichenKernelsMaterial own = lichenKernelsMaterial(material);
   vec3 offset = vec3(material.offsetX, material.offsetY, own.offsetZ);
   vec3 place = (position + offset) / float(LICHEN_KERNEL_TILES);
   vec3 group = floor(place);
-  surface.inside = place - group;
-  surface.group = ivec3(group) + ivec3(material.cellI, material.cellJ, own.cellK);
-  surface.frame = frame;
+  point.inside = place - group;
+  point.group = ivec3(group) + ivec3(material.cellI, material.cellJ, own.cellK);
+  point.frame = frame;
 }
 
-vec3 lichenSurfaceGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
-                             LichenSurfaceKernelsPoint surface, LichenKernelsPoint point,
-                             LichenMaterial material, LichenNoise noise, LichenMap map,
-                             LICHEN_OUT(vec3) lost) {
+LichenGaussian lichenSurfaceGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                                       LichenKernelsPoint point, LichenMaterial material,
+                                       LichenNoise noise, LichenMap map) {
   LichenKernelsNoise kernels = lichenKernelsNoise(noise);
   vec3 footprint = lichenWaveFootprint(point.gradientX, point.gradientY,
                                        vec2(noise.tileTexelsX, noise.tileTexelsY));
   vec3 sum = vec3(0.0);
-  float squares = 0.0, ofSquares = 0.0;
+  float squares = 0.0, lost = 0.0;
   for (int k = 0; k < int(kernels.kernels); ++k) {
     LichenKernelColors colors = lichenKernelColors(image, k);
     LichenKernelRow row = lichenKernelRow(image, k, kernels);
     float retained = lichenKernelRetained(row, footprint, kernels.window);
     float own = lichenKernelSquares(colors);
     squares += own;
-    ofSquares += own * (1.0 - retained * retained);
+    lost += own * (1.0 - retained * retained);
     if (retained > 0.0 && own > 0.0)
       sum += retained *
-             lichenColored(colors, lichenSurfaceKernelSums(row, surface, noise.tileAspect,
+             lichenColored(colors, lichenSurfaceKernelSums(row, point, noise.tileAspect,
                                                            lichenPcg(point.seedWord + uint(k)),
                                                            kernels.window));
   }
-  const float kLeast = 1.0e-20; // of a map that does not vary
-  lost = vec3(ofSquares / max(squares, kLeast));
-  return 0.5 + material.contrast * sum;
+  return lichenOfKernels(sum, squares, lost, 0.0, material);
 }
-
-vec4 lichenSurfaceValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
-                          LichenSurfaceKernelsPoint surface, LichenKernelsPoint point,
-                          LichenMaterial material, LichenNoise noise, LichenMap map) {
-  vec3 lost;
-  vec3 gaussian = lichenSurfaceGaussianAt(image, table, surface, point, material, noise, map, lost);
-  return lichenDecode(table, gaussian, lost.x, material.contrast, map);
-}
+#endif
 
 #endif

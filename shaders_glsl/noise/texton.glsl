@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Texton noise: impacts around a point -> the material's value.
 // N(x) = mean + lambda^-1/2 sum_i e_i h(x - x_i), signs e_i, h the B-spline of the coefficients.
-// [GLM17] Galerne, Leclaire and Moisan 2017, sections 3.2 and 5; [SH05] Sigg and Hadwiger 2005,
+// [GLM17] Galerne, Leclaire and Moisan 2017, sections 3.2 and 6; [SH05] Sigg and Hadwiger 2005,
 // for order 3. Deviations, with reasons: docs/decisions/.
 #ifndef LICHEN_TEXTON_GLSL
 #define LICHEN_TEXTON_GLSL
@@ -12,29 +12,11 @@
 #include "impacts.glsl"
 #include "texton_mix.glsl"
 
-// 0 where no texton is of order 0. A literal, or the host's specialization constant.
-#ifndef LICHEN_NEAREST_TEXTONS
-#define LICHEN_NEAREST_TEXTONS 1
-#endif
-
 /// One fetch at `texel` of the image.
 vec3 lichenTextonFetch(LICHEN_IMAGE_2D image, vec2 texel, float level, LichenNoise noise) {
   // A product, whose factor is the same for all impacts: 4 % of the whole cost of a quotient.
   vec2 perTexel = 1.0 / lichenTextonImageSize(noise);
   return LICHEN_SAMPLE_2D(image, texel * perTexel, level).rgb;
-}
-
-/// One fetch at `texel` of the image, filtered to the footprint.
-vec3 lichenTextonFiltered(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts,
-                          LichenNoise noise) {
-#if LICHEN_ANISOTROPIC
-  vec2 size = lichenTextonImageSize(noise);
-  return LICHEN_SAMPLE_2D_GRAD(image, texel / size, impacts.majorAxis / size,
-                               impacts.minorAxis / size)
-      .rgb;
-#else
-  return lichenTextonFetch(image, texel, impacts.level, noise);
-#endif
 }
 
 /// The cubic B-spline of the coefficients.
@@ -67,9 +49,9 @@ vec3 lichenTextonAt(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts, Li
   float frame = lichenTextonFrame(texel, impacts, noise);
   float minified = lichenMinified(impacts);
   // Order 0: steps where magnified, none from the first mip on.
-  if (bool(LICHEN_NEAREST_TEXTONS) && lichenTextonNoise(noise).order == 0u)
+  if (LICHEN_USES(LICHEN_FEATURE_NEAREST_TEXTONS) && lichenTextonNoise(noise).order == 0u)
     texel = mix(floor(texel) + 0.5, texel, minified);
-  if (bool(LICHEN_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0) {
+  if (LICHEN_USES(LICHEN_FEATURE_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0) {
     // Between the spline and the first mip.
     vec3 magnified = lichenTextonCubic(image, texel, frame, noise);
     vec2 low, high;
@@ -80,7 +62,7 @@ vec3 lichenTextonAt(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts, Li
     return mix(magnified, lichenTextonFetch(image, texel, mip, noise), minified);
   }
   texel.y += frame;
-  return lichenTextonFiltered(image, texel, impacts, noise);
+  return lichenTextonFetch(image, texel, impacts.level, noise);
 }
 
 /// The sum over impacts, with mean 0.
@@ -94,12 +76,38 @@ vec3 lichenTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenMateria
     if (walk.isReached)
       sum += walk.sign * lichenTextonAt(image, walk.offset + impacts.middle, impacts, noise);
   }
-  return lichenTextonMaterial(material).amplitude * sum;
+  return sum;
 }
+
+#if LICHEN_HAS_SURFACES
+/// The sum over impacts on a surface: N(y) = mean + (lambda r / 3)^-1/2 sum_i e_i (1 - 2 |t_i| / r)+ h(y - x_i),
+/// lambda points in a unit of space, t_i the height of point i over the tangent plane at y, in
+/// which h lies. [GLM17] section 6 and proposition 3.
+vec3 lichenSurfaceTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenNoise noise) {
+  vec3 sum = vec3(0.0);
+  LichenSurfaceWalk walk = lichenFirstSurfaceImpact(impacts.cubes);
+  while (lichenHasImpact(walk, impacts.cubes)) {
+    lichenSurfaceStep(walk, impacts.cubes);
+    if (walk.isReached)
+      sum += walk.weight * lichenTextonAt(image, walk.offset + impacts.middle, impacts, noise);
+  }
+  return sum;
+}
+#endif
 
 /// How many impacts reach the point.
 int lichenImpactCount(LichenImpacts impacts, LichenMaterial material, LichenNoise noise) {
   int count = 0;
+#if LICHEN_HAS_SURFACES
+  if (lichenIsSurface(material, noise)) {
+    LichenSurfaceWalk walk = lichenFirstSurfaceImpact(impacts.cubes);
+    while (lichenHasImpact(walk, impacts.cubes)) {
+      lichenSurfaceStep(walk, impacts.cubes);
+      count += walk.isReached ? 1 : 0;
+    }
+    return count;
+  }
+#endif
   LichenWalk walk = lichenFirstImpact(impacts, material);
   while (lichenHasImpact(walk, impacts)) {
     lichenStep(walk, impacts, material, noise);
@@ -144,50 +152,34 @@ vec3 lichenTextonGain(LichenRetained retained, LichenMaterial material) {
   return material.contrast * sqrt(retained.footprint / max(retained.fetched, kLeast));
 }
 
-/// The Gaussian value: mean 1/2, standard deviation 1/6 where nothing is minified. Of a mix, `map`
-/// is what lichenMixedMap makes of it; likewise below.
-vec3 lichenTextonGaussian(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenRetained retained,
-                          LichenMaterial material, LichenNoise noise, LichenMap map) {
+/// The Gaussian value for a sum over impacts, which is not needed where the gain is 0.
+LichenGaussian lichenOfTextons(vec3 sum, vec3 gain, LichenRetained retained,
+                               LichenMaterial material, LichenMap map) {
+  vec3 factor = lichenTextonMaterial(material).amplitude * gain * map.sumFactor.rgb;
+  return LichenGaussian(0.5 + factor * sum, 1.0 - retained.footprint, 0.0);
+}
+
+LichenGaussian lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
+                                LichenMaterial material, LichenNoise noise, LichenMap map) {
+  LichenRetained retained = lichenTextonRetained(table, impacts, noise, map);
   vec3 gain = lichenTextonGain(retained, material);
-  // From so far that nothing is left to see, the mean needs no impacts.
-  if (gain == vec3(0.0))
-    return vec3(0.5);
-  return 0.5 + gain * map.sumFactor.rgb * lichenTextonSum(image, impacts, material, noise);
+  vec3 sum = vec3(0.0);
+  if (gain != vec3(0.0))
+    sum = lichenTextonSum(image, impacts, material, noise);
+  return lichenOfTextons(sum, gain, retained, material, map);
 }
 
-/// The value that a Gaussian value stands for. Contrast scales what is lost with what is there.
-vec4 lichenTextonDecode(vec3 gaussian, LichenRetained retained, LichenMaterial material,
-                        LichenMap map) {
-  vec3 lost = material.contrast * material.contrast * (1.0 - retained.footprint);
-  return lichenDecodeGaussian(gaussian, lost, map);
-}
-
-// The seam's functions; see method.glsl. `table` is fetched of mixes only.
-
-vec3 lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
-                      LichenMaterial material, LichenNoise noise, LichenMap map,
-                      LICHEN_OUT(vec3) lost) {
+#if LICHEN_HAS_SURFACES
+LichenGaussian lichenSurfaceGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                                       LichenImpacts impacts, LichenMaterial material,
+                                       LichenNoise noise, LichenMap map) {
   LichenRetained retained = lichenTextonRetained(table, impacts, noise, map);
-  lost = 1.0 - retained.footprint;
-  return lichenTextonGaussian(image, impacts, retained, material, noise,
-                              lichenMixedMap(table, impacts, noise, map));
+  vec3 gain = lichenTextonGain(retained, material);
+  vec3 sum = vec3(0.0);
+  if (gain != vec3(0.0))
+    sum = lichenSurfaceTextonSum(image, impacts, noise);
+  return lichenOfTextons(sum, gain, retained, material, map);
 }
-
-vec4 lichenDecodedAt(LICHEN_IMAGE_3D table, vec3 gaussian, vec3 lost, LichenImpacts impacts,
-                     LichenMaterial material, LichenNoise noise, LichenMap map) {
-  // Contrast scales what is missing with what is there.
-  return lichenDecodeGaussian(gaussian, material.contrast * material.contrast * lost,
-                              lichenMixedMap(table, impacts, noise, map));
-}
-
-vec4 lichenValueAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenImpacts impacts,
-                   LichenMaterial material, LichenNoise noise, LichenMap map) {
-  // Not by the two above: compilers do not fetch once what is written twice, where images and
-  // samplers are separate.
-  LichenMap here = lichenMixedMap(table, impacts, noise, map);
-  LichenRetained retained = lichenTextonRetained(table, impacts, noise, map);
-  vec3 gaussian = lichenTextonGaussian(image, impacts, retained, material, noise, here);
-  return lichenTextonDecode(gaussian, retained, material, here);
-}
+#endif
 
 #endif

@@ -8,18 +8,13 @@
 
 #include "../interface/fetch.glsl"
 #include "../interface/lichen_interface.h"
+#include "footprint_level.glsl"
 #include "impacts.glsl"
 #include "method_parts.glsl"
-#include "mip_variance.glsl"
 #include "tile_frame.glsl"
 
-// 0 where no noise is a mix. A literal, or the host's specialization constant.
-#ifndef LICHEN_MIXED_TEXTONS
-#define LICHEN_MIXED_TEXTONS 1
-#endif
-
 bool lichenIsMix(LichenNoise noise) {
-  return bool(LICHEN_MIXED_TEXTONS) && lichenTextonNoise(noise).steps > 1u;
+  return LICHEN_USES(LICHEN_FEATURE_MIXES) && lichenTextonNoise(noise).steps > 1u;
 }
 
 /// The weight of a constant or a direction, at texture coordinates.
@@ -34,16 +29,6 @@ vec2 lichenMixGradient(LichenMaterial material) {
   // The transposed inverse of a rotation with a scale is itself over the scale's square.
   vec2 row = vec2(material.uvToTileXX, material.uvToTileXY);
   return lichenUvToTile(vec2(own.mixPerU, own.mixPerV), material) / dot(row, row);
-}
-
-/// Sets the weight of a mix: 0 is the first step, 1 the last. `gradient` is its derivative along x
-/// and y of tile space [1 / tile], which gives the weight at the impacts around. Where the weight
-/// is continuous, the gradient must be too. Pass 0 where it is not, as for vertex colours, which
-/// bend at every edge: all impacts then have the point's own weight, and neighbouring steps differ
-/// little.
-void lichenSetMix(LICHEN_INOUT(LichenImpacts) impacts, float weight, vec2 gradient) {
-  impacts.mixWeight = weight;
-  impacts.mixGradient = gradient;
 }
 
 /// The top of an impact's frame in the image: of a mix, that of its own weight. [texels]
@@ -99,17 +84,6 @@ vec3 lichenTextonMipRetained(LICHEN_IMAGE_3D table, int mip, LichenImpacts impac
   vec3 retained = lichenMixRow(table, lichenMixStep(impacts, noise), row, noise).rgb;
   // Rounded to bytes, like the amplitudes of maps without a mix: exactly 0 in distant views.
   return floor(255.0 * retained + 0.5) * (1.0 / 255.0);
-}
-
-/// The derivative of the mean of a map's first channel along x and y [1 / tile]: 0 without a mix.
-vec2 lichenMixMeanSlope(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise) {
-  if (!lichenIsMix(noise) || impacts.mixWeight < 0.0 || impacts.mixWeight > 1.0)
-    return vec2(0.0);
-  float last = float(int(lichenTextonNoise(noise).steps)) - 1.0;
-  float below = min(floor(lichenMixStep(impacts, noise)), last - 1.0);
-  float rise = lichenMixRow(table, below + 1.0, LICHEN_MIX_MEAN, noise).x -
-               lichenMixRow(table, below, LICHEN_MIX_MEAN, noise).x;
-  return rise * last * impacts.mixGradient;
 }
 
 #endif

@@ -5,26 +5,24 @@
 #ifndef LICHEN_TILE_ROTATION_GLSL
 #define LICHEN_TILE_ROTATION_GLSL
 
-#include "../interface/lichen_interface.h"
 #include "hash.glsl"
-#include "method_parts.glsl"
-
-// 0 where no material's tileRotation is above 1. A literal, or the host's specialization constant.
-#ifndef LICHEN_TILE_ROTATION
-#define LICHEN_TILE_ROTATION 1
-#endif
+#include "switches.glsl"
 
 /// The number of angles that tiles take: 2 or, of square tiles, 4. 0 and 1: no rotation. Known at
 /// compile time where no material rotates tiles.
-uint lichenTileRotation(LichenMaterial material) {
-  return bool(LICHEN_TILE_ROTATION) ? lichenTilingMaterial(material).tileRotation : 0u;
+uint lichenTileAngles(LichenMaterial material) {
+  return LICHEN_USES(LICHEN_FEATURE_TILE_ROTATION) ? lichenTilingMaterial(material).tileRotation
+                                                   : 0u;
 }
 
 /// The rotation of a vertex's tile: (cosine, sine) of its angle.
-vec2 lichenTileRotationAt(uvec2 vertex, uint tileRotation, uint seedWord) {
+vec2 lichenTileRotationAt(uvec2 vertex, LichenMaterial material) {
+  uint angles = lichenTileAngles(material);
+  if (angles <= 1u)
+    return vec2(1.0, 0.0);
   // Hashed again: both halves of the vertex's hash are the offset.
-  uint hash = lichenPcg(lichenVertexHash(vertex.x, vertex.y, seedWord));
-  uint quarters = (hash >> 30u) & (tileRotation == 2u ? 2u : 3u);
+  uint hash = lichenPcg(lichenVertexHash(vertex.x, vertex.y, material.seedWord));
+  uint quarters = (hash >> 30u) & (angles == 2u ? 2u : 3u);
   float sign = (quarters & 2u) == 0u ? 1.0 : -1.0;
   return (quarters & 1u) == 0u ? vec2(sign, 0.0) : vec2(0.0, sign);
 }

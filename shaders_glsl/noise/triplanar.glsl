@@ -7,10 +7,10 @@
 #ifndef LICHEN_TRIPLANAR_GLSL
 #define LICHEN_TRIPLANAR_GLSL
 
-#include "method.glsl"
-#include "mix_point.glsl"
+#include "noise.glsl"
 #include "tile_frame.glsl"
 
+#if LICHEN_HAS_TRIPLANAR
 /// What all maps of a triplanar noise share at one point.
 struct LichenTriplanar {
   vec3 position;             // [metres]
@@ -69,7 +69,7 @@ LichenPlanePoint lichenPlanePoint(LichenTriplanar at, int rank, LichenPoint poin
   vec2 tileY = tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.gradientY, axis), own);
   LichenPlanePoint plane = LichenPlanePoint(axis, lichenAlongAxis(at.weights, axis),
                                             lichenPointAt(tile, tileX, tileY, own, noise));
-  lichenCopyMix(plane.point, point);
+  lichenSetMix(plane.point, lichenMixWeightAt(point), vec2(0.0));
   return plane;
 }
 
@@ -84,14 +84,12 @@ vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePoint plane, vec3 normal, LichenM
               plane.weight * plane.weight * projected * slopes.z);
 }
 
-/// The Gaussian value of a map, of all planes that count: mean 1/2, deviation 1/6 where nothing is
-/// lost. `lost` is the share of each channel's variance that filtering lost, `point` what the
-/// planes share.
-vec3 lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
-                             LichenPoint point, LichenNoise noise, LichenMap map,
-                             LICHEN_OUT(vec3) lost) {
-  vec3 sum = vec3(0.0);
-  lost = vec3(0.0);
+/// The Gaussian value of a map, as lichenMapAt has it, of all planes that count. `point` is what
+/// the planes share.
+LichenGaussian lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
+                                       LichenTriplanar at, LichenPoint point, LichenNoise noise,
+                                       LichenMap map) {
+  LichenGaussian sum = LichenGaussian(vec3(0.5), vec3(0.0), 0.0);
   // Pixels of different planes share the steps of the loop, and devices that run both sides of a
   // branch leave it when no pixel has another plane. It is tested at both ends: only at its
   // beginning, such devices would run it once more for no pixel, and only at its end, Mesa 22.3's
@@ -101,16 +99,15 @@ vec3 lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, Liche
     LichenPlanePoint plane = lichenPlanePoint(at, rank, point, noise);
     // [HN18] eq. 8, the squares of the weights summing to 1: planes are independent noises of one
     // distribution.
-    vec3 planeLost;
-    vec3 gaussian =
-        lichenGaussianAt(image, table, plane.point, at.planes.material, noise, map, planeLost);
-    sum += plane.weight * (gaussian - 0.5);
-    lost += plane.weight * plane.weight * planeLost;
+    LichenGaussian gaussian =
+        lichenGaussianAt(image, table, plane.point, at.planes.material, noise, map);
+    sum.value += plane.weight * (gaussian.value - 0.5);
+    sum.lost += plane.weight * plane.weight * gaussian.lost;
     ++rank;
     if (rank >= at.count)
       break;
   }
-  return 0.5 + sum;
+  return sum;
 }
 
 /// The gradient in space of the height that slopes are of, and in w the variance of a slope
@@ -130,17 +127,6 @@ vec4 lichenTriplanarSlopes(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenT
   }
   return sum;
 }
-
-/// The value of one map: light for colours, the decoded quantity for the others. Of slopes, xyz is
-/// their gradient in space, for lichenNormalFromGradient, and w the variance of a slope lost to
-/// filtering.
-vec4 lichenTriplanarValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
-                          LichenPoint point, LichenNoise noise, LichenMap map) {
-  if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
-    return lichenTriplanarSlopes(image, table, at, point, noise, map);
-  vec3 lost;
-  vec3 gaussian = lichenTriplanarGaussian(image, table, at, point, noise, map, lost);
-  return lichenDecodedAt(table, gaussian, lost, point, at.planes.material, noise, map);
-}
+#endif
 
 #endif

@@ -1,6 +1,6 @@
 # Run with cmake -P. Checks that the code in DOCUMENT is tested. Each ```c block must appear word
 # for word in SOURCE, which is compiled and run; each ```glsl block is compiled here, with INCLUDE
-# on its include path. The table of switches must have a row for each one that SWITCHES writes.
+# on its include path.
 file(READ ${DOCUMENT} document)
 file(READ ${SOURCE} source)
 
@@ -58,17 +58,4 @@ while(NOT block STREQUAL "")
 endwhile()
 if(count EQUAL 0)
   message(FATAL_ERROR "${DOCUMENT}: no block of GLSL")
-endif()
-
-file(STRINGS ${SWITCHES} lines REGEX "^ +unless\\(")
-foreach(line IN LISTS lines)
-  string(REGEX MATCH "\"([A-Z_]+)(=([01]))?\"" found "${line}")
-  string(REPLACE "=" " " switch "LICHEN_${CMAKE_MATCH_1}${CMAKE_MATCH_2}")
-  string(REGEX MATCH "\n\\| `${switch}`" row "${document}")
-  if(NOT row)
-    message(FATAL_ERROR "${DOCUMENT}: no row of the switch ${switch}")
-  endif()
-endforeach()
-if(NOT lines)
-  message(FATAL_ERROR "${SWITCHES}: no switches")
 endif()

@@ -20,7 +20,6 @@ layout(set = 0, binding = 1) uniform sampler3D tables[8];
 #define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY) textureGrad(images[image], uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(tables[image], uvw, level)
 #define LICHEN_FETCH_2D(image, texel) texelFetch(images[image], texel, 0)
-#define LICHEN_GATHER_2D(image, uv) textureGather(images[image], uv, 0)
 #include "interface/lichen_interface.h"
 layout(std430, set = 0, binding = 2) readonly buffer Noises { LichenNoiseConstants noises[]; };
 #ifdef OWN_CELLS
@@ -52,5 +51,5 @@ void main() {
   sum += LICHEN_VALUE(LICHEN_OPACITY, shading);
 #endif
 #endif
-  sum += decode(Noise(vec4(1.0)), tiling(shading.point.tiling.point.weights, Taps(1.0)));
+  sum += decode(Noise(vec4(1.0)), tiling(shading.point.tiling.weights, Taps(1.0)));
 }

@@ -20,7 +20,6 @@
 #include <tiling_evaluate.comp.nearest_level.h>
 #include <tiling_evaluate.comp.no_rotation.h>
 #include <tiling_evaluate.comp.no_table.h>
-#include <tiling_lean.comp.h>
 #include <triplanar_evaluate.comp.no_rotation.h>
 
 using namespace lichen;
@@ -41,8 +40,7 @@ struct Case {
   BundleFile file;
   Mapping mapping = Mapping::uv;
   std::uint32_t tileRotation = 1;
-  Spirv spirv = {};     ///< instead of the committed pass
-  std::size_t uses = 6; ///< the first of manyUses()
+  Spirv spirv = {}; ///< instead of the committed pass
   EvaluationOptions options = {};
 };
 
@@ -57,8 +55,6 @@ std::vector<Case> tilingCases() {
   for (const SyntheticMap& map : {colors, slopes, height})
     all.push_back({"triplanar tiling", tilingFile(map), Mapping::triplanar, 2});
   // Shaders of hosts that leave code out.
-  for (const SyntheticMap& map : {colors, plainSlopes, orm})
-    all.push_back({"lean tiling", tilingFile(map), Mapping::uv, 1, tiling_lean_comp, 3});
   for (const SyntheticMap& map : {colors, slopes, orm})
     all.push_back(
         {"joint tables alone", tilingFile(map), Mapping::uv, 2, tiling_evaluate_comp_joint_table});
@@ -71,7 +67,6 @@ std::vector<Case> tilingCases() {
                  Mapping::uv,
                  2,
                  tiling_evaluate_comp_nearest_level,
-                 6,
                  {.nearestTableLevel = true}});
   return all;
 }
@@ -205,13 +200,11 @@ void compareValues(DeviceNoise& noise, const MaterialUse& use,
     return;
   const auto decoded = noise.drawnGaussian(use, points);
   const std::size_t channels = noise.bundle.noises[0].maps[0].channels.size();
-  const bool losesByChannel =
-      noise.method == texton && use.parameters.mapping != LICHEN_MAPPING_TRIPLANAR;
   Differences gaussians, losses;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto [value, lost] = noise.gaussian(points[k]);
     gaussians.add(decoded[k].value, value, channels);
-    losses.add(decoded[k].lost, lost, losesByChannel ? channels : 1);
+    losses.add(decoded[k].lost, lost, channels);
   }
   check(gaussians, hasBorders);
   check(losses, hasBorders);
@@ -221,14 +214,12 @@ void compare(const std::vector<Case>& cases) {
   const std::vector<SamplePoint> points = samplePoints(400);
   for (const Case& one : cases) {
     DeviceNoise noise(one.file, one.mapping, one.options);
-    std::vector<MaterialUse> uses = manyUses(noise.host.use(), one.tileRotation);
-    uses.resize(std::min(uses.size(), one.uses));
+    const std::vector<MaterialUse> uses = manyUses(noise.host.use(), one.tileRotation);
     const Noise& stored = noise.bundle.noises[0];
     const auto* shape = std::get_if<TextonShape>(&stored.data);
     const bool isConstant = shape != nullptr && shape->order == 0;
-    const bool hasGradients = one.mapping == Mapping::uv &&
-                              stored.maps[0].target == MapTarget::height &&
-                              noise.method != tiling && noise.method != quilting;
+    const bool hasGradients =
+        one.mapping == Mapping::uv && stored.maps[0].target == MapTarget::height;
     for (std::size_t u = 0; u < uses.size(); ++u) {
       INFO(one.name << ", " << nameOf(one.mapping) << ", " << nameOf(stored.maps[0].target)
                     << ", use " << u);

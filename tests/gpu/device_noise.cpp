@@ -157,8 +157,6 @@ std::vector<DeviceNoise::Value> DeviceNoise::drawn(int quantity, const MaterialU
   case Mapping::uv:
     break;
   }
-  if (method != Method::texton)
-    return withInputs([](const SamplePoint& p) { return p.plane; });
   return withInputs([](const SamplePoint& p) {
     const auto& [weight, slope] = p.mix;
     return std::pair{p.plane, Row{weight, slope[0], slope[1], p.hasMix ? 1.0f : 0.0f}};
@@ -167,26 +165,18 @@ std::vector<DeviceNoise::Value> DeviceNoise::drawn(int quantity, const MaterialU
 
 std::vector<DeviceNoise::Gaussian>
 DeviceNoise::drawnGaussian(const MaterialUse& use, const std::vector<SamplePoint>& points) {
-  std::vector<Value> lost;
-  if (mapping_ == Mapping::surface)
-    lost = drawn(3, use, points);
-  else if (mapping_ == Mapping::uv && method == Method::texton)
-    lost = drawn(4, use, points);
-  const std::vector<Value> values = drawn(kGaussian, use, points);
-  std::vector<Gaussian> all;
+  const std::vector<Value> values = drawn(kGaussian, use, points), lost = drawn(kLost, use, points);
+  std::vector<Gaussian> all(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const auto& [x, y, z, w] = values[k];
-    Gaussian one{{x, y, z}, {w, w, w}}; // one loss for all channels
-    if (!lost.empty())
-      std::copy_n(lost[k].begin(), 3, one.lost.begin());
-    all.push_back(one);
+    std::copy_n(values[k].begin(), 3, all[k].value.begin());
+    std::copy_n(lost[k].begin(), 3, all[k].lost.begin());
   }
   return all;
 }
 
 std::vector<DeviceNoise::Value> DeviceNoise::drawnImpacts(const MaterialUse& use,
                                                           const std::vector<SamplePoint>& points) {
-  return drawn(mapping_ == Mapping::surface ? 2 : 3, use, points);
+  return drawn(kImpacts, use, points);
 }
 
 TileFootprint DeviceNoise::onPlane(const Point& point) const {
@@ -217,7 +207,28 @@ DeviceNoise::Gaussian DeviceNoise::gaussian(const SamplePoint& p) const {
 }
 
 std::array<float, 3> DeviceNoise::gradient(const SamplePoint& p) const {
-  return evaluator->gradient(0, host.planes(), onPlane(p.plane), mixOf(p));
+  const TileFootprint at = onPlane(p.plane);
+  const MixPlace mix = mixOf(p);
+  const shader::LichenNoise& noise = host.constants().noise;
+  const std::array<double, 2> texels{double(noise.tileTexelsX), double(noise.tileTexelsY)};
+  // docs/gltf_extension/README.md: the footprint's side, and half a level less than it.
+  const double xx = at.dx[0] * texels[0], xy = at.dx[1] * texels[1], yx = at.dy[0] * texels[0],
+               yy = at.dy[1] * texels[1];
+  const double squared = std::max({1.0, xx * xx + xy * xy, yx * yx + yy * yy});
+  const double area = std::max({std::abs(xx * yy - xy * yx), std::sqrt(squared), squared / 16.0});
+  const double side = 0.25 * std::log2(squared * area);
+  const double step = 0.5 * std::exp2(std::max(0.5 * side, side - 0.5));
+  const auto valueAt = [&](double x, double y) {
+    TileFootprint there = at;
+    MixPlace here = mix;
+    there.position[0] += float(x);
+    there.position[1] += float(y);
+    here.weight += mix.gradient[0] * float(x) + mix.gradient[1] * float(y);
+    return double(evaluator->evaluate(0, host.planes(), there, here)[0]);
+  };
+  const double x = step / texels[0], y = step / texels[1];
+  return {float(valueAt(0.0, 0.0)), float((valueAt(x, 0.0) - valueAt(-x, 0.0)) / (2.0 * x)),
+          float((valueAt(0.0, y) - valueAt(0.0, -y)) / (2.0 * y))};
 }
 
 void Differences::add(double found, double expected) {

@@ -39,8 +39,8 @@ struct SamplePoint {
 [[nodiscard]] std::vector<MaterialUse> manyUses(const MaterialUse& own,
                                                 std::uint32_t tileRotation = 1);
 
-/// The numbering of the passes.
-enum Quantity { kValue, kGaussian, kGradient };
+/// The numbering of the passes (shaders_glsl/passes/evaluate.glsl).
+enum Quantity { kValue, kGaussian, kGradient, kImpacts, kLost, kWeights };
 
 /// The first map of the first noise of a file. The destructor checks that the device reported no
 /// message.
@@ -70,6 +70,7 @@ public:
   [[nodiscard]] TileFootprint onPlane(const Point& point) const;
   [[nodiscard]] Value value(const SamplePoint& point) const;
   [[nodiscard]] Gaussian gaussian(const SamplePoint& point) const;
+  /// Differences of values over a texel of the footprint.
   [[nodiscard]] std::array<float, 3> gradient(const SamplePoint& point) const;
 
 private:

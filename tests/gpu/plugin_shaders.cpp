@@ -89,10 +89,10 @@ void checkFitted(PluginHost& host, const MaterialUse& use, const std::string& ex
                  std::span<const std::uint32_t> all, std::span<const std::uint32_t> fitted,
                  const std::vector<AnyPoint>& points, std::size_t valuesEach) {
   const LichenMaterialParameters* const parameters = &use.parameters;
-  char switches[LICHEN_SWITCH_BYTES] = "";
-  REQUIRE(lichenGetShaderSwitches(&parameters, 1, nullptr, switches, sizeof switches, nullptr) ==
-          LICHEN_SUCCESS);
-  CHECK(std::string(switches) == expectedSwitches);
+  LichenShaderSwitches switches;
+  LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
+  REQUIRE(lichenGetShaderSwitches(&parameters, 1, nullptr, &switches, nullptr) == LICHEN_SUCCESS);
+  CHECK(std::string(switches.text) == expectedSwitches);
   const auto expected = host.evaluate(all, 0, use, points, valuesEach);
   const auto values = host.evaluate(fitted, 0, use, points, valuesEach);
   // Not a constant, which would also come of a shader that evaluates nothing.

@@ -21,10 +21,6 @@ double centredSpline(int order, double x) {
          order;
 }
 
-double splineSlope(int order, double x) {
-  return order == 0 ? 0.0 : centredSpline(order - 1, x + 0.5) - centredSpline(order - 1, x - 0.5);
-}
-
 /// Inverts the distribution function of a Poisson variable of mean 1.
 int poissonQuantile(double quantile) {
   int count = 0;
@@ -68,7 +64,7 @@ std::vector<std::uint32_t> TextonReference::wordsOf(std::uint32_t word, std::uin
   return words;
 }
 
-void TextonReference::addTexton(Sum& sum, double x, double y, std::uint32_t mip,
+void TextonReference::addTexton(Vec& sum, double x, double y, std::uint32_t mip,
                                 const MixPlace& mix, double factor) const {
   const auto stored = std::size_t(channelCount(image_.format));
   const int order = mip == 0 ? int(texton_.order) : 1;
@@ -91,16 +87,13 @@ void TextonReference::addTexton(Sum& sum, double x, double y, std::uint32_t mip,
           &mips_[mip][std::size_t((top + row) * int(image_.width >> mip) + column) * stored];
       const double splineX = centredSpline(order, x0), splineY = centredSpline(order, y0);
       for (std::size_t c = 0; c < map_.channels.size(); ++c)
-        sum.value[c] += factor * splineX * splineY * textonMap_.scale[c] * double(texel[c]);
-      const double first = factor * textonMap_.scale[0] * double(texel[0]) / side;
-      sum.gradient[0] += first * splineSlope(order, x0) * splineY * double(noise_.tileTexelsX);
-      sum.gradient[1] += first * splineX * splineSlope(order, y0) * double(noise_.tileTexelsY);
+        sum[c] += factor * splineX * splineY * textonMap_.scale[c] * double(texel[c]);
     }
   }
 }
 
-TextonReference::Sum TextonReference::inPlane(double tileX, double tileY, std::uint32_t mip,
-                                              const MixPlace& mix) const {
+Vec TextonReference::inPlane(double tileX, double tileY, std::uint32_t mip,
+                             const MixPlace& mix) const {
   const double pointX = tileX * double(noise_.tileTexelsX);
   const double pointY = tileY * double(noise_.tileTexelsY);
   const double periodX = double(material_.periodTilesX) * double(noise_.tileTexelsX);
@@ -110,7 +103,7 @@ TextonReference::Sum TextonReference::inPlane(double tileX, double tileY, std::u
   const double farY = 2.0 * texton_.coefficientsY + 4.0 * std::exp2(double(mip)) + 8.0;
   const double root = std::sqrt(double(noise_.tileTexelsX) / double(material_.columnsPerTile) *
                                 double(noise_.tileTexelsY) / double(material_.rowsPerTile));
-  Sum sum;
+  Vec sum{};
   for (const Impact& impact : impacts_)
     for (double y = impact.y + periodY * std::ceil((pointY - farY - impact.y) / periodY);
          y < pointY + farY; y += periodY)
@@ -120,8 +113,8 @@ TextonReference::Sum TextonReference::inPlane(double tileX, double tileY, std::u
   return sum;
 }
 
-TextonReference::Sum TextonReference::onSurface(const Vec& point, const SurfaceFrame& frame,
-                                                std::uint32_t mip, const MixPlace& mix) const {
+Vec TextonReference::onSurface(const Vec& point, const SurfaceFrame& frame, std::uint32_t mip,
+                               const MixPlace& mix) const {
   const double tileTexels = double(noise_.tileTexelsX);
   const double scale = 1.0 / std::hypot(double(material_.uvToTileXX), double(material_.uvToTileXY));
   const double texelsPerMetre = tileTexels / (scale * double(noise_.tileSizeMetres));
@@ -137,7 +130,7 @@ TextonReference::Sum TextonReference::onSurface(const Vec& point, const SurfaceF
     first[k] = std::int64_t(std::floor((point[k] * texelsPerMetre - far) / cube));
     last[k] = std::int64_t(std::floor((point[k] * texelsPerMetre + far) / cube));
   }
-  Sum sum;
+  Vec sum{};
   for (at[2] = first[2]; at[2] <= last[2]; ++at[2])
     for (at[1] = first[1]; at[1] <= last[1]; ++at[1])
       for (at[0] = first[0]; at[0] <= last[0]; ++at[0]) {
@@ -161,7 +154,7 @@ TextonReference::Sum TextonReference::onSurface(const Vec& point, const SurfaceF
   return sum;
 }
 
-double TextonReference::gaussian(const Sum& sum, double mixWeight, std::size_t channel) const {
+double TextonReference::gaussian(const Vec& sum, double mixWeight, std::size_t channel) const {
   const std::size_t diagonal = channel * (map_.channels.size() + 1);
   const auto ofStep = [&](std::size_t step) {
     return std::sqrt(
@@ -172,7 +165,7 @@ double TextonReference::gaussian(const Sum& sum, double mixWeight, std::size_t c
   double deviation = ofStep(below);
   if (below < textonMap_.laterSteps.size())
     deviation += (at - double(below)) * (ofStep(below + 1) - deviation);
-  return 0.5 + sum.value[channel] / (6.0 * deviation);
+  return 0.5 + sum[channel] / (6.0 * deviation);
 }
 
 } // namespace lichen::test

@@ -15,25 +15,21 @@ class TextonReference {
 public:
   TextonReference(const Bundle& bundle, const shader::LichenMaterial& material);
 
-  /// The sum over all impacts, in stored values minus their mean, and the derivatives of the first
-  /// channel [1 / tile]. Textons are fetched at a whole mip level; 0 is their own spline.
-  struct Sum {
-    Vec value{};
-    std::array<double, 2> gradient{};
-  };
-  /// At a position [tiles] of the plane. The material must be periodic.
-  [[nodiscard]] Sum inPlane(double tileX, double tileY, std::uint32_t mip,
+  /// The sum over all impacts at a position [tiles] of the plane, in stored values minus their
+  /// mean. Textons are fetched at a whole mip level; 0 is their own spline. The material must be
+  /// periodic.
+  [[nodiscard]] Vec inPlane(double tileX, double tileY, std::uint32_t mip,
                             const MixPlace& mix = {}) const;
-  /// At a point [metres] of a surface, without derivatives.
-  [[nodiscard]] Sum onSurface(const Vec& point, const SurfaceFrame& frame, std::uint32_t mip,
+  /// Likewise at a point [metres] of a surface.
+  [[nodiscard]] Vec onSurface(const Vec& point, const SurfaceFrame& frame, std::uint32_t mip,
                               const MixPlace& mix) const;
 
   /// The Gaussian value of a sum, by the standard deviation at a mix weight: linear between steps.
-  [[nodiscard]] double gaussian(const Sum& sum, double mixWeight, std::size_t channel) const;
+  [[nodiscard]] double gaussian(const Vec& sum, double mixWeight, std::size_t channel) const;
 
 private:
   /// Adds the texton of the impact that is (x, y) [texels] from the point.
-  void addTexton(Sum& sum, double x, double y, std::uint32_t mip, const MixPlace& mix,
+  void addTexton(Vec& sum, double x, double y, std::uint32_t mip, const MixPlace& mix,
                  double factor) const;
   /// One word for each impact of a cell.
   [[nodiscard]] std::vector<std::uint32_t> wordsOf(std::uint32_t word, std::uint32_t count) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Functions of the shader library against closed forms: distribution function, waves, windows, and
-// where vertices, taps and impacts lie.
+// where vertices, tiles and impacts lie.
 #define LICHEN_METHODS 15
 #include "evaluation/shader_library.h"
 #include "synthetic_noise.h"
@@ -118,13 +118,17 @@ TEST_CASE("windows of cosines and spreads of kernels are those of the bakes") {
 TEST_CASE("the rotation of a tile is a number of quarter turns, exactly") {
   Library library;
   const std::uint32_t word = latticeSeed(7, 0);
-  for (const std::uint32_t angles : {2u, 4u})
+  for (const std::uint32_t angles : {2u, 4u}) {
+    shader::LichenMaterial material{};
+    material.seedWord = word;
+    setPart(material, shader::LichenTilingMaterial{1.0f, angles});
     for (std::uint32_t i = 0; i < 500; ++i) {
-      const glsl::vec2 found = library.lichenTileRotationAt({i, 3u}, angles, word);
+      const glsl::vec2 found = library.lichenTileRotationAt({i, 3u}, inLibrary(material));
       const double angle = 0.5 * std::numbers::pi * tileQuarterTurns(i, 3, word, angles);
       REQUIRE(double(found.x.v) == std::round(std::cos(angle)));
       REQUIRE(double(found.y.v) == std::round(std::sin(angle)));
     }
+  }
 }
 
 namespace {
@@ -274,7 +278,7 @@ TEST_CASE("vertices of a periodic lattice lie in one period, whole periods from 
     }
 }
 
-TEST_CASE("taps are offset by whole texels, so that the texel grid stays aligned") {
+TEST_CASE("tiles are offset by whole texels, so that the texel grid stays aligned") {
   const std::vector<SyntheticMap> maps{{.width = 128, .height = 128}};
   const Bundle bundle = syntheticBundle(maps).bundle;
   const auto material = inLibrary(shaderMaterial(bundle, MaterialNoise(), {}).material);
@@ -282,10 +286,10 @@ TEST_CASE("taps are offset by whole texels, so that the texel grid stays aligned
   const glsl::vec2 none(0.0f);
   for (int k = 0; k < 500; ++k) {
     const glsl::vec2 position((float(k) + 0.5f) / 128.0f, (float(3 * k) + 0.5f) / 128.0f);
-    Library::LichenTilingTaps taps;
-    Library().lichenSetPoint(taps, position, none, none, material, noise);
-    for (const glsl::vec2& tap : {taps.point.uv0, taps.point.uv1, taps.point.uv2})
-      for (const float coordinate : {tap.x.v, tap.y.v}) {
+    Library::LichenTilingPoint point;
+    Library().lichenSetPoint(point, position, none, none, material, noise);
+    for (const glsl::vec2& uv : {point.uv0, point.uv1, point.uv2})
+      for (const float coordinate : {uv.x.v, uv.y.v}) {
         const float texel = coordinate * 128.0f - 0.5f;
         REQUIRE(texel == std::round(texel));
       }
@@ -305,9 +309,9 @@ TEST_CASE("the index of a distant cell is exact, modulo 2^32 or the period") {
   material.columnsPerTile = material.rowsPerTile = 49152.0f; // 3 cells per texel
   const auto firstCellAt = [&](std::int64_t x, std::int64_t y) {
     const glsl::vec2 none(0.0f);
-    return Library()
-        .lichenImpactsWithin(0.0f, glsl::vec2(float(x), float(y)), none, none, material, noise)
-        .firstCell;
+    Library::LichenImpacts impacts;
+    Library().lichenSetPoint(impacts, glsl::vec2(float(x), float(y)), none, none, material, noise);
+    return impacts.firstCell;
   };
   for (const std::int32_t period : {0, 7, 49152 * 5, 1 << 29})
     for (const std::int64_t tiles : {0ll, 1ll, -1ll, 43691ll, -65537ll, 1ll << 27, -(1ll << 27)}) {
@@ -358,7 +362,7 @@ TEST_CASE("the sums of impacts, weights and squared weights on surfaces follow p
                 .lichenPointSurfaceGrad(position, none, none, normal,
                                         glsl::vec4(0.36f, 0.48f, -0.8f, 1.0f), inLibrary(material),
                                         noise)
-                .surface.texton;
+                .point.texton.cubes;
         Eigen::Array3d sums = Eigen::Array3d::Zero();
         Library::LichenSurfaceWalk walk = library.lichenFirstSurfaceImpact(cubes);
         while (library.lichenHasImpact(walk, cubes)) {
@@ -388,7 +392,7 @@ TEST_CASE("the four vertices around a point of a solid are those in reach, and t
   std::uniform_real_distribution<float> place(-2.0f, 2.0f);
   for (int sample = 0; sample < 2000; ++sample) {
     const Eigen::Array3f position(place(generator), place(generator), place(generator));
-    Library::LichenSolidCosinesPoint point;
+    Library::LichenCosinesPoint point;
     library.lichenSetSolidPoint(point, {position[0], position[1], position[2]}, {}, material);
     const Library::LichenSolidVertices vertices = library.lichenSolidVertices(point, 0, material);
     CHECK(std::abs(dot(vertices.windows, vertices.windows).v - 1.0f) < 1e-6f);

@@ -75,12 +75,15 @@ TEST_CASE(
     "a layered noise has the mappings that all its noises have, and its switches say layers") {
   const OwnedBundle bundle(example::layered());
   LichenMaterialParameters parameters = parametersOf(bundle.handle);
-  std::array<char, LICHEN_SWITCH_BYTES> text{};
+  LichenShaderSwitches switches;
+  LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
   const LichenMaterialParameters* const all[] = {&parameters};
-  REQUIRE(lichenGetShaderSwitches(all, 1, nullptr, text.data(), text.size(), nullptr) ==
-          LICHEN_SUCCESS);
-  CHECK_THAT(text.data(), Catch::StartsWith("-DLICHEN_ROLES=4 -DLICHEN_METHODS=8 "
-                                            "-DLICHEN_LAYERS=2 -DLICHEN_LAYER_METHODS=8 "));
+  REQUIRE(lichenGetShaderSwitches(all, 1, nullptr, &switches, nullptr) == LICHEN_SUCCESS);
+  CHECK_THAT(switches.text,
+             Catch::StartsWith("-DLICHEN_METHODS=8 -DLICHEN_MAPPINGS=1 -DLICHEN_LAYERS=2 "
+                               "-DLICHEN_ROLES=4 ") &&
+                 Catch::EndsWith(" -DLICHEN_LAYER_METHODS=8"));
+  CHECK((switches.features >> 24) == (1u << 2 | 1u << 5)); // slots of occlusion of both layers
   parameters.mapping = LICHEN_MAPPING_SURFACE;
   CHECK(fill(parameters).message == "mapping 2 (surface) does not fit the noise: it has layers");
 }
@@ -90,17 +93,16 @@ TEST_CASE("layers and quilting get no switches together, and a message that says
   const LichenMaterialParameters first = parametersOf(layered.handle),
                                  second = parametersOf(quilting.handle);
   const LichenMaterialParameters* const all[] = {&first, &second};
-  std::array<char, LICHEN_SWITCH_BYTES> text{};
+  LichenShaderSwitches switches;
+  LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  CHECK(lichenGetShaderSwitches(all, 2, nullptr, text.data(), text.size(), &diagnostic) ==
-        LICHEN_ERROR_USAGE);
+  CHECK(lichenGetShaderSwitches(all, 2, nullptr, &switches, &diagnostic) == LICHEN_ERROR_USAGE);
   CHECK_THAT(diagnostic.text, Catch::Contains("one has layers and another the method quilting") &&
                                   Catch::Contains("ask for the switches of each by itself"));
-  CHECK(std::string(text.data()).empty());
+  CHECK(switches.methods == 0);
   for (const LichenMaterialParameters* const& one : all)
-    CHECK(lichenGetShaderSwitches(&one, 1, nullptr, text.data(), text.size(), nullptr) ==
-          LICHEN_SUCCESS);
+    CHECK(lichenGetShaderSwitches(&one, 1, nullptr, &switches, nullptr) == LICHEN_SUCCESS);
 }
 
 TEST_CASE("a grain of the second layer counts for the switches and is a property of that layer") {
@@ -133,11 +135,10 @@ TEST_CASE("a grain of the second layer counts for the switches and is a property
     const OwnedBundle bundle(file);
     const LichenMaterialParameters parameters = parametersOf(bundle.handle);
     const LichenMaterialParameters* const all[] = {&parameters};
-    std::array<char, LICHEN_SWITCH_BYTES> text{};
-    REQUIRE(lichenGetShaderSwitches(all, 1, nullptr, text.data(), text.size(), nullptr) ==
-            LICHEN_SUCCESS);
-    const std::string switches = text.data();
-    CHECK((switches.find("-DLICHEN_GRAIN=0") != std::string::npos) == (grain == Grain::none));
+    LichenShaderSwitches switches;
+    LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
+    REQUIRE(lichenGetShaderSwitches(all, 1, nullptr, &switches, nullptr) == LICHEN_SUCCESS);
+    CHECK(((switches.features & LICHEN_FEATURE_GRAIN) == 0) == (grain == Grain::none));
     auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
     CHECK(noise.hasGrain == 0);
     REQUIRE(noise.layerCount == 2);

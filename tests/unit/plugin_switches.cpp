@@ -4,165 +4,294 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
 using namespace lichen;
 using namespace lichen::test;
 
 namespace {
 
-std::string switchesOf(const std::vector<LichenMaterialParameters>& materials,
-                       const LichenPlacement* placement = nullptr) {
+LichenShaderSwitches switchesOf(const std::vector<LichenMaterialParameters>& materials,
+                                const LichenPlacement* placement = nullptr) {
   std::vector<const LichenMaterialParameters*> pointers;
   for (const LichenMaterialParameters& material : materials)
     pointers.push_back(&material);
-  char text[LICHEN_SWITCH_BYTES] = "";
-  CHECK(lichenGetShaderSwitches(pointers.data(), std::uint32_t(pointers.size()), placement, text,
-                                sizeof text, nullptr) == LICHEN_SUCCESS);
-  return text;
+  LichenShaderSwitches switches;
+  LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
+  CHECK(lichenGetShaderSwitches(pointers.data(), std::uint32_t(pointers.size()), placement,
+                                &switches, nullptr) == LICHEN_SUCCESS);
+  return switches;
 }
 
-} // namespace
+/// What switches must be for some materials, beside the bits of methods and mappings in features.
+struct Row {
+  const char* name;
+  std::vector<LichenMaterialParameters> materials;
+  std::uint32_t methods, mappings, roles, features;
+};
 
-TEST_CASE("the switches leave out what no material needs") {
-  const OwnedBundle tiling(example::smallest());
-  const LichenMaterialParameters plain = parametersOf(tiling.handle);
-  const std::string left =
-      " -DLICHEN_METHODS=1 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR";
-  CHECK(switchesOf({plain}) ==
-        "-DLICHEN_ROLES=16" + left +
-            " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_TILE_ROTATION=0 -DLICHEN_BLEND_SHARPNESS=0"
-            " -DLICHEN_GRAIN=0 -DLICHEN_PERIODIC_LATTICE=0");
-  LichenMaterialParameters turned = plain;
-  turned.tileRotation = 2;
-  turned.blendSharpness = 2.0;
-  LichenPlacement placement = atOrigin();
-  placement.periodTiles[0] = placement.periodTiles[1] = 2.0;
-  placement.maxAnisotropy = 8.0f;
-  CHECK(switchesOf({plain, turned}, &placement) ==
-        "-DLICHEN_ROLES=16" + left +
-            " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_GRAIN=0 -DLICHEN_ANISOTROPIC=1");
-  BundleFile oak = example::smallest();
-  oak.bundle.noises[0].as<TilingNoise>().grain = Grain::x;
-  const OwnedBundle grained(oak);
-  CHECK(switchesOf({plain, parametersOf(grained.handle)}).find("GRAIN") == std::string::npos);
-  auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, grained.handle, 0);
-  CHECK(noise.hasGrain == 1);
-  // Of quilting the shader always reads the lattice from the material.
-  BundleFile boards = example::smallestQuilting();
-  boards.bundle.noises[0].as<QuiltingNoise>().grain = Grain::x;
-  const OwnedBundle quilted(boards);
-  CHECK(switchesOf({plain, parametersOf(quilted.handle)}).find("-DLICHEN_GRAIN=0") !=
-        std::string::npos);
-  REQUIRE(lichenGetNoiseProperties(tiling.handle, 0, &noise) == LICHEN_SUCCESS);
-  CHECK(noise.hasGrain == 0);
-  LichenMaterialParameters inPlanes = plain;
-  inPlanes.mapping = LICHEN_MAPPING_TRIPLANAR;
-  CHECK(switchesOf({inPlanes}).find(" -DLICHEN_OTHER_MAPPINGS=0 ") != std::string::npos);
-  CHECK(switchesOf({inPlanes, plain}).find("MAPPINGS") == std::string::npos);
-  // Of two bundles and methods.
-  const OwnedBundle textons(example::textonMix());
-  auto mixed = got<LichenMaterialParameters>(lichenGetMaterialParameters, textons.handle, 1);
-  const std::string both = switchesOf({plain, mixed});
-  CHECK(both.find(" -DLICHEN_METHODS=3") != std::string::npos);
-  CHECK(both.find("MIXED_TEXTONS") == std::string::npos);
-  CHECK(switchesOf({mixed}).find(" -DLICHEN_METHODS=2") != std::string::npos);
-  mixed.pointProcess = LICHEN_POINT_PROCESS_STRATIFIED;
-  CHECK(switchesOf({mixed}).find(" -DLICHEN_POISSON_POINTS=0") != std::string::npos);
-  mixed.pointProcess = LICHEN_POINT_PROCESS_POISSON;
-  CHECK(switchesOf({mixed}).find("POISSON") == std::string::npos);
+constexpr std::uint32_t kTiling = 1u << LICHEN_METHOD_TILING;
+constexpr std::uint32_t kTexton = 1u << LICHEN_METHOD_TEXTON;
+constexpr std::uint32_t kCosines = 1u << LICHEN_METHOD_LOCAL_RANDOM_PHASE;
+constexpr std::uint32_t kKernels = 1u << LICHEN_METHOD_MULTIPLE_KERNELS;
+constexpr std::uint32_t kQuilting = 1u << LICHEN_METHOD_QUILTING;
+constexpr std::uint32_t kUv = 1u << LICHEN_MAPPING_UV;
+constexpr std::uint32_t kTriplanar = 1u << LICHEN_MAPPING_TRIPLANAR;
+constexpr std::uint32_t kSurface = 1u << LICHEN_MAPPING_SURFACE;
+constexpr std::uint32_t kSolid = 1u << LICHEN_MAPPING_SOLID;
+constexpr std::uint32_t kColor = 1u << LICHEN_BASE_COLOR;
+constexpr std::uint32_t kNormal = 1u << LICHEN_NORMAL;
+constexpr std::uint32_t kHeight = 1u << LICHEN_HEIGHT;
+constexpr std::uint32_t kTables = LICHEN_FEATURE_TABLES;
+constexpr std::uint32_t kNoTable = LICHEN_FEATURE_GAUSSIAN_ONLY;
+constexpr std::uint32_t kRings = LICHEN_FEATURE_RING_KERNELS;
+constexpr std::uint32_t kPatterns = LICHEN_FEATURE_PATTERNS;
+
+BundleFile withSquareWindow() {
+  BundleFile file = example::smallestKernels();
+  file.bundle.noises[0].as<MultipleKernelsNoise>().window = KernelWindow::sinc;
+  // Its matrix must be diagonal: the third number of the second texel.
+  Table& kernels =
+      file.bundle.tables[file.bundle.noises[0].maps[0].as<MultipleKernelsMap>().kernels];
+  std::fill_n(kernels.texels.begin() + 6 * sizeof(float), sizeof(float), std::byte(0));
+  return file;
 }
 
-TEST_CASE("the switches of local random-phase noise leave out what only other methods have") {
-  const OwnedBundle cosines(example::smallestCosines());
-  CHECK(switchesOf({parametersOf(cosines.handle)}) ==
-        "-DLICHEN_ROLES=16 -DLICHEN_METHODS=4 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR"
-        " -DLICHEN_TABLES=0 -DLICHEN_STRUCTURE=0 -DLICHEN_OMIT_SOLID -DLICHEN_PERIODIC_LATTICE=0");
-  LichenMaterialParameters solid = parametersOf(cosines.handle);
-  solid.mapping = LICHEN_MAPPING_SOLID;
-  CHECK(switchesOf({solid}).find("OMIT_SOLID") == std::string::npos);
-  const OwnedBundle structure(example::smallestStructure());
-  CHECK(switchesOf({parametersOf(cosines.handle), parametersOf(structure.handle)})
-            .find("STRUCTURE") == std::string::npos);
-  const OwnedBundle tiling(example::smallest());
-  const std::string both = switchesOf({parametersOf(cosines.handle), parametersOf(tiling.handle)});
-  CHECK(both.find(" -DLICHEN_METHODS=5") != std::string::npos);
-  CHECK(both.find("TABLES=0") == std::string::npos);
-  CHECK(both.find("GAUSSIAN_ONLY") == std::string::npos);
+BundleFile withGrain() {
+  BundleFile file = example::smallest();
+  file.bundle.noises[0].as<TilingNoise>().grain = Grain::x;
+  return file;
 }
 
-TEST_CASE("the switches of multiple-kernels noise leave out kinds of kernels that there are not") {
-  const OwnedBundle kernels(example::smallestKernels());
-  auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, kernels.handle, 0);
-  CHECK(noise.kernelKinds == (LICHEN_KERNELS_RINGS | LICHEN_KERNELS_PATTERN));
-  CHECK(noise.mappings == (1u << LICHEN_MAPPING_UV | 1u << LICHEN_MAPPING_TRIPLANAR));
-  CHECK(switchesOf({parametersOf(kernels.handle)}) ==
-        "-DLICHEN_ROLES=16 -DLICHEN_METHODS=8 -DLICHEN_VALUES_ABOVE_ONE=0 -DLICHEN_OMIT_TRIPLANAR"
-        " -DLICHEN_OMIT_SURFACE -DLICHEN_TABLES=0 -DLICHEN_SQUARE_KERNELS=0 -DLICHEN_OMIT_SOLID"
-        " -DLICHEN_PERIODIC_LATTICE=0");
+BundleFile quiltingWithGrain() {
+  BundleFile file = example::smallestQuilting();
+  file.bundle.noises[0].as<QuiltingNoise>().grain = Grain::x;
+  return file;
 }
 
-TEST_CASE("the switches of quilting leave out what only other methods have") {
-  const OwnedBundle quilting(example::smallestQuilting());
-  auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, quilting.handle, 0);
-  CHECK(noise.method == LICHEN_NOISE_QUILTING);
-  CHECK(noise.mappings == (1u << LICHEN_MAPPING_UV | 1u << LICHEN_MAPPING_TRIPLANAR));
-  CHECK(switchesOf({parametersOf(quilting.handle)}) ==
-        "-DLICHEN_ROLES=18 -DLICHEN_METHODS=16 -DLICHEN_VALUES_ABOVE_ONE=0"
-        " -DLICHEN_OMIT_TRIPLANAR -DLICHEN_TABLES=0 -DLICHEN_PERIODIC_LATTICE=0");
+BundleFile withOrder0() {
+  BundleFile file = example::smallestTexton();
+  file.bundle.noises[0].as<TextonShape>().order = 0;
+  return file;
 }
 
-TEST_CASE("the switches keep values above 1 for a noise that has them") {
+BundleFile withValuesAboveOne() {
   BundleFile file = example::smallest();
   NoiseMap& height = file.bundle.noises[0].maps[0];
   height.encoding = ValueEncoding::log2;
   file.bundle.tables[*height.as<TilingMap>().inverseTable] =
       example::patternTable("", TexelFormat::r16Sfloat, 256, 1, 1, 1);
-  const OwnedBundle above(file), below(example::smallest());
-  const LichenMaterialParameters high = parametersOf(above.handle);
-  const LichenMaterialParameters low = parametersOf(below.handle);
-  CHECK(switchesOf({high}).find("VALUES_ABOVE_ONE") == std::string::npos);
-  CHECK(switchesOf({low, high}).find("VALUES_ABOVE_ONE") == std::string::npos);
-  CHECK(switchesOf({low}).find(" -DLICHEN_VALUES_ABOVE_ONE=0") != std::string::npos);
+  return file;
 }
 
-TEST_CASE("the longest text of switches fits") {
-  // Materials of all methods, in three planes, with an anisotropic sampler. Each switch that is
-  // missing excludes longer ones.
-  const OwnedBundle tiling(example::smallest()), textons(example::smallestTexton()),
-      cosines(example::smallestCosines()), kernels(example::smallestKernels()),
-      quilting(example::smallestQuilting());
-  std::vector<LichenMaterialParameters> materials{
-      parametersOf(tiling.handle), parametersOf(textons.handle), parametersOf(cosines.handle),
-      parametersOf(kernels.handle), parametersOf(quilting.handle)};
-  for (LichenMaterialParameters& material : materials)
-    material.mapping = LICHEN_MAPPING_TRIPLANAR;
+LichenMaterialParameters mappedAs(LichenMaterialParameters material, LichenMapping mapping) {
+  material.mapping = mapping;
+  return material;
+}
+
+} // namespace
+
+TEST_CASE("the switches are those that some material needs") {
+  const OwnedBundle tilings(example::smallest()), grains(withGrain()), lights(withValuesAboveOne()),
+      textons(example::smallestTexton()), nearest(withOrder0()), mixes(example::textonMix()),
+      swells(example::smallestCosines()), structures(example::smallestStructure()),
+      ripples(example::smallestKernels()), squares(withSquareWindow()),
+      bricks(example::smallestQuilting()), boards(quiltingWithGrain());
+  const LichenMaterialParameters tiling = parametersOf(tilings.handle),
+                                 texton = parametersOf(textons.handle),
+                                 cosines = parametersOf(swells.handle),
+                                 structure = parametersOf(structures.handle),
+                                 kernels = parametersOf(ripples.handle),
+                                 quilting = parametersOf(bricks.handle);
+  LichenMaterialParameters turned = tiling, sharp = tiling, random = texton, stratified;
+  turned.tileRotation = 2;
+  sharp.blendSharpness = 2.0;
+  random.pointProcess = LICHEN_POINT_PROCESS_POISSON;
+  const auto mix = got<LichenMaterialParameters>(lichenGetMaterialParameters, mixes.handle, 1);
+  stratified = mix;
+  stratified.pointProcess = LICHEN_POINT_PROCESS_STRATIFIED;
+  constexpr std::uint32_t kMix = LICHEN_FEATURE_MIXES | LICHEN_FEATURE_CUBIC_TEXTONS;
+  const Row rows[] = {
+      {"tiling", {tiling}, kTiling, kUv, kHeight, kTables},
+      {"rotated", {turned}, kTiling, kUv, kHeight, kTables | LICHEN_FEATURE_TILE_ROTATION},
+      {"sharp", {sharp}, kTiling, kUv, kHeight, kTables | LICHEN_FEATURE_BLEND_SHARPNESS},
+      {"rotated, and another sharp",
+       {turned, sharp},
+       kTiling,
+       kUv,
+       kHeight,
+       kTables | LICHEN_FEATURE_TILE_ROTATION | LICHEN_FEATURE_BLEND_SHARPNESS},
+      {"a grain",
+       {tiling, parametersOf(grains.handle)},
+       kTiling,
+       kUv,
+       kHeight,
+       kTables | LICHEN_FEATURE_GRAIN},
+      {"values above 1",
+       {tiling, parametersOf(lights.handle)},
+       kTiling,
+       kUv,
+       kHeight,
+       kTables | LICHEN_FEATURE_VALUES_ABOVE_ONE},
+      {"three planes",
+       {mappedAs(tiling, LICHEN_MAPPING_TRIPLANAR)},
+       kTiling,
+       kTriplanar,
+       kHeight,
+       kTables},
+      {"two mappings",
+       {mappedAs(tiling, LICHEN_MAPPING_TRIPLANAR), tiling},
+       kTiling,
+       kTriplanar | kUv,
+       kHeight,
+       kTables},
+      {"textons", {texton}, kTexton, kUv, kHeight, kNoTable},
+      {"a Poisson process",
+       {random},
+       kTexton,
+       kUv,
+       kHeight,
+       kNoTable | LICHEN_FEATURE_POISSON_POINTS},
+      {"textons of order 0",
+       {parametersOf(nearest.handle)},
+       kTexton,
+       kUv,
+       kHeight,
+       kNoTable | LICHEN_FEATURE_NEAREST_TEXTONS},
+      {"a mix on a surface",
+       {mix},
+       kTexton,
+       kSurface,
+       kColor | kNormal | kHeight,
+       kNoTable | kMix | LICHEN_FEATURE_POISSON_POINTS},
+      {"a stratified mix",
+       {stratified},
+       kTexton,
+       kSurface,
+       kColor | kNormal | kHeight,
+       kNoTable | kMix},
+      {"cosines", {cosines}, kCosines, kUv, kHeight, kNoTable},
+      {"a solid", {mappedAs(cosines, LICHEN_MAPPING_SOLID)}, kCosines, kSolid, kHeight, kNoTable},
+      {"a structure",
+       {cosines, structure},
+       kCosines,
+       kUv,
+       kHeight,
+       kNoTable | LICHEN_FEATURE_STRUCTURES},
+      {"kernels", {kernels}, kKernels, kUv, kHeight, kNoTable | kRings | kPatterns},
+      {"square kernels",
+       {parametersOf(squares.handle)},
+       kKernels,
+       kUv,
+       kHeight,
+       kNoTable | kRings | kPatterns | LICHEN_FEATURE_SQUARE_KERNELS},
+      {"quilting", {quilting}, kQuilting, kUv, kHeight | kNormal, kNoTable},
+      // Its shader always reads the lattice from the material.
+      {"quilting with a grain",
+       {parametersOf(boards.handle)},
+       kQuilting,
+       kUv,
+       kHeight | kNormal,
+       kNoTable},
+      {"two bundles and methods",
+       {tiling, cosines},
+       kTiling | kCosines,
+       kUv,
+       kHeight,
+       kTables | kNoTable},
+      {"all methods",
+       {tiling, texton, cosines, kernels, quilting},
+       kTiling | kTexton | kCosines | kKernels | kQuilting,
+       kUv,
+       kHeight | kNormal,
+       kTables | kNoTable | kRings | kPatterns},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    const LichenShaderSwitches found = switchesOf(row.materials);
+    const std::uint32_t ofMappings =
+        ((row.mappings & kUv) != 0 ? LICHEN_FEATURE_UV : 0u) |
+        ((row.mappings & kTriplanar) != 0 ? LICHEN_FEATURE_TRIPLANAR : 0u) |
+        ((row.mappings & kSurface) != 0 ? LICHEN_FEATURE_SURFACE : 0u) |
+        ((row.mappings & kSolid) != 0 ? LICHEN_FEATURE_SOLID : 0u);
+    CHECK(found.methods == row.methods);
+    CHECK(found.mappings == row.mappings);
+    CHECK(found.roles == row.roles);
+    CHECK(found.features == (row.features | row.methods | ofMappings));
+    CHECK(found.layers == 1);
+    CHECK(found.layerMethods == 0);
+    CHECK(found.anisotropic == 0);
+  }
+}
+
+TEST_CASE("the properties of a noise say what its switches depend on") {
+  const auto propertiesOf = [](const BundleFile& file) {
+    const OwnedBundle bundle(file);
+    return got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
+  };
+  constexpr std::uint32_t kInPlanes = kUv | kTriplanar;
+  CHECK(propertiesOf(example::smallest()).hasGrain == 0);
+  CHECK(propertiesOf(withGrain()).hasGrain == 1);
+  const LichenNoiseProperties kernels = propertiesOf(example::smallestKernels());
+  CHECK(kernels.kernelKinds == (LICHEN_KERNELS_RINGS | LICHEN_KERNELS_PATTERN));
+  CHECK(kernels.mappings == kInPlanes);
+  CHECK(propertiesOf(withSquareWindow()).kernelKinds ==
+        (LICHEN_KERNELS_RINGS | LICHEN_KERNELS_PATTERN | LICHEN_KERNELS_SQUARE));
+  const LichenNoiseProperties quilting = propertiesOf(example::smallestQuilting());
+  CHECK(quilting.method == LICHEN_NOISE_QUILTING);
+  CHECK(quilting.mappings == kInPlanes);
+}
+
+TEST_CASE("a placement adds a period and an anisotropic sampler, and the text has all switches") {
+  const OwnedBundle tiling(example::smallest());
   LichenPlacement placement = atOrigin();
+  placement.periodTiles[0] = placement.periodTiles[1] = 2.0;
   placement.maxAnisotropy = 8.0f;
-  const std::string text = switchesOf(materials, &placement);
-  CHECK(text == "-DLICHEN_ROLES=18 -DLICHEN_METHODS=31 -DLICHEN_VALUES_ABOVE_ONE=0"
-                " -DLICHEN_OTHER_MAPPINGS=0 -DLICHEN_OMIT_SURFACE -DLICHEN_MIXED_TEXTONS=0 "
-                "-DLICHEN_POISSON_POINTS=0 -DLICHEN_CUBIC_TEXTONS=0"
-                " -DLICHEN_NEAREST_TEXTONS=0 -DLICHEN_TILE_ROTATION=0"
-                " -DLICHEN_BLEND_SHARPNESS=0 -DLICHEN_GRAIN=0 -DLICHEN_STRUCTURE=0"
-                " -DLICHEN_SQUARE_KERNELS=0"
-                " -DLICHEN_OMIT_SOLID -DLICHEN_PERIODIC_LATTICE=0 -DLICHEN_ANISOTROPIC=1");
-  const std::string others = " -DLICHEN_GAUSSIAN_ONLY=0 -DLICHEN_RING_KERNELS=0"
-                             " -DLICHEN_KERNEL_PATTERN=0 -DLICHEN_OMIT_TRIPLANAR";
-  CHECK(text.size() + others.size() < LICHEN_SWITCH_BYTES);
+  const LichenShaderSwitches switches = switchesOf({parametersOf(tiling.handle)}, &placement);
+  CHECK((switches.features & LICHEN_FEATURE_PERIOD) != 0);
+  CHECK(switches.anisotropic == 1);
+  CHECK(std::string(switches.text) ==
+        "-DLICHEN_METHODS=1 -DLICHEN_MAPPINGS=1 -DLICHEN_LAYERS=1 -DLICHEN_ROLES=16 "
+        "-DLICHEN_FEATURES=0x1221u -DLICHEN_ANISOTROPIC=1");
+  placement.maxAnisotropy = 1.0f; // trilinear
+  CHECK(switchesOf({parametersOf(tiling.handle)}, &placement).anisotropic == 0);
 }
 
-TEST_CASE("a buffer that is too small for the switches is an error") {
+TEST_CASE("switches without materials or a struct to fill are an error, and leave it unchanged") {
   const OwnedBundle bundle(example::smallest());
   const LichenMaterialParameters parameters = parametersOf(bundle.handle);
   const LichenMaterialParameters* const pointer = &parameters;
-  char text[8] = "before";
+  LichenShaderSwitches switches;
+  LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  CHECK(lichenGetShaderSwitches(&pointer, 1, nullptr, text, sizeof text, &diagnostic) ==
-        LICHEN_ERROR_USAGE);
-  CHECK(std::string(diagnostic.text) == "textBytes 8 is too small; expected at least 1024");
-  CHECK(std::string(text) == "before");
-  CHECK(lichenGetShaderSwitches(nullptr, 1, nullptr, text, sizeof text, nullptr) ==
-        LICHEN_ERROR_USAGE);
-  CHECK(lichenGetShaderSwitches(&pointer, 0, nullptr, text, sizeof text, nullptr) ==
-        LICHEN_ERROR_USAGE);
+  const auto resultOf = [&](const LichenMaterialParameters* const* materials, std::uint32_t count,
+                            LichenShaderSwitches* target) {
+    return lichenGetShaderSwitches(materials, count, nullptr, target, &diagnostic);
+  };
+  CHECK(resultOf(nullptr, 1, &switches) == LICHEN_ERROR_USAGE);
+  CHECK(resultOf(&pointer, 0, &switches) == LICHEN_ERROR_USAGE);
+  CHECK(std::string(diagnostic.text) == "materials must not be NULL, and materialCount not 0");
+  CHECK(resultOf(&pointer, 1, nullptr) == LICHEN_ERROR_USAGE);
+  CHECK(std::string(diagnostic.text) ==
+        "switches is NULL or has an invalid type or size; use LICHEN_INIT");
+  switches.type = LICHEN_STRUCTURE_PLACEMENT;
+  CHECK(resultOf(&pointer, 1, &switches) == LICHEN_ERROR_USAGE);
+  switches.type = LICHEN_STRUCTURE_SHADER_SWITCHES;
+  switches.size = 8;
+  CHECK(resultOf(&pointer, 1, &switches) == LICHEN_ERROR_USAGE);
+  switches.size = sizeof switches;
+  switches.next = &switches;
+  CHECK(resultOf(&pointer, 1, &switches) == LICHEN_ERROR_VERSION);
+  CHECK(switches.methods == 0);
+  CHECK(std::string(switches.text).empty());
+  // Of an older header, without the text.
+  switches.next = nullptr;
+  switches.size = offsetof(LichenShaderSwitches, text);
+  CHECK(resultOf(&pointer, 1, &switches) == LICHEN_SUCCESS);
+  CHECK(switches.methods == kTiling);
+  CHECK(std::string(switches.text).empty());
 }

@@ -51,12 +51,6 @@ public:
   [[nodiscard]] Value evaluate(std::size_t map, const Footprint& at,
                                const MixPlace& mix = {}) const;
 
-  /// The value of a map's first channel and its derivatives along x and y [1 / tile], as
-  /// LICHEN_GRADIENT has them: of textons the stored value, not clamped, otherwise evaluate()'s.
-  /// Tiling, quilting and layered noises have the derivatives 0. The material's mapping is uv.
-  [[nodiscard]] std::array<float, 3> evaluateGradient(std::size_t map, const TileFootprint& at,
-                                                      const MixPlace& mix = {}) const;
-
   /// Evaluates at texture coordinates, for a material with the mapping uv. Slopes are in the
   /// tangent space that a mesh has for these coordinates. A mix uses the material's weight if that
   /// is constant or a direction, and its first step otherwise.

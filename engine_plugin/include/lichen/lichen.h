@@ -79,6 +79,7 @@ typedef enum LichenStructureType {
   LICHEN_STRUCTURE_MEMORY_REQUEST = 15,
   LICHEN_STRUCTURE_DEVICE_MEMORY = 16,
   LICHEN_STRUCTURE_PLACEMENT = 17,
+  LICHEN_STRUCTURE_SHADER_SWITCHES = 18,
   LICHEN_STRUCTURE_MAX_ENUM = 0x7FFFFFFF
 } LichenStructureType;
 
@@ -168,13 +169,10 @@ typedef struct LichenNoiseProperties {
   double tileSizeMetres; /* [1e-6, 1e6] metres, the width of one exemplar */
   uint32_t mapCount;     /* 1 to 6 */
   LichenNoiseMethod method;
-  uint32_t mixSteps; /* [2, 64] of a mix of textons, 1 of other noises; LICHEN_MIXED_TEXTONS of the
-                        shader library may be 0 where no noise is a mix */
+  uint32_t mixSteps; /* [2, 64] of a mix of textons, 1 of other noises */
   uint32_t textonOrder; /* 0, 1 or 3: degree of a texton's B-spline, with which its cost goes; 0 of
                            other noises */
-  /* 1 if a local random-phase noise has a structure, 0 of other noises. LICHEN_STRUCTURE of the
-   * shader library may be 0 where no noise has one. */
-  uint32_t hasStructure;
+  uint32_t hasStructure; /* 1 if a local random-phase noise has a structure, 0 of other noises */
   uint32_t mappings;    /* bit m: a material of the noise may have the LichenMapping m */
   uint32_t kernelKinds; /* LICHEN_KERNELS_... of a multiple-kernels noise, 0 of others */
   uint32_t layerCount;  /* [2, 4] of a layered noise, 1 of others */
@@ -182,20 +180,17 @@ typedef struct LichenNoiseProperties {
    * maps; then LICHEN_NO_NOISE. All other members describe the first layer, but for `mappings`. */
   uint32_t layers[4];
   uint32_t indices[3];
-  /* 1 if a tiling noise has a grain, 0 of other noises. LICHEN_GRAIN of the shader library may be 0
-   * where no noise and no layer has one. It saves time only if LICHEN_PERIODIC_LATTICE is 0 too. */
-  uint32_t hasGrain;
+  uint32_t hasGrain; /* 1 if a tiling noise has a grain, 0 of other noises */
   /* 1 if LichenMaterialParameters::tileRotation may be 4: tiles of tiling, in all layers, are
    * square. */
   uint32_t takesQuarterTurns;
   uint32_t reserved; /* 0 */
 } LichenNoiseProperties;
 
-/* Bits of LichenNoiseProperties::kernelKinds. The switch of the shader library that each names may
- * be 0 where no noise has the bit. */
-#define LICHEN_KERNELS_RINGS 1u   /* LICHEN_RING_KERNELS */
-#define LICHEN_KERNELS_SQUARE 2u  /* LICHEN_SQUARE_KERNELS: sinc or gaussian-sinc */
-#define LICHEN_KERNELS_PATTERN 4u /* LICHEN_KERNEL_PATTERN */
+/* Bits of LichenNoiseProperties::kernelKinds. */
+#define LICHEN_KERNELS_RINGS 1u
+#define LICHEN_KERNELS_SQUARE 2u /* sinc or gaussian-sinc */
+#define LICHEN_KERNELS_PATTERN 4u
 
 /* noise < noiseCount. */
 LICHEN_API LichenResult lichenGetNoiseProperties(LichenBundle bundle, uint32_t noise,
@@ -227,8 +222,7 @@ typedef enum LichenChannel {
 } LichenChannel;
 
 /* How the shader turns a map's Gaussian values into its values. Maps of texton noise and of
- * quilting are always LICHEN_TABLE_NONE. If no map of other noises has a kind, its switch
- * (LICHEN_TABLES or LICHEN_GAUSSIAN_ONLY) may be 0. */
+ * quilting are always LICHEN_TABLE_NONE. */
 typedef enum LichenTableKind {
   LICHEN_TABLE_JOINT = 0,
   LICHEN_TABLE_NONE = 1,
@@ -283,7 +277,7 @@ typedef enum LichenMixSource {
 /* How the impacts of texton noise lie. */
 typedef enum LichenPointProcess {
   LICHEN_POINT_PROCESS_STRATIFIED = 0, /* one in each cell of a grid */
-  LICHEN_POINT_PROCESS_POISSON = 1, /* a Poisson process: LICHEN_POISSON_POINTS 1 in the shader */
+  LICHEN_POINT_PROCESS_POISSON = 1, /* a Poisson process */
   LICHEN_POINT_PROCESS_MAX_ENUM = 0x7FFFFFFF
 } LichenPointProcess;
 
@@ -446,8 +440,7 @@ typedef struct LichenMaterialParameters {
   LichenMapping mapping;
   uint32_t seed; /* any; another seed is another noise of the same look */
   /* Of tiling: the number of angles by which tiles are rotated: 2 (half turns) or, where
-   * LichenNoiseProperties::takesQuarterTurns, 4. 0 and 1: no rotation. Above 1 it needs shaders
-   * with LICHEN_TILE_ROTATION 1. */
+   * LichenNoiseProperties::takesQuarterTurns, 4. 0 and 1: no rotation. */
   uint32_t tileRotation;
   double scale;          /* [1e-6, 1e6] texture-coordinate units that one exemplar spans */
   double offset[2];      /* [-1e9, 1e9] tiles, in float precision; for large ones, use tileOrigin */
@@ -506,20 +499,36 @@ LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* param
                                            const LichenPlacement* placement, void* destination,
                                            LichenDiagnostic* diagnostic);
 
-/* Enough for every text of lichenGetShaderSwitches. */
-#define LICHEN_SWITCH_BYTES 1024
+/* The switches of the shader library that fit some materials: what none of them needs is left out.
+ * `methods`, `mappings` and `layers` are literals of a shader; it may also have been compiled with
+ * more bits, or more layers than 1. `roles`, `features` and `layerMethods` may be specialization
+ * constants. shaders_glsl/README.md says what each is. */
+typedef struct LichenShaderSwitches {
+  LichenStructureType type;
+  uint32_t size;
+  void* next;
+  uint32_t methods;      /* LICHEN_METHODS */
+  uint32_t mappings;     /* LICHEN_MAPPINGS: bit m for LICHEN_MAPPING_... m */
+  uint32_t layers;       /* LICHEN_LAYERS */
+  uint32_t roles;        /* LICHEN_ROLES */
+  uint32_t features;     /* LICHEN_FEATURES */
+  uint32_t layerMethods; /* LICHEN_LAYER_METHODS; 0 where layers is 1 */
+  uint32_t anisotropic;  /* LICHEN_ANISOTROPIC, a literal */
+  /* All of them as one line of arguments for a compiler, such as
+   * "-DLICHEN_METHODS=1 -DLICHEN_MAPPINGS=1 ...", terminated. */
+  char text[228];
+} LichenShaderSwitches;
 
-/* The switches of the shader library that fit all these materials, which may be of several bundles:
- * what none of them needs is left out. Writes one line of arguments for a compiler, such as
- * "-DLICHEN_ROLES=3 -DLICHEN_METHODS=1", terminated. Of `placement`, which stands for all of
- * theirs, it reads periodTiles and maxAnisotropy; NULL: none repeats, and sampling is trilinear.
- * A change of mapping, pointProcess, tileRotation or blendSharpness may need other switches.
+/* The materials may be of several bundles. Of `placement`, which stands for all of theirs, it reads
+ * periodTiles and maxAnisotropy; NULL: none repeats, and sampling is trilinear. A change of mapping,
+ * pointProcess, tileRotation or blendSharpness may need other switches.
  * LICHEN_ERROR_USAGE also where one material is of a layered noise and another of a quilting one:
  * each needs a shader of its own. */
 LICHEN_API LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* materials,
                                                 uint32_t materialCount,
-                                                const LichenPlacement* placement, char* text,
-                                                size_t textBytes, LichenDiagnostic* diagnostic);
+                                                const LichenPlacement* placement,
+                                                LichenShaderSwitches* switches,
+                                                LichenDiagnostic* diagnostic);
 
 #ifdef __cplusplus
 }

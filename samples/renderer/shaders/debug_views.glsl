@@ -40,69 +40,30 @@ vec3 shownGaussian(vec3 gaussian) {
   return vec3(gaussian.xy, dimensions == 2u ? kNothingToShow.z : gaussian.z);
 }
 
-/// Views of a tiling noise that need only its lattice.
-vec3 tilingPointDebug(LichenTilingTaps taps) {
+bool hasMethod(int method) { return lichenHasMethod(method, lichenNoise); }
+
+/// A mip level of the map that the views show.
+vec3 shownLevel(float level, float mipCount) { return ramp(level / max(mipCount - 1.0, 1.0)); }
+
+/// Views of tiling that need only its lattice.
+#if (LICHEN_METHODS & 1) != 0
+vec3 tilingDebug(LichenTilingPoint point) {
   if (kDebugView == DEBUG_WEIGHTS)
-    return taps.point.weights;
+    return point.weights;
   if (kDebugView == DEBUG_LATTICE) {
-    float least = min(taps.point.weights.x, min(taps.point.weights.y, taps.point.weights.z));
+    float least = min(point.weights.x, min(point.weights.y, point.weights.z));
     float inside = smoothstep(0.0, kLineWeight, least);
-    return mix(kLineColor, kCellDarkest + kCellContrast * taps.point.weights, inside);
+    return mix(kLineColor, kCellDarkest + kCellContrast * point.weights, inside);
   }
   if (kDebugView != DEBUG_MIP_LEVEL || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return kNothingToShow;
   LichenMap map = shownMap();
-  return ramp(lichenTilingLevel(taps.point, map) / max(float(map.mipCount) - 1.0, 1.0));
-}
-
-vec3 tilingDebug(LichenTilingTaps taps) {
-  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return tilingPointDebug(taps);
-  return shownGaussian(
-      lichenTilingGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), taps, shownMap()).rgb);
-}
-
-#ifdef LICHEN_HAS_TEXTONS
-/// Views of a texton noise that need only its impacts, except their number.
-vec3 textonPointDebug(LichenImpacts impacts) {
-  if (kDebugView != DEBUG_MIP_LEVEL)
-    return kNothingToShow;
-  return ramp(impacts.level / max(float(lichenTextonNoise(lichenNoise).mipCount) - 1.0, 1.0));
-}
-
-vec3 textonDebug(LichenImpacts impacts) {
-  if (kDebugView == DEBUG_IMPACTS)
-    return ramp(float(lichenImpactCount(impacts, lichenMaterial, lichenNoise)) / kMostImpacts);
-  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return textonPointDebug(impacts);
-  vec3 lost;
-  return shownGaussian(lichenGaussianAt(LICHEN_IMAGE(LICHEN_BASE_COLOR),
-                                         LICHEN_TABLE(LICHEN_BASE_COLOR), impacts, lichenMaterial,
-                                         lichenNoise, shownMap(), lost));
+  return shownLevel(lichenTilingLevel(point, lichenMaterial, lichenNoise, map),
+                    float(map.mipCount));
 }
 #endif
 
-#ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
-vec3 localRandomPhaseDebug(LichenCosinesPoint point) {
-  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return kNothingToShow;
-  return shownGaussian(lichenCosinesGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), point,
-                                             lichenMaterial, lichenNoise, shownMap())
-                           .rgb);
-}
-#endif
-
-#ifdef LICHEN_HAS_MULTIPLE_KERNELS
-vec3 multipleKernelsDebug(LichenKernelsPoint point) {
-  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return kNothingToShow;
-  return shownGaussian(
-      lichenKernelsGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), point, lichenMaterial, lichenNoise)
-          .rgb);
-}
-#endif
-
-#ifdef LICHEN_HAS_QUILTING
+#if (LICHEN_METHODS & 16) != 0
 /// Tiles have the colours of their vertices, so that a tile has one colour everywhere.
 vec3 quiltingDebug(LichenQuiltingPoint point) {
   vec2 shares = point.weights / max(point.weights.x + point.weights.y, kLeastSum);
@@ -118,115 +79,70 @@ vec3 quiltingDebug(LichenQuiltingPoint point) {
   if (kDebugView != DEBUG_MIP_LEVEL || !LICHEN_HAS(LICHEN_BASE_COLOR))
     return kNothingToShow;
   LichenMap map = shownMap();
-  return ramp(lichenSharpLevel(point.footprintLevel + map.levelOffset) /
-              max(float(map.mipCount) - 1.0, 1.0));
+  return shownLevel(lichenSharpLevel(point.footprintLevel + map.levelOffset), float(map.mipCount));
 }
 #endif
 
-#ifndef LICHEN_OMIT_SOLID
-vec3 solidDebug(LichenSolidPoint point) {
-  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return kNothingToShow;
-  float depthSlope;
-  return shownGaussian(lichenSolidGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR), point, lichenMaterial,
-                                           lichenNoise, shownMap(), depthSlope)
-                           .rgb);
-}
+/// Views of a point of a plane or a surface, but for the number of impacts.
+vec3 pointDebug(LichenPoint point) {
+#if (LICHEN_METHODS & 1) != 0
+  if (hasMethod(LICHEN_METHOD_TILING))
+    return tilingDebug(point.tiling);
 #endif
-
-#ifndef LICHEN_OMIT_SURFACE
-vec3 surfaceDebug(LichenShadingPoint shading) {
-#ifdef LICHEN_HAS_TEXTONS
-  bool isTexton = lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise);
-  if (kDebugView == DEBUG_IMPACTS && isTexton)
-    return ramp(float(lichenSurfaceImpactCount(shading.surface.texton)) /
-                (kImpactsInSpace * kMostImpacts));
-  if (kDebugView == DEBUG_MIP_LEVEL && isTexton)
-    return textonPointDebug(shading.point.texton);
+#if (LICHEN_METHODS & 2) != 0
+  if (hasMethod(LICHEN_METHOD_TEXTON) && kDebugView == DEBUG_MIP_LEVEL)
+    return shownLevel(point.texton.level, float(lichenTextonNoise(lichenNoise).mipCount));
 #endif
-  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return kNothingToShow;
-  vec3 lost;
-  return shownGaussian(lichenSurfaceGaussian(
-      LICHEN_IMAGE(LICHEN_BASE_COLOR), LICHEN_TABLE(LICHEN_BASE_COLOR), shading.surface,
-      shading.point, lichenMaterial, lichenNoise, shownMap(), lost));
-}
+#if (LICHEN_METHODS & 16) != 0
+  if (hasMethod(LICHEN_METHOD_QUILTING))
+    return quiltingDebug(point.quilting);
 #endif
-
-#ifndef LICHEN_OMIT_TRIPLANAR
-/// Views of the contributing planes, blended like their values.
-vec3 planesDebug(LichenShadingPoint shading) {
-  vec3 shown = vec3(0.0);
-  float impacts = 0.0;
-  int rank = 0;
-  while (rank < shading.triplanar.count) {
-    LichenPlanePoint plane = lichenPlanePoint(shading.triplanar, rank, shading.point, lichenNoise);
-    float share = plane.weight * plane.weight;
-#ifdef LICHEN_HAS_TEXTONS
-    if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise)) {
-      shown += share * textonPointDebug(plane.point.texton);
-      if (kDebugView == DEBUG_IMPACTS)
-        impacts += float(lichenImpactCount(plane.point.texton, lichenMaterial, lichenNoise));
-    } else
-#endif
-#ifdef LICHEN_HAS_QUILTING
-      if (lichenHasMethod(LICHEN_METHOD_QUILTING, lichenNoise))
-        shown += share * quiltingDebug(plane.point.quilting);
-      else
-#endif
-      if (lichenHasMethod(LICHEN_METHOD_TILING, lichenNoise))
-        shown += share * tilingPointDebug(plane.point.tiling);
-      else
-        shown += share * kNothingToShow;
-    ++rank;
-  }
-  bool counts = kDebugView == DEBUG_IMPACTS && lichenNoise.method == uint(LICHEN_METHOD_TEXTON);
-  return counts ? ramp(impacts / (kImpactsInSpace * kMostImpacts)) : shown;
+  return kNothingToShow;
 }
 
-vec3 triplanarDebug(LichenShadingPoint shading) {
-  if (kDebugView == DEBUG_PLANES)
-    return shading.triplanar.weights * shading.triplanar.weights;
-  if (kDebugView != DEBUG_GAUSSIAN || !LICHEN_HAS(LICHEN_BASE_COLOR))
-    return planesDebug(shading);
-  vec3 lost;
-  return shownGaussian(lichenTriplanarGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR),
-                                               LICHEN_TABLE(LICHEN_BASE_COLOR), shading.triplanar,
-                                               shading.point, lichenNoise, shownMap(), lost));
-}
+/// The impacts that reach a point.
+float impactsAt(LichenPoint point) {
+#if (LICHEN_METHODS & 2) != 0
+  return float(lichenImpactCount(point.texton, lichenMaterial, lichenNoise));
+#else
+  return 0.0;
 #endif
+}
 
 vec3 noiseDebug(Footprint footprint) {
   LichenShadingPoint shading = noisePoint(footprint);
-#ifndef LICHEN_OMIT_TRIPLANAR
-  if (lichenIsTriplanar(lichenMaterial))
-    return triplanarDebug(shading);
+  if (kDebugView == DEBUG_GAUSSIAN) // quilting has no such value
+    return LICHEN_HAS(LICHEN_BASE_COLOR) && !hasMethod(LICHEN_METHOD_QUILTING)
+               ? shownGaussian(lichenGaussian(LICHEN_IMAGE(LICHEN_BASE_COLOR),
+                                              LICHEN_TABLE(LICHEN_BASE_COLOR), shading, shownMap())
+                                   .value)
+               : kNothingToShow;
+  bool counts = kDebugView == DEBUG_IMPACTS && hasMethod(LICHEN_METHOD_TEXTON);
+#if LICHEN_HAS_TRIPLANAR
+  if (lichenIsTriplanar(lichenMaterial)) {
+    if (kDebugView == DEBUG_PLANES)
+      return shading.triplanar.weights * shading.triplanar.weights;
+    // The contributing planes, blended like their values.
+    vec3 shown = vec3(0.0);
+    float impacts = 0.0;
+    int rank = 0;
+    while (rank < shading.triplanar.count) {
+      LichenPlanePoint plane =
+          lichenPlanePoint(shading.triplanar, rank, shading.point, lichenNoise);
+      if (counts)
+        impacts += impactsAt(plane.point);
+      shown += plane.weight * plane.weight * pointDebug(plane.point);
+      ++rank;
+    }
+    return counts ? ramp(impacts / (kImpactsInSpace * kMostImpacts)) : shown;
+  }
 #endif
-#ifndef LICHEN_OMIT_SURFACE
-  if (lichenIsSurface(lichenMaterial, lichenNoise))
-    return surfaceDebug(shading);
-#endif
-#ifdef LICHEN_HAS_TEXTONS
-  if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise))
-    return textonDebug(shading.point.texton);
-#endif
-#ifndef LICHEN_OMIT_SOLID
-  if (lichenIsSolid(lichenMaterial, lichenNoise))
-    return solidDebug(shading.solid);
-#endif
-#ifdef LICHEN_HAS_LOCAL_RANDOM_PHASE
-  if (lichenHasMethod(LICHEN_METHOD_LOCAL_RANDOM_PHASE, lichenNoise))
-    return localRandomPhaseDebug(shading.point.localRandomPhase);
-#endif
-#ifdef LICHEN_HAS_MULTIPLE_KERNELS
-  if (lichenHasMethod(LICHEN_METHOD_MULTIPLE_KERNELS, lichenNoise))
-    return multipleKernelsDebug(shading.point.multipleKernels);
-#endif
-#ifdef LICHEN_HAS_QUILTING
-  if (lichenHasMethod(LICHEN_METHOD_QUILTING, lichenNoise))
-    return quiltingDebug(shading.point.quilting);
-#endif
-  return tilingDebug(shading.point.tiling);
+  if (counts) {
+    float most = lichenIsSurface(lichenMaterial, lichenNoise) ? kImpactsInSpace * kMostImpacts
+                                                              : kMostImpacts;
+    return ramp(impactsAt(shading.point) / most);
+  }
+  return pointDebug(shading.point);
 }
 #endif
 

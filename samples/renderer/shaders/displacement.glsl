@@ -4,7 +4,6 @@
 #ifndef DISPLACEMENT_GLSL
 #define DISPLACEMENT_GLSL
 
-#define NOISE_ROLES 16 // only height
 #include "noise_point.glsl"
 #include "displaced_vertex.glsl"
 

@@ -1,42 +1,17 @@
 // SPDX-License-Identifier: MIT
 // The descriptors of a material and its noise, and where to evaluate that: the same for fragments
-// and for displaced vertices. NOISE_ROLES says which maps of the noise the shader uses.
+// and for displaced vertices.
 #ifndef NOISE_POINT_GLSL
 #define NOISE_POINT_GLSL
 
-// Whether any map of a noise but textons has no table; bits of the methods that noises have.
-layout(constant_id = 3) const bool kGaussianOnly = true;
-layout(constant_id = 4) const int kMethods = 7;
-layout(constant_id = 5) const bool kMixedTextons = true; // whether any is a mix
-layout(constant_id = 6) const bool kTriplanar = true; // whether any uses triplanar mapping
-layout(constant_id = 7) const bool kOtherMappings = true; // whether any uses another mapping
-layout(constant_id = 8) const bool kObjectSpaces = true; // whether any is in object space
-layout(constant_id = 9) const bool kTileRotation = true; // whether any rotates its tiles
-layout(constant_id = 10) const bool kSolid = true; // whether any uses solid mapping
-layout(constant_id = 11) const bool kStructure = true; // whether any has a structure
-layout(constant_id = 12) const bool kRingKernels = true; // whether any has rings
-layout(constant_id = 13) const bool kSquareKernels = true; // whether any has windows on a square
-layout(constant_id = 14) const bool kKernelPattern = true; // whether any perturbs a pattern
-layout(constant_id = 15) const int kLayerMethods = 15; // as kMethods, without index maps
-layout(constant_id = 17) const int kLayerSlots = 63; // bits of the slots with images
-layout(constant_id = 18) const bool kSurface = true; // whether any uses surface mapping
-layout(constant_id = 16) const int kRoles = 63; // bits of the roles that any has
-#define LICHEN_USED_METHODS kMethods
+// What lichenGetShaderSwitches says of the noises.
+layout(constant_id = 3) const uint kFeatures = 0xFFFFFFFFu;
+layout(constant_id = 4) const int kRoles = 63;
+layout(constant_id = 5) const int kLayerMethods = 15;
+layout(constant_id = 6) const bool kObjectSpaces = true; // whether any noise is in object space
+#define LICHEN_FEATURES kFeatures
+#define LICHEN_ROLES kRoles
 #define LICHEN_LAYER_METHODS kLayerMethods
-#define LICHEN_LAYER_SLOTS kLayerSlots
-#ifndef LICHEN_OMIT_TRIPLANAR
-#define LICHEN_TRIPLANAR kTriplanar
-#define LICHEN_OTHER_MAPPINGS kOtherMappings
-#endif
-#define LICHEN_SOLID kSolid
-#define LICHEN_SURFACE kSurface
-#define LICHEN_STRUCTURE kStructure
-#define LICHEN_RING_KERNELS kRingKernels
-#define LICHEN_SQUARE_KERNELS kSquareKernels
-#define LICHEN_KERNEL_PATTERN kKernelPattern
-#define LICHEN_MIXED_TEXTONS kMixedTextons
-#define LICHEN_TILE_ROTATION kTileRotation
-#define LICHEN_GAUSSIAN_ONLY kGaussianOnly
 #include "scene_interface.h"
 // WITHOUT_NOISE: the material has none, and nothing is bound to the set.
 #ifdef WITHOUT_NOISE
@@ -48,11 +23,10 @@ const bool kHasNoise = false;
 #include "lichen.glsl"
 #else
 const bool kHasNoise = true;
-#define NOISE_HAS(role) (((kRoles >> role) & 1) != 0 && LICHEN_HAS(role))
+#define NOISE_HAS(role) LICHEN_HAS(role)
 #define NOISE_VALUE(role, shading) LICHEN_VALUE(role, shading)
 #define NOISE_ORM(shading, absent) LICHEN_ORM(shading, absent)
 #define LICHEN_SET SET_NOISE
-#define LICHEN_ROLES NOISE_ROLES
 #include "lichen.glsl"
 #endif
 // With the method that compilers can know.
@@ -113,28 +87,26 @@ float mixMask(TexturePoint point, vec2 offset) {
 /// Sets the weight of a mix whose source is not the uniform block. The gradients of the tile
 /// coordinate are 0 if there is none: with surface mapping, all impacts use the weight at the
 /// point.
-void setMix(inout LichenImpacts impacts, Footprint f, mat2 tileGradients) {
+void setMix(inout LichenPoint point, Footprint f, mat2 tileGradients) {
   if (material.mixSource.x == MIX_FROM_VERTICES)
-    lichenSetMix(impacts, f.mixWeight, vec2(0.0));
+    lichenSetMix(point, f.mixWeight, vec2(0.0));
   if (material.mixSource.x != MIX_FROM_MASK)
     return;
   TexturePoint mask = texturePoint(TEXTURE_MIX, material.mixSource.y, f);
   mat2 reach = lichenMaskReach(mask.gradients, tileGradients, lichenNoise);
   vec2 differences = vec2(mixMask(mask, reach[0]) - mixMask(mask, -reach[0]),
                           mixMask(mask, reach[1]) - mixMask(mask, -reach[1]));
-  lichenMixByMask(impacts, mixMask(mask, vec2(0.0)), differences, lichenNoise);
+  lichenMixByMask(point, mixMask(mask, vec2(0.0)), differences, lichenNoise);
 }
 
 /// Sets the weight of a mix for triplanar and surface mapping, which may still be mixed by texture
 /// coordinates.
 void setMixInSpace(inout LichenPoint point, Footprint f, vec2 uv) {
-#ifdef LICHEN_HAS_TEXTONS
   if (!lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) || !lichenIsMix(lichenNoise))
     return;
   // For the sources direction and constant.
-  lichenSetMix(point.texton, lichenMixWeight(uv, lichenMaterial), vec2(0.0));
-  setMix(point.texton, f, mat2(0.0));
-#endif
+  lichenSetMix(point, lichenMixWeight(uv, lichenMaterial), vec2(0.0));
+  setMix(point, f, mat2(0.0));
 }
 #endif
 
@@ -150,16 +122,14 @@ LICHEN_SHADING_POINT noisePoint(Footprint f) {
   vec2 uv = second ? f.texCoords.zw : f.texCoords.xy;
   vec2 dx = second ? f.dx.zw : f.dx.xy;
   vec2 dy = second ? f.dy.zw : f.dy.xy;
-#if !defined(LICHEN_OMIT_TRIPLANAR) || !defined(LICHEN_OMIT_SURFACE) || !defined(LICHEN_OMIT_SOLID)
   Spot spot = f.world;
   if (isInObject())
     spot = f.object;
   spot.position += material.fromTileOrigin.xyz; // 0 in object space
-#endif
 #if LICHEN_LAYERS > 1
   return LICHEN_POINT_ANYWHERE(uv, dx, dy, spot.position, spot.dx, spot.dy, spot.normal);
 #else
-#ifndef LICHEN_OMIT_TRIPLANAR
+#if LICHEN_HAS_TRIPLANAR
   if (lichenIsTriplanar(lichenMaterial)) {
     LichenShadingPoint shading =
         LICHEN_POINT_TRIPLANAR(spot.position, spot.dx, spot.dy, spot.normal);
@@ -167,7 +137,7 @@ LICHEN_SHADING_POINT noisePoint(Footprint f) {
     return shading;
   }
 #endif
-#ifndef LICHEN_OMIT_SURFACE
+#if LICHEN_HAS_SURFACES
   if (lichenIsSurface(lichenMaterial, lichenNoise)) {
     LichenShadingPoint shading =
         LICHEN_POINT_SURFACE(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent);
@@ -175,16 +145,14 @@ LICHEN_SHADING_POINT noisePoint(Footprint f) {
     return shading;
   }
 #endif
-#ifndef LICHEN_OMIT_SOLID
+#if LICHEN_HAS_SOLIDS
   if (lichenIsSolid(lichenMaterial, lichenNoise))
     return LICHEN_POINT_SOLID(spot.position, spot.dx, spot.dy);
 #endif
   LichenShadingPoint shading = LICHEN_POINT(uv, dx, dy);
-#ifdef LICHEN_HAS_TEXTONS
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, lichenNoise) && lichenIsMix(lichenNoise))
-    setMix(shading.point.texton, f,
+    setMix(shading.point, f,
            mat2(lichenUvToTile(dx, lichenMaterial), lichenUvToTile(dy, lichenMaterial)));
-#endif
   return shading;
 #endif
 #endif

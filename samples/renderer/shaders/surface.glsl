@@ -5,7 +5,6 @@
 #ifndef SURFACE_GLSL
 #define SURFACE_GLSL
 
-#define NOISE_ROLES 47 // all but height, which moves vertices
 #include "noise_point.glsl"
 
 layout(set = SET_MATERIAL, binding = BINDING_TEXTURES + TEXTURE_BASE_COLOR)

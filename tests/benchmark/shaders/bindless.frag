@@ -4,13 +4,10 @@
 // SPDX-License-Identifier: MIT
 // Four layers of a terrain with bindless descriptors, as docs/integration.md has it.
 // What the host knows at compile time, as in tiling.frag.
+#include "interface/lichen_interface.h"
 #define LICHEN_METHODS 1
-#define LICHEN_OMIT_TRIPLANAR
-#define LICHEN_GAUSSIAN_ONLY 0
-#define LICHEN_PERIODIC_LATTICE 0
-#define LICHEN_GRAIN 0
-#define LICHEN_BLEND_SHARPNESS 0
-#define LICHEN_TILE_ROTATION 0
+#define LICHEN_MAPPINGS 1
+#define LICHEN_FEATURES (1u | LICHEN_FEATURE_UV | LICHEN_FEATURE_TABLES)
 layout(set = 0, binding = 0) uniform sampler imageSampler;
 layout(set = 0, binding = 1) uniform sampler tableSampler;
 layout(set = 0, binding = 2) uniform texture2D images[];
@@ -23,7 +20,6 @@ layout(set = 0, binding = 3) uniform texture3D tables[];
 #define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY) textureGrad(IMAGE(image), uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(TABLE(image), uvw, level)
 #define LICHEN_FETCH_2D(image, texel) texelFetch(IMAGE(image), texel, 0)
-#define LICHEN_GATHER_2D(image, uv) textureGather(IMAGE(image), uv, 0)
 #include "lichen.glsl"
 
 struct Layer {

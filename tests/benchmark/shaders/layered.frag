@@ -4,19 +4,13 @@
 // A noise of two layers of tiling, as a material's base colour uses it.
 
 // The usual material, as in tiling.frag and, of the index map, multiple_kernels.frag.
+#include "interface/lichen_interface.h"
 #define LICHEN_METHODS 9
+#define LICHEN_MAPPINGS 1
+#define LICHEN_FEATURES                                                                            \
+  (9u | LICHEN_FEATURE_UV | LICHEN_FEATURE_TABLES | LICHEN_FEATURE_SLOT(0) | LICHEN_FEATURE_SLOT(3))
 #define LICHEN_LAYERS 2
 #define LICHEN_LAYER_METHODS 1
-#define LICHEN_LAYER_SLOTS 9
-#define LICHEN_PERIODIC_LATTICE 0
-#define LICHEN_GRAIN 0
-#define LICHEN_BLEND_SHARPNESS 0
-#define LICHEN_TILE_ROTATION 0
-#define LICHEN_RING_KERNELS 0
-#define LICHEN_SQUARE_KERNELS 0
-#define LICHEN_KERNEL_PATTERN 0
-#define LICHEN_OMIT_TRIPLANAR
-#define LICHEN_OMIT_SOLID
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

@@ -4,14 +4,13 @@
 // Local random-phase noise, as a material's base colour uses it.
 
 // The usual material: an endless lattice, one table, known at compile time.
+#include "interface/lichen_interface.h"
 #define LICHEN_METHODS 4
-#define LICHEN_PERIODIC_LATTICE 0
-#ifndef LICHEN_STRUCTURE
-#define LICHEN_STRUCTURE 0
+#define LICHEN_MAPPINGS 1
+#ifndef BENCH_FEATURES // of a variant
+#define BENCH_FEATURES 0u
 #endif
-#define LICHEN_GAUSSIAN_ONLY 0
-#define LICHEN_OMIT_TRIPLANAR
-#define LICHEN_OMIT_SOLID
+#define LICHEN_FEATURES (4u | LICHEN_FEATURE_UV | LICHEN_FEATURE_TABLES | BENCH_FEATURES)
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

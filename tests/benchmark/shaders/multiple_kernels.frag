@@ -4,15 +4,10 @@
 // Multiple-kernels noise, as a material's base colour uses it.
 
 // The usual material: an endless grid, fitted kernels, one table, known at compile time.
+#include "interface/lichen_interface.h"
 #define LICHEN_METHODS 8
-#define LICHEN_PERIODIC_LATTICE 0
-#define LICHEN_GAUSSIAN_ONLY 0
-#define LICHEN_RING_KERNELS 0
-#define LICHEN_SQUARE_KERNELS 0
-#define LICHEN_KERNEL_PATTERN 0
-#define LICHEN_OMIT_SURFACE
-#define LICHEN_OMIT_TRIPLANAR
-#define LICHEN_OMIT_SOLID
+#define LICHEN_MAPPINGS 1
+#define LICHEN_FEATURES (8u | LICHEN_FEATURE_UV | LICHEN_FEATURE_TABLES)
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

@@ -3,9 +3,10 @@
 // SPDX-License-Identifier: MIT
 // Quilting, as a material's base colour uses it: an infinite lattice, known at compile time.
 
+#include "interface/lichen_interface.h"
 #define LICHEN_METHODS 16
-#define LICHEN_PERIODIC_LATTICE 0
-#define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_MAPPINGS 1
+#define LICHEN_FEATURES (16u | LICHEN_FEATURE_UV)
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

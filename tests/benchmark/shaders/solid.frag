@@ -5,12 +5,10 @@
 // it on texture coordinates: the same pixels see the same texels. LICHEN_METHODS says which.
 
 // The usual material, as there.
-#define LICHEN_GAUSSIAN_ONLY 0
-#define LICHEN_RING_KERNELS 0
-#define LICHEN_SQUARE_KERNELS 0
-#define LICHEN_KERNEL_PATTERN 0
-#define LICHEN_OMIT_SURFACE
-#define LICHEN_OMIT_TRIPLANAR
+#include "interface/lichen_interface.h"
+#define LICHEN_MAPPINGS 8
+#define LICHEN_FEATURES                                                                            \
+  (uint(LICHEN_METHODS) | LICHEN_FEATURE_SOLID | LICHEN_FEATURE_TABLES)
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

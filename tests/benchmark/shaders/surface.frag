@@ -5,17 +5,11 @@
 // texture coordinates: the same pixels see the same texels. LICHEN_METHODS says which.
 
 // The usual material, as there.
-#define LICHEN_PERIODIC_LATTICE 0
-#define LICHEN_POISSON_POINTS 0
-#define LICHEN_MIXED_TEXTONS 0
-#define LICHEN_CUBIC_TEXTONS 0
-#define LICHEN_NEAREST_TEXTONS 0
-#define LICHEN_GAUSSIAN_ONLY 0
-#define LICHEN_RING_KERNELS 0
-#define LICHEN_SQUARE_KERNELS 0
-#define LICHEN_KERNEL_PATTERN 0
-#define LICHEN_OMIT_SOLID
-#define LICHEN_OMIT_TRIPLANAR
+#include "interface/lichen_interface.h"
+#define LICHEN_MAPPINGS 4
+#define LICHEN_FEATURES                                                                            \
+  (uint(LICHEN_METHODS) | LICHEN_FEATURE_SURFACE |                                                  \
+   (LICHEN_METHODS == 2 ? LICHEN_FEATURE_GAUSSIAN_ONLY : LICHEN_FEATURE_TABLES))
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

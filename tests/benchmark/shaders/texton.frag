@@ -5,16 +5,13 @@
 
 // The usual material: an endless grid of stratified impacts, one exemplar, order 1, known at
 // compile time.
+#include "interface/lichen_interface.h"
 #define LICHEN_METHODS 2
-#define LICHEN_SURFACE 0
-#define LICHEN_PERIODIC_LATTICE 0
-#define LICHEN_POISSON_POINTS 0
-#ifndef LICHEN_MIXED_TEXTONS // 1 in the variant of mixes
-#define LICHEN_MIXED_TEXTONS 0
+#define LICHEN_MAPPINGS 1
+#ifndef BENCH_FEATURES // of a variant
+#define BENCH_FEATURES 0u
 #endif
-#define LICHEN_CUBIC_TEXTONS 0
-#define LICHEN_NEAREST_TEXTONS 0
-#define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_FEATURES (2u | LICHEN_FEATURE_UV | LICHEN_FEATURE_GAUSSIAN_ONLY | BENCH_FEATURES)
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

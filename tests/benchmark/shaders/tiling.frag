@@ -6,16 +6,10 @@
 
 // The usual material: an infinite lattice, plain weights and tiles that are not rotated, known at
 // compile time.
+#include "interface/lichen_interface.h"
 #define LICHEN_METHODS 1
-#define LICHEN_PERIODIC_LATTICE 0
-#define LICHEN_GRAIN 0
-#ifndef LICHEN_BLEND_SHARPNESS
-#define LICHEN_BLEND_SHARPNESS 0
-#endif
-#ifndef LICHEN_TILE_ROTATION
-#define LICHEN_TILE_ROTATION 0
-#endif
-#define LICHEN_OMIT_TRIPLANAR
+#define LICHEN_MAPPINGS 1
+#define LICHEN_FEATURES (1u | LICHEN_FEATURE_UV | BENCH_FEATURES) // of the variant
 #define LICHEN_SET 0
 #ifdef BENCH_SLOPES // in place of colours
 #define BENCH_ROLE LICHEN_NORMAL

@@ -5,12 +5,10 @@
 // as any other of the same area. A pixel sees a texel, as in tiling.frag on a flat screen.
 
 // The usual material, as in tiling.frag; all materials triplanar, as there none is.
-#define LICHEN_OTHER_MAPPINGS 0
+#include "interface/lichen_interface.h"
 #define LICHEN_METHODS 1
-#define LICHEN_PERIODIC_LATTICE 0
-#define LICHEN_GRAIN 0
-#define LICHEN_BLEND_SHARPNESS 0
-#define LICHEN_TILE_ROTATION 0
+#define LICHEN_MAPPINGS 2
+#define LICHEN_FEATURES (1u | LICHEN_FEATURE_TRIPLANAR | LICHEN_FEATURE_TABLES)
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"

@@ -31,8 +31,10 @@ void main() {
     uvec2 vertex = question.xy;
     second.xy = uvec2(ivec2(lichenTileOffset(vertex, material, noise)));
     second.z = lichenVertexHash(vertex.x, vertex.y, question.z);
-    first.w = floatBitsToUint(lichenTileRotationAt(vertex, 2u, question.z).x);
-    third.zw = floatBitsToUint(lichenTileRotationAt(vertex, 4u, question.z));
+    material.own0.y = 2u;
+    first.w = floatBitsToUint(lichenTileRotationAt(vertex, material).x);
+    material.own0.y = 4u;
+    third.zw = floatBitsToUint(lichenTileRotationAt(vertex, material));
     third.xy = uvec2(lichenLatticeSeed(question.w, question.z & 3u), lichenPcg(question.x));
   } else if (kFunction == kTriangle) {
     LichenMaterial material;

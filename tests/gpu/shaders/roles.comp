@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: MIT
 // The maps of all roles of any noise at a list of points: points[k] -> values[6 k ... 6 k + 5], -1
 // where the noise lacks the map.
-#define LICHEN_OMIT_TRIPLANAR
+#ifndef LICHEN_MAPPINGS
+#define LICHEN_MAPPINGS 13
+#endif
 #define LICHEN_SET 0
 #include "lichen.glsl"
 
