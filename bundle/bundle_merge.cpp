@@ -22,7 +22,7 @@ std::string uniqueName(const std::string& name, std::set<std::string>& taken) {
 
 bool isSameImage(const Table& a, const Table& b) {
   return a.format == b.format && a.width == b.width && a.height == b.height && a.depth == b.depth &&
-         a.mipLevels == b.mipLevels && std::ranges::equal(a.bytes(), b.bytes());
+         a.mipLevels == b.mipLevels && a.texels == b.texels;
 }
 
 /// The index of a table in `all`; appends the table if `all` has no equal one.

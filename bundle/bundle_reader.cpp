@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Public entry points for reading and checking. Both run the same pass over the file.
-#include "cooked.h"
 #include "extension_reader.h"
 
 #include <lichen/files.h>
@@ -11,13 +10,10 @@
 namespace lichen {
 namespace {
 
-/// Reads the readable parts and records every fault. Returns nothing if the file is neither a
-/// complete glTF nor a complete cooked bundle. The tables of a cooked bundle borrow their texels
-/// from `file`.
+/// Reads the readable parts and records every fault. Returns nothing if the file is no complete
+/// glTF.
 std::optional<Bundle> inspect(std::span<const std::byte> file, const std::filesystem::path& folder,
                               FindingList& findings) {
-  if (isCooked(file))
-    return readCooked(file, findings);
   std::optional<GltfFile> gltf = GltfFile::open(file, folder, findings);
   if (!gltf)
     return std::nullopt;
@@ -40,17 +36,6 @@ Result<Bundle> read(std::span<const std::byte> file, const std::filesystem::path
   return std::move(*bundle);
 }
 
-/// Gives each table texels of its own.
-Result<Bundle> owned(Result<Bundle> bundle) {
-  if (bundle)
-    for (Table& table : bundle.value().tables) {
-      table.texels.insert(table.texels.end(), table.borrowedTexels.begin(),
-                          table.borrowedTexels.end());
-      table.borrowedTexels = {};
-    }
-  return bundle;
-}
-
 } // namespace
 
 Error asError(const Finding& finding, const std::string& title) {
@@ -61,15 +46,11 @@ Error asError(const Finding& finding, const std::string& title) {
 Result<Bundle> readBundle(const std::filesystem::path& path) {
   return withinMemory(unread(path), [&]() -> Result<Bundle> {
     const Result<std::vector<std::byte>> file = readFile(path);
-    return file ? owned(read(file.value(), folderOf(path), path.string())) : file.error();
+    return file ? read(file.value(), folderOf(path), path.string()) : file.error();
   });
 }
 
 Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name) {
-  return withinMemory(unread(name), [&] { return owned(read(file, {}, name)); });
-}
-
-Result<Bundle> parseBundleInPlace(std::span<const std::byte> file, const std::string& name) {
   return withinMemory(unread(name), [&] { return read(file, {}, name); });
 }
 

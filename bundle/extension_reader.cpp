@@ -336,7 +336,7 @@ void keepTables(Tables tables, Bundle& bundle) {
 }
 
 /// Reads the root object. Tables come first, because maps are checked against them.
-NoisePlaces readRoot(TableSource& source, const json& extension, Bundle& bundle,
+NoisePlaces readRoot(GltfTables& source, const json& extension, Bundle& bundle,
                      FindingList& findings) {
   ObjectReader reader(extension, extensionPointer(""), findings);
   const json* tableList = reader.array("tables", kMaxTables);
@@ -364,7 +364,7 @@ NoisePlaces readRoot(TableSource& source, const json& extension, Bundle& bundle,
 
 } // namespace
 
-Bundle readExtension(const json& root, TableSource& source, FindingList& findings) {
+Bundle readExtension(const json& root, GltfTables& source, FindingList& findings) {
   Bundle bundle;
   const json* extension = extensionOf(root);
   NoisePlaces places;

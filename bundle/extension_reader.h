@@ -2,13 +2,13 @@
 // The extension's objects in a glTF document -> a bundle, recording every fault.
 #pragma once
 
-#include "table_source.h"
+#include "gltf_tables.h"
 
 namespace lichen {
 
 /// Reads and checks the extension of a document, and its tables. The result is valid only if no
 /// error was recorded.
-[[nodiscard]] Bundle readExtension(const nlohmann::json& root, TableSource& source,
+[[nodiscard]] Bundle readExtension(const nlohmann::json& root, GltfTables& source,
                                    FindingList& findings);
 
 using Tables = std::vector<std::optional<Table>>;

@@ -8,8 +8,8 @@ std::vector<float> fetchLosses(const Table& gaussian) {
   std::vector<float> losses;
   Table texel{{}, gaussian.format, 1, 1, 0, 1, {}};
   for (std::uint32_t mip = 0; mip < gaussian.mipLevels; ++mip) {
-    texel.borrowedTexels =
-        gaussian.bytes().subspan(levelRange(gaussian, mip).offset, texelBytes(gaussian.format));
+    const auto first = gaussian.texels.begin() + std::ptrdiff_t(levelRange(gaussian, mip).offset);
+    texel.texels.assign(first, first + std::ptrdiff_t(texelBytes(gaussian.format)));
     losses.push_back(decodeLevel(texel, 0).back());
   }
   return losses;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The container of .glb and .gltf; see gltf_container.h. Input is hostile: every length and nesting
 // depth is checked before use.
-#include "cooked.h"
 #include "json_builder.h"
 #include "object_reader.h"
 
@@ -100,8 +99,7 @@ std::string kindOf(std::span<const std::byte> file) {
   constexpr std::pair<std::string_view, const char*> kKinds[] = {
       {"\x89PNG\r\n\x1a\n", "is a PNG image"}, {"\xff\xd8\xff", "is a JPEG image"},
       {"\x76\x2f\x31\x01", "is an EXR image"}, {"\xabKTX ", "is a KTX texture"},
-      {kCookedMagic, "is a cooked bundle"},    {"BLENDER", "is a Blender file"},
-      {"Kaydara FBX", "is an FBX file"},
+      {"BLENDER", "is a Blender file"},        {"Kaydara FBX", "is an FBX file"},
   };
   const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
   for (const auto& [start, kind] : kKinds)
@@ -124,7 +122,7 @@ void parseJson(std::span<const std::byte> text, json& document) {
     fail("json-size", "JSON of " + std::to_string(text.size()) + " bytes; expected at most " +
                           std::to_string(kMaxJsonBytes));
   if (const std::optional<JsonFault> fault =
-          buildJson(text, JsonEncoding::text, kMaxJsonValues, kMaxJsonDepth, document)) {
+          buildJson(text, kMaxJsonValues, kMaxJsonDepth, document)) {
     if (fault->kind == JsonFault::Kind::depth)
       fail("json-depth",
            "JSON nested too deeply; expected at most " + std::to_string(kMaxJsonDepth) + " levels");

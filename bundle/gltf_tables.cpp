@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads the tables of a glTF file.
-#include "table_source.h"
+#include "gltf_tables.h"
 
 namespace lichen {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON text or CBOR -> nlohmann::json or ordered_json; see json_builder.h.
+// JSON text -> nlohmann::json or ordered_json; see json_builder.h.
 #include "json_builder.h"
 
 #include <algorithm>
@@ -16,8 +16,8 @@ namespace {
 template <class Json>
 class Builder : public nlohmann::json_sax<Json> {
 public:
-  Builder(Json& root, JsonEncoding encoding, std::size_t mostValues, std::size_t mostDepth)
-      : root_(root), encoding_(encoding), valuesLeft_(mostValues), mostDepth_(mostDepth) {}
+  Builder(Json& root, std::size_t mostValues, std::size_t mostDepth)
+      : root_(root), valuesLeft_(mostValues), mostDepth_(mostDepth) {}
 
   [[nodiscard]] const std::optional<JsonFault>& fault() const { return fault_; }
 
@@ -28,15 +28,15 @@ public:
   bool number_float(typename Json::number_float_t value, const std::string&) override {
     return add(value);
   }
-  bool string(std::string& value) override { return checkText(value) && add(std::move(value)); }
-  bool binary(typename Json::binary_t& value) override { return add(std::move(value)); }
+  bool string(std::string& value) override { return add(std::move(value)); }
+  bool binary(typename Json::binary_t&) override { return false; } // text has none
   bool start_object(std::size_t) override { return open(Json::value_t::object); }
   bool start_array(std::size_t) override { return open(Json::value_t::array); }
   bool end_object() override { return checkNames() && close(); }
   bool end_array() override { return close(); }
   bool key(std::string& name) override {
     key_ = std::move(name);
-    return checkText(key_);
+    return true;
   }
   bool parse_error(std::size_t byte, const std::string&,
                    const nlohmann::json::exception& error) override {
@@ -76,17 +76,6 @@ private:
     }
     return true;
   }
-  /// Stops the parse if a string is not UTF-8. The parser of text checks it itself.
-  bool checkText(const std::string& text) {
-    if (encoding_ == JsonEncoding::text)
-      return true;
-    try {
-      (void)Json(text).dump();
-      return true;
-    } catch (const typename Json::type_error&) {
-      return stop(JsonFault::Kind::syntax, 0, {});
-    }
-  }
   /// Stops the parse.
   bool stop(JsonFault::Kind kind, std::size_t byte, std::string name) {
     fault_ = JsonFault{kind, byte, std::move(name)};
@@ -112,7 +101,6 @@ private:
   }
 
   Json& root_;
-  JsonEncoding encoding_;
   std::size_t valuesLeft_, mostDepth_;
   /// The arrays and objects that contain the next value. None moves before it is closed.
   std::vector<Json*> open_;
@@ -121,28 +109,25 @@ private:
 };
 
 template <class Json>
-std::optional<JsonFault> build(std::span<const std::byte> bytes, JsonEncoding encoding,
-                               std::size_t mostValues, std::size_t mostDepth, Json& document) {
-  using Format = typename Json::input_format_t;
-  Builder<Json> builder(document, encoding, mostValues, mostDepth);
-  const auto* begin = reinterpret_cast<const char*>(bytes.data());
-  Json::sax_parse(begin, begin + bytes.size(), &builder,
-                  encoding == JsonEncoding::cbor ? Format::cbor : Format::json);
+std::optional<JsonFault> build(std::span<const std::byte> text, std::size_t mostValues,
+                               std::size_t mostDepth, Json& document) {
+  Builder<Json> builder(document, mostValues, mostDepth);
+  const auto* begin = reinterpret_cast<const char*>(text.data());
+  Json::sax_parse(begin, begin + text.size(), &builder);
   return builder.fault();
 }
 
 } // namespace
 
-std::optional<JsonFault> buildJson(std::span<const std::byte> bytes, JsonEncoding encoding,
-                                   std::size_t mostValues, std::size_t mostDepth,
-                                   nlohmann::json& document) {
-  return build(bytes, encoding, mostValues, mostDepth, document);
+std::optional<JsonFault> buildJson(std::span<const std::byte> text, std::size_t mostValues,
+                                   std::size_t mostDepth, nlohmann::json& document) {
+  return build(text, mostValues, mostDepth, document);
 }
 
 std::optional<JsonFault> buildOrderedJson(std::span<const std::byte> text,
                                           nlohmann::ordered_json& document) {
   constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
-  return build(text, JsonEncoding::text, kNoLimit, kNoLimit, document);
+  return build(text, kNoLimit, kNoLimit, document);
 }
 
 void dismantle(nlohmann::json& value) noexcept {

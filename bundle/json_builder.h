@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON text or CBOR -> nlohmann::json, and its destruction without allocation; JSON text ->
+// JSON text -> nlohmann::json, and its destruction without allocation; JSON text ->
 // ordered_json. nlohmann's destructor of a nested value moves its elements to a vector. When memory
 // is exhausted, that throws inside a destructor and terminates the process. The engine plugin must
 // survive that, so documents that are read are built and dismantled here. Documents that are
@@ -29,16 +29,13 @@ struct JsonFault {
   std::string name;     ///< of a fault of kind `name`
 };
 
-/// The two encodings of a document: text, and CBOR [RFC 8949], whose strings must be UTF-8 too.
-enum class JsonEncoding { text, cbor };
-
-/// Parses `bytes` into `document` as json::parse() does: among members of the same name the last
+/// Parses `text` into `document` as json::parse() does: among members of the same name the last
 /// one wins. Reads at most `mostValues` values, counted at all depths, and `mostDepth` levels of
 /// arrays and objects. Throws std::bad_alloc. After an exception or a fault, `document` holds the
 /// values read so far; pass it to dismantle().
-[[nodiscard]] std::optional<JsonFault> buildJson(std::span<const std::byte> bytes,
-                                                 JsonEncoding encoding, std::size_t mostValues,
-                                                 std::size_t mostDepth, nlohmann::json& document);
+[[nodiscard]] std::optional<JsonFault> buildJson(std::span<const std::byte> text,
+                                                 std::size_t mostValues, std::size_t mostDepth,
+                                                 nlohmann::json& document);
 
 /// As buildJson(), into a document that keeps the order of members, without limits. Two members of
 /// the same name are a fault. Time: n log n in the members of an object.

@@ -337,7 +337,7 @@ std::vector<std::byte> encodeKtx2(const Table& table) {
     const LevelIndexEntry entry{file.size(), range.size, range.size};
     std::memcpy(file.data() + sizeof(Header) + level * sizeof(LevelIndexEntry), &entry,
                 sizeof entry);
-    const auto texels = table.bytes().subspan(range.offset, range.size);
+    const auto texels = std::span(table.texels).subspan(range.offset, range.size);
     file.insert(file.end(), texels.begin(), texels.end());
   }
   return file;

@@ -91,7 +91,7 @@ std::size_t texelBytes(TexelFormat format) {
 std::size_t texelBytes(const Bundle& bundle) {
   std::size_t sum = 0;
   for (const Table& table : bundle.tables)
-    sum += table.bytes().size();
+    sum += table.texels.size();
   return sum;
 }
 
@@ -110,7 +110,7 @@ LevelRange levelRange(const Table& table, std::uint32_t level) {
 
 bool hasFiniteTexels(const Table& table) {
   const Component component = componentOf(table.format);
-  const std::span<const std::byte> bytes = table.bytes();
+  const std::span<const std::byte> bytes = table.texels;
   // NaN and infinity have all exponent bits set.
   const auto hasOnly = [&]<class Word>(Word exponent) {
     for (std::size_t i = 0; i < bytes.size(); i += sizeof(Word)) {
@@ -128,11 +128,11 @@ bool hasFiniteTexels(const Table& table) {
 
 std::vector<float> decodeLevel(const Table& table, std::uint32_t level) {
   const LevelRange range = levelRange(table, level);
-  assert(range.offset + range.size <= table.bytes().size());
+  assert(range.offset + range.size <= table.texels.size());
   const std::size_t bytes = componentBytes(table.format);
   std::vector<float> values(range.size / bytes);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::byte* source = table.bytes().data() + range.offset + i * bytes;
+    const std::byte* source = table.texels.data() + range.offset + i * bytes;
     switch (componentOf(table.format)) {
     case Component::unorm8:
       values[i] = float(std::to_integer<int>(*source)) / kUnorm8Max;

@@ -247,14 +247,9 @@ LichenResult lichenParseBundle(const LichenParseInfo* hostInfo, LichenBundle* bu
       writeDiagnostic(diagnostic, "bundle and bytes must not be NULL");
       return LICHEN_ERROR_USAGE;
     }
-    if (info.bytesStay > 1) {
-      writeDiagnostic(diagnostic, "bytesStay %u is invalid; expected 0 or 1", info.bytesStay);
-      return LICHEN_ERROR_USAGE;
-    }
     const std::span bytes(static_cast<const std::byte*>(info.bytes), info.byteCount);
     const char* name = info.name != nullptr ? info.name : "bundle";
-    Result<Bundle> parsed =
-        info.bytesStay == 1 ? parseBundleInPlace(bytes, name) : parseBundle(bytes, name);
+    Result<Bundle> parsed = parseBundle(bytes, name);
     if (!parsed) {
       writeDiagnostic(diagnostic, "%s", parsed.error().message.c_str());
       return resultOf(parsed.error().kind);
@@ -367,8 +362,8 @@ LichenResult lichenGetImageProperties(LichenBundle bundle, std::uint32_t image,
     values.vkSwizzle[1] = values.vkSwizzle[2] = kZero;
     values.vkSwizzle[3] = kGreen;
   }
-  values.bytes = table.bytes().data();
-  values.byteCount = table.bytes().size();
+  values.bytes = table.texels.data();
+  values.byteCount = table.texels.size();
   values.fetchedOnly = bundle->fetchedOnly[image] ? 1 : 0;
   return writeStruct(values, LICHEN_STRUCTURE_IMAGE_PROPERTIES, properties);
 }

@@ -38,7 +38,6 @@ using Runner = std::function<Result<int>()>;
 [[nodiscard]] Runner addBake(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addCheck(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addCompare(CLI::App& verb, const SharedOptions& shared);
-[[nodiscard]] Runner addCook(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addInspect(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addLayer(CLI::App& verb, const SharedOptions& shared);
 [[nodiscard]] Runner addMerge(CLI::App& verb, const SharedOptions& shared);

@@ -37,7 +37,6 @@ constexpr Verb kVerbs[] = {
     {"compare", "Measure a result against its exemplar", addCompare},
     {"merge", "Put several noises into one bundle", addMerge},
     {"layer", "Combine noises into one in which they alternate", addLayer},
-    {"cook", "Write a bundle as one flat file for the engine plugin", addCook},
     {"apply", "Put a noise on the materials of a scene", addApply},
 };
 

@@ -41,7 +41,7 @@ void checkNothingWritten() {
 TEST_CASE("missing, surplus and unknown verbs, options and arguments are errors") {
   const Made& m = made();
   const std::string verbs =
-      "expected bake, mix, synth, inspect, check, compare, merge, layer, cook or apply";
+      "expected bake, mix, synth, inspect, check, compare, merge, layer or apply";
   checkRefusals({},
                 std::vector<Refused>{
                     {{}, {"a verb is missing; " + verbs, "'lichen --help'"}},

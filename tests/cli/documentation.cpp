@@ -41,7 +41,7 @@ std::map<std::string, std::pair<std::filesystem::path, Arguments>> commands() {
   const std::filesystem::path bin = programPath("");
   std::map<std::string, std::pair<std::filesystem::path, Arguments>> all;
   for (const char* verb :
-       {"bake", "mix", "synth", "inspect", "check", "compare", "merge", "layer", "cook", "apply"})
+       {"bake", "mix", "synth", "inspect", "check", "compare", "merge", "layer", "apply"})
     all[std::string("lichen ") + verb] = {bin / "lichen", {verb}};
   for (const char* program : {"lichen-exemplars", "lichen-render", "lichen-view"})
     if (std::filesystem::exists(bin / program)) // not every build has it

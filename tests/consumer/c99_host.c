@@ -23,7 +23,7 @@ static int check(int condition, const char* what) {
 static int checkLayouts(void) {
   int failures = 0;
   failures += KEEPS(LichenDiagnostic, text, 512, 16);
-  failures += KEEPS(LichenParseInfo, reserved, 56, 52);
+  failures += KEEPS(LichenParseInfo, name, 48, 40);
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
   failures += KEEPS(LichenNoiseProperties, textonOrder, 48, 44);
   failures += KEEPS(LichenMapProperties, tableKind, 48, 44);

@@ -28,7 +28,7 @@ LichenResult loadBundle(LichenVulkanContext context, const void* file, size_t fi
   memset(loaded, 0, sizeof *loaded);
   LICHEN_INIT(parse, LICHEN_STRUCTURE_PARSE_INFO);
   parse.headerVersion = LICHEN_HEADER_VERSION;
-  parse.bytes = file; /* of `lichen bake` or `lichen cook` */
+  parse.bytes = file; /* of `lichen bake` */
   parse.byteCount = fileBytes;
 
   result = lichenParseBundle(&parse, &loaded->bundle, diagnostic);

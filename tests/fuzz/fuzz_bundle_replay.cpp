@@ -48,11 +48,6 @@ std::vector<Bytes> seeds() {
           encodeGlb(example::layered()).value(),
           encodeGlb(example::smallestStructure()).value(),
           encodeGlb(example::textonMix()).value(),
-          cookBundle(example::smallest().bundle),
-          cookBundle(example::smallestStructure().bundle),
-          cookBundle(example::textonMix().bundle),
-          cookBundle(example::smallestQuilting().bundle),
-          cookBundle(example::layered().bundle),
           encodeKtx2(example::patternTable("", TexelFormat::rg16Sfloat, 4, 2, 0, 3)),
           encodeKtx2(example::patternTable("", TexelFormat::rgba8Unorm, 4, 4, 4, 2))};
 }

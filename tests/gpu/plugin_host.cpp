@@ -51,7 +51,6 @@ LichenBundle parseOrThrow(std::span<const std::byte> glb) {
   info.headerVersion = LICHEN_HEADER_VERSION;
   info.bytes = glb.data();
   info.byteCount = glb.size();
-  info.bytesStay = 1; // the tests keep the file longer than the host its bundle
   LichenBundle bundle = nullptr;
   require(lichenParseBundle(&info, &bundle, &diagnostic), diagnostic);
   return bundle;

@@ -85,11 +85,6 @@ TEST_CASE("hosts of every kind draw the same values") {
   const auto device = requireDevice();
   LichenVulkanInfo info = defaultVulkanInfo(*device);
   LichenVulkanFunctions functions = loadedFunctions();
-  SECTION("a cooked bundle") {
-    const auto cooked = cookBundle(parseBundle(threeMaps(), "synthetic").value());
-    PluginHost host(*device, cooked);
-    CHECK(valuesOf(host) == plainValues());
-  }
   SECTION("the offset of a dynamic uniform buffer") {
     info.flags = LICHEN_VULKAN_DYNAMIC_UNIFORMS;
     PluginHost host(*device, threeMaps(), info);

@@ -123,8 +123,7 @@ TEST_CASE("a bundle survives the round trip through a GLB") {
   }
 }
 
-TEST_CASE("a grain survives a GLB, a cooked bundle and a merge, and is written only if there is "
-          "one") {
+TEST_CASE("a grain survives a GLB and a merge, and is written only if there is one") {
   for (const Grain grain : {Grain::none, Grain::x, Grain::y}) {
     BundleFile file = example::smallest();
     file.bundle.noises[0].as<TilingNoise>().grain = grain;
@@ -132,25 +131,12 @@ TEST_CASE("a grain survives a GLB, a cooked bundle and a merge, and is written o
     CHECK(checkBundle(glb).empty());
     const Bundle bundle = parseBundle(glb, "test").value();
     checkSameBundle(bundle, file.bundle);
-    checkSameBundle(parseBundle(cookBundle(file.bundle), "test").value(), file.bundle);
     const Bundle other = parseBundle(encodeGlb(example::everyMap()).value(), "other").value();
     const std::vector<NamedBundle> inputs{{"other.glb", other}, {"file.glb", bundle}};
     CHECK(mergeBundles(inputs).value().bundle.noises.back().as<TilingNoise>().grain == grain);
     const json noise = example::GlbParts(glb).extension()["noises"][0];
     CHECK(noise.contains("grain") == (grain != Grain::none));
     CHECK(noise.value("grain", "none") == nameOf(grain));
-  }
-}
-
-TEST_CASE("a bundle survives the round trip through a cooked bundle") {
-  for (const BundleFile& file :
-       {example::smallest(), example::everyMap(), example::smallestTexton(),
-        example::smallestCosines(), example::smallestKernels(), example::smallestQuilting(),
-        example::textonMix()}) {
-    const auto bundle = parseBundle(cookBundle(file.bundle), "test");
-    if (!bundle.ok())
-      FAIL(bundle.error().message);
-    checkSameBundle(bundle.value(), file.bundle);
   }
 }
 

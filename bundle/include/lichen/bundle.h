@@ -352,18 +352,14 @@ struct Bundle {
 /// Total bytes of the texels of all tables: their GPU memory, without driver overhead.
 [[nodiscard]] std::size_t texelBytes(const Bundle& bundle);
 
-/// Reads the extension from a .glb or .gltf file, or a cooked bundle. Buffers may be embedded, in
-/// the GLB chunk, or in files inside the .gltf's folder; the reader never follows a path out of
-/// that folder. Errors: badInput, with the first error that checkBundle() reports; resources when
-/// memory does not suffice. Thread-safe.
+/// Reads the extension from a .glb or .gltf file. Buffers may be embedded, in the GLB chunk, or in
+/// files inside the .gltf's folder; the reader never follows a path out of that folder. Errors:
+/// badInput, with the first error that checkBundle() reports; resources when memory does not
+/// suffice. Thread-safe.
 [[nodiscard]] Result<Bundle> readBundle(const std::filesystem::path& path);
-/// As readBundle(), from memory: a GLB, a .gltf whose buffers are data URIs, or a cooked bundle.
-/// Messages begin with `name`.
+/// As readBundle(), from memory: a GLB, or a .gltf whose buffers are data URIs. Messages begin with
+/// `name`.
 [[nodiscard]] Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name);
-/// As parseBundle(), but the tables of a cooked bundle borrow their texels from `file`, which must
-/// outlive the bundle.
-[[nodiscard]] Result<Bundle> parseBundleInPlace(std::span<const std::byte> file,
-                                                const std::string& name);
 
 /// One fault of a file, with a stable code such as "noise-index" and a JSON pointer to its
 /// location.
@@ -375,8 +371,8 @@ struct Finding {
 };
 
 /// Reports every fault of the extension and its tables that can be detected without the exemplar.
-/// Returns an Error only if the file cannot be read, or is not a complete GLB, glTF 2 JSON or
-/// cooked bundle. Thread-safe.
+/// Returns an Error only if the file cannot be read, or is not a complete GLB or glTF 2 JSON.
+/// Thread-safe.
 [[nodiscard]] Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path);
 /// As checkBundle() of a path, from memory. An unreadable file is reported as a finding too.
 [[nodiscard]] std::vector<Finding> checkBundle(std::span<const std::byte> file);

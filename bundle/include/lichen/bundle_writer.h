@@ -42,8 +42,4 @@ struct BundleFile {
 /// which leave the old files intact and no new ones; usage for another extension.
 [[nodiscard]] Result<void> writeBundle(const std::filesystem::path& path, const BundleFile& file);
 
-/// Encodes a cooked bundle: the noises and how the materials use them, without the scene, in one
-/// file that parseBundleInPlace() uses where it lies. Throws std::bad_alloc.
-[[nodiscard]] std::vector<std::byte> cookBundle(const Bundle& bundle);
-
 } // namespace lichen

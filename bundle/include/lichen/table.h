@@ -40,7 +40,7 @@ inline constexpr std::uint32_t kMaxTableSide = 16384;
 
 /// An uncompressed 2-D or 3-D texture with mip levels: the content of one KTX2 file. Mip level l
 /// has sides of max(1, side >> l) texels, tightly packed; the top row comes first, and z varies
-/// slowest. bytes() holds all mip levels, starting with level 0.
+/// slowest. `texels` holds all mip levels, starting with level 0.
 struct Table {
   std::string name;
   TexelFormat format = TexelFormat::rgba8Unorm;
@@ -49,15 +49,9 @@ struct Table {
   std::uint32_t depth = 0; ///< 0 for a 2-D texture
   std::uint32_t mipLevels = 1;
   std::vector<std::byte> texels;
-  /// In place of `texels`, of a cooked bundle that is used where it lies.
-  std::span<const std::byte> borrowedTexels = {};
-
-  [[nodiscard]] std::span<const std::byte> bytes() const {
-    return borrowedTexels.empty() ? std::span<const std::byte>(texels) : borrowedTexels;
-  }
 };
 
-/// Offset and size in bytes of one mip level inside Table::bytes(). Precondition: `level` <
+/// Offset and size in bytes of one mip level inside Table::texels. Precondition: `level` <
 /// mipLevels.
 struct LevelRange {
   std::size_t offset = 0;

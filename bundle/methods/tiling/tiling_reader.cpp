@@ -26,7 +26,7 @@ bool hasOneLoss(std::span<const std::byte> level, std::size_t texel) {
 
 bool hasOneLoss(const Table& image, std::uint32_t mip) {
   const LevelRange range = levelRange(image, mip);
-  const std::span<const std::byte> level = image.bytes().subspan(range.offset, range.size);
+  const auto level = std::span(image.texels).subspan(range.offset, range.size);
   const std::size_t texel = texelBytes(image.format);
   switch (texel / std::size_t(channelCount(image.format))) {
   case 1:

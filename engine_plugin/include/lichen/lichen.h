@@ -103,7 +103,7 @@ LICHEN_API uint32_t lichenGetVersion(void);
 
 /* ---- Bundles ---------------------------------------------------------------------------- */
 
-/* A parsed bundle; owns copies of everything that it needs of the file, but for bytesStay. */
+/* A parsed bundle; owns copies of everything that it needs of the file. */
 typedef struct LichenBundle_T* LichenBundle;
 
 typedef struct LichenParseInfo {
@@ -115,15 +115,10 @@ typedef struct LichenParseInfo {
    * 0: shaders_glsl/ of the same release as this header. Another layout of the uniform block or the
    * bindings than this library's is LICHEN_ERROR_VERSION. */
   uint32_t interfaceVersion;
-  /* a .glb, a .gltf whose buffers are data URIs, or what `lichen cook` writes; needed for this call
-   * only, but for bytesStay */
+  /* a .glb, or a .gltf whose buffers are data URIs; needed for this call only */
   const void* bytes;
   size_t byteCount;
   const char* name; /* UTF-8, used in messages, needed for this call only; NULL: "bundle" */
-  /* 1: `bytes` stay, unchanged, until the bundle is destroyed, as of a mapped file: images of a
-   * cooked bundle are then used where they lie. 0: they are copied. */
-  uint32_t bytesStay;
-  uint32_t reserved; /* 0 */
 } LichenParseInfo;
 
 /* Reads a bundle and checks all of it; input may be hostile. Time and memory are in proportion to
@@ -169,13 +164,13 @@ typedef struct LichenNoiseProperties {
   double tileSizeMetres; /* [1e-6, 1e6] metres, the width of one exemplar */
   uint32_t mapCount;     /* 1 to 6 */
   LichenNoiseMethod method;
-  uint32_t mixSteps; /* [2, 64] of a mix of textons, 1 of other noises */
-  uint32_t textonOrder; /* 0, 1 or 3: degree of a texton's B-spline, with which its cost goes; 0 of
-                           other noises */
+  uint32_t mixSteps;     /* [2, 64] of a mix of textons, 1 of other noises */
+  uint32_t textonOrder;  /* 0, 1 or 3: degree of a texton's B-spline, with which its cost goes; 0 of
+                            other noises */
   uint32_t hasStructure; /* 1 if a local random-phase noise has a structure, 0 of other noises */
-  uint32_t mappings;    /* bit m: a material of the noise may have the LichenMapping m */
-  uint32_t kernelKinds; /* LICHEN_KERNELS_... of a multiple-kernels noise, 0 of others */
-  uint32_t layerCount;  /* [2, 4] of a layered noise, 1 of others */
+  uint32_t mappings;     /* bit m: a material of the noise may have the LichenMapping m */
+  uint32_t kernelKinds;  /* LICHEN_KERNELS_... of a multiple-kernels noise, 0 of others */
+  uint32_t layerCount;   /* [2, 4] of a layered noise, 1 of others */
   /* The noises that are its layers, the first this one, and the noises of its layerCount - 1 index
    * maps; then LICHEN_NO_NOISE. All other members describe the first layer, but for `mappings`. */
   uint32_t layers[4];
@@ -277,7 +272,7 @@ typedef enum LichenMixSource {
 /* How the impacts of texton noise lie. */
 typedef enum LichenPointProcess {
   LICHEN_POINT_PROCESS_STRATIFIED = 0, /* one in each cell of a grid */
-  LICHEN_POINT_PROCESS_POISSON = 1, /* a Poisson process */
+  LICHEN_POINT_PROCESS_POISSON = 1,    /* a Poisson process */
   LICHEN_POINT_PROCESS_MAX_ENUM = 0x7FFFFFFF
 } LichenPointProcess;
 
@@ -520,10 +515,10 @@ typedef struct LichenShaderSwitches {
 } LichenShaderSwitches;
 
 /* The materials may be of several bundles. Of `placement`, which stands for all of theirs, it reads
- * periodTiles and maxAnisotropy; NULL: none repeats, and sampling is trilinear. A change of mapping,
- * pointProcess, tileRotation or blendSharpness may need other switches.
- * LICHEN_ERROR_USAGE also where one material is of a layered noise and another of a quilting one:
- * each needs a shader of its own. */
+ * periodTiles and maxAnisotropy; NULL: none repeats, and sampling is trilinear. A change of
+ * mapping, pointProcess, tileRotation or blendSharpness may need other switches. LICHEN_ERROR_USAGE
+ * also where one material is of a layered noise and another of a quilting one: each needs a shader
+ * of its own. */
 LICHEN_API LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* materials,
                                                 uint32_t materialCount,
                                                 const LichenPlacement* placement,
