@@ -138,18 +138,12 @@ Result<nlohmann::ordered_json> figuresOf(const BakedMaterial& baked) {
 Result<std::vector<std::string>> writeReport(const Arguments& arguments, const Bundle& bundle,
                                              const BakedMaterial& baked, const Facts& facts,
                                              StepTimes& times) {
-  const ReportedInput input{.name = bundle.noises.front().name,
-                            .exemplars = baked.exemplars,
-                            .risks = baked.judgement.risks,
-                            .origins = baked.origins};
   Result<std::vector<std::string>> lines = writeHtmlReport(arguments.report,
                                                            {.files = arguments.inputs,
                                                             .output = arguments.output,
                                                             .bundle = bundle,
-                                                            .inputs = {&input, 1},
-                                                            .verdict = baked.judgement.verdict,
+                                                            .baked = baked,
                                                             .facts = facts,
-                                                            .notes = baked.notes,
                                                             .timings = times.steps()},
                                                            arguments.shared);
   if (!arguments.report.empty())

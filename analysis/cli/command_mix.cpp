@@ -3,7 +3,6 @@
 #include "bake_risks.h"
 #include "command.h"
 #include "exemplar_options.h"
-#include "html_report.h"
 #include "methods/texton_options.h"
 #include "noise_choice.h"
 #include "options.h"
@@ -17,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 
 namespace lichen::cli {
@@ -40,7 +40,6 @@ struct Arguments {
   TextonMixOptions mix;
   MaterialNoise material;
   PreviewShape preview{};
-  std::string report;
   const CLI::App* verb = nullptr;
 };
 
@@ -48,25 +47,11 @@ struct Arguments {
 struct Inputs {
   std::vector<MixedExemplar> exemplars;
   std::vector<std::string> names; ///< without folder and extension
-  std::vector<std::vector<ExemplarOrigin>> origins;
-  std::vector<std::vector<std::vector<Risk>>> assessed; ///< of each input's maps
   std::vector<std::string> notes;
-
-  [[nodiscard]] std::vector<ReportedInput> reported() const {
-    std::vector<ReportedInput> all;
-    for (std::size_t i = 0; i < exemplars.size(); ++i)
-      all.push_back({.name = names[i],
-                     .exemplars = exemplars[i].maps,
-                     .risks = assessed[i],
-                     .origins = origins[i]});
-    return all;
-  }
 };
 
 Result<void> check(const Arguments& arguments) {
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
-    return checked;
-  if (Result<void> checked = checkReportPath(arguments.report); !checked)
     return checked;
   const std::size_t count = arguments.inputs.size();
   if (count < 2 || count > kMaxMixedExemplars)
@@ -108,7 +93,6 @@ Result<Inputs> readInputs(const Arguments& arguments) {
     for (const std::string& line : set.notes)
       inputs.notes.push_back(path + ": " + line);
     inputs.names.push_back(set.name);
-    inputs.origins.push_back(std::move(read.value().origins));
     inputs.exemplars.push_back({path, std::move(set.maps)});
   }
   return inputs;
@@ -135,7 +119,6 @@ Result<void> judge(const Arguments& arguments, Inputs& inputs) {
     const std::vector<MapRisk> risks = leadingRisks(exemplar.maps, assessed.value());
     for (const std::string& line : riskNotes(risks, exemplar.maps.size() > 1, mixOptionOf))
       inputs.notes.push_back(exemplar.name + ": " + line);
-    inputs.assessed.push_back(std::move(assessed).value());
   }
   return {};
 }
@@ -161,21 +144,6 @@ Bundle bundleOf(const Arguments& arguments, TextonMixBake bake) {
   bundle.noises = {std::move(bake.noise)};
   bundle.materials = {material};
   return bundle;
-}
-
-std::vector<std::pair<std::string, std::string>>
-mixFacts(const Arguments& arguments, const TextonMixQuality& quality, const TextonShape& shape) {
-  std::vector<std::pair<std::string, std::string>> facts{
-      {"Tile", fmt::format("{} x {} texels", shape.texelsPerTileX, shape.texelsPerTileY)},
-      {"Textons",
-       fmt::format("{} of {} x {} texels", shape.steps, shape.coefficientsX, shape.coefficientsY)},
-      {"Impacts", fmt::format("{:g} to a point, {}", arguments.material.impacts,
-                              nameOf(arguments.material.pointProcess))}};
-  if (shape.steps > 1)
-    facts.emplace_back("Largest step", fmt::format("{:.3g} of a texton", quality.largestStep));
-  else
-    facts.emplace_back("Rank error", fmt::format("{:.3g} of the deviation", quality.rankError));
-  return facts;
 }
 
 void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQuality& quality,
@@ -211,24 +179,21 @@ void report(const Arguments& arguments, const Bundle& bundle, const TextonMixQua
 }
 
 Result<int> run(Arguments& arguments) {
-  StepTimes times;
+  const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked = check(arguments); !checked)
     return checked.error();
-  arguments.exemplar.keepsOriginals = !arguments.report.empty();
   Result<Inputs> inputs = readInputs(arguments);
   if (!inputs)
     return inputs.error();
   if (Result<void> judged = judge(arguments, inputs.value()); !judged)
     return judged.error();
   std::vector<std::string> notes = std::move(inputs.value().notes);
-  times.end("Reading and judging the images");
   ProgressLine progress("mix", arguments.shared);
   arguments.mix.texton.progress = progress.asProgress();
   Result<TextonMixBake> baked = bakeTextonMix(nameOfMix(arguments, inputs.value().names),
                                               inputs.value().exemplars, arguments.mix);
   if (!baked)
     return baked.error();
-  times.end("Baking the noise");
   const TextonMixQuality quality = std::move(baked.value().quality);
   const TextonShape shape = baked.value().noise.as<TextonShape>();
   if (std::optional<std::string> line =
@@ -246,28 +211,8 @@ Result<int> run(Arguments& arguments) {
   if (!arguments.shared.json)
     for (const std::string& line : notes)
       note(arguments.shared, line);
-  times.end("Preview and bundle");
-  const std::vector<ReportedInput> reported = inputs.value().reported();
-  const auto facts = mixFacts(arguments, quality, shape);
-  const Result<std::vector<std::string>> page = writeHtmlReport(
-      arguments.report,
-      {.files = arguments.inputs,
-       .output = arguments.output,
-       .bundle = file.value().bundle,
-       .inputs = reported,
-       .mix = ReportedMix{.modelErrors = quality.modelErrors, .weights = arguments.mix.weights},
-       .words = mixOptionOf,
-       .facts = facts,
-       .notes = notes,
-       .timings = times.steps()},
-      arguments.shared);
-  if (!page)
-    return page.error();
-  if (!arguments.report.empty())
-    times.end("Report");
-  report(arguments, file.value().bundle, quality, notes, times.sum());
-  for (const std::string& line : page.value())
-    say(arguments.shared, line);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  report(arguments, file.value().bundle, quality, notes, seconds.count());
   return kDone;
 }
 
@@ -292,7 +237,6 @@ Runner addMix(CLI::App& verb, const SharedOptions& shared) {
            "Width of the exemplars in metres: 0.5 for 50 cm");
   addExemplarOptions(verb, arguments->exemplar, ExemplarUse::mix);
   addPreviewShape(verb, arguments->preview);
-  addReport(verb, arguments->report);
   addValue(verb, "--precision", arguments->mix.texton.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "8: textons of 16-bit floats; 16: of 32-bit floats");
   addTextonOptions(verb, arguments->mix.texton, arguments->material);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A bake or a mix -> a BakeRecord -> the HTML file.
+// A bake -> a BakeRecord -> the HTML file.
 #include "html_report.h"
 
 #include "options.h"
@@ -18,8 +18,7 @@ std::vector<std::pair<std::string, std::string>> reportedFacts(const ReportedBak
   const Noise& noise = bake.bundle.noises.front();
   const MaterialNoise& material = *bake.bundle.materials.front();
   std::vector<std::pair<std::string, std::string>> facts{
-      {bake.inputs.size() > 1 ? "Exemplars" : "Exemplar",
-       fmt::format("{}", fmt::join(bake.files, ", "))},
+      {"Exemplar", fmt::format("{}", fmt::join(bake.files, ", "))},
       {"Bundle", bake.output},
       {"Method",
        fmt::format("{}, revision {}", nameOf(noise.method()), revisionOf(noise.method()))},
@@ -50,7 +49,7 @@ double StepTimes::sum() const {
 void addReport(CLI::App& verb, std::string& path) {
   addText(verb, "--report", path, "OUT.html",
           "Also write a page with pictures, measures and charts of the noise; takes 5 to 30 s per "
-          "map of each input");
+          "map");
 }
 
 Result<void> checkReportPath(const std::string& path) {
@@ -63,14 +62,15 @@ Result<std::vector<std::string>> writeHtmlReport(const std::string& path, const 
     return std::vector<std::string>{};
   ProgressLine progress("report", options);
   const BakeRecord record{.bundle = bake.bundle,
-                          .inputs = bake.inputs,
-                          .mix = bake.mix,
-                          .verdict = bake.verdict,
-                          .words = bake.words,
+                          .exemplars = bake.baked.exemplars,
+                          .risks = bake.baked.judgement.risks,
+                          .origins = bake.baked.origins,
+                          .verdict = bake.baked.judgement.verdict,
+                          .words = optionOf,
                           .command = options.commandLine,
                           .facts = reportedFacts(bake),
                           .timings = bake.timings,
-                          .notes = bake.notes};
+                          .notes = bake.baked.notes};
   const Result<NoiseReport> report = encodeNoiseReport(record, progress.asProgress());
   if (!report)
     return report.error();

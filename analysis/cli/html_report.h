@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: MIT
-// `lichen bake --report` and `lichen mix --report`: the HTML page about what they made.
+// `lichen bake --report`: the HTML page about what it made.
 #pragma once
 
 #include "bake_risks.h"
 #include "command.h"
 
-#include <lichen/bundle.h>
-#include <lichen/exemplar.h>
-#include <lichen/noise_report.h>
-#include <lichen/suitability.h>
+#include <lichen/bake_material.h>
 
 #include <chrono>
-#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -37,13 +33,9 @@ struct ReportedBake {
   std::vector<std::string> files; ///< of the command line
   std::string output;
   const Bundle& bundle; ///< one noise, one material
-  std::span<const ReportedInput> inputs;
-  std::optional<ReportedMix> mix{};                           ///< BakeRecord::mix
-  std::optional<Verdict> verdict{};                           ///< BakeRecord::verdict
-  SettingWords words = optionOf;                              ///< BakeRecord::words
+  const BakedMaterial& baked;
   std::span<const std::pair<std::string, std::string>> facts; ///< label and value, from the method
-  std::vector<std::string> notes;
-  std::vector<std::pair<std::string, double>> timings; ///< StepTimes::steps()
+  std::vector<std::pair<std::string, double>> timings;        ///< StepTimes::steps()
 };
 
 /// Declares --report.

@@ -102,10 +102,9 @@ int spectrumCrop(const SrgbImage& a, const SrgbImage& b) {
   return crop < 2 * kLowestComparedCycles ? 0 : crop;
 }
 
-SpectrumCurve spectrumCurve(std::string_view kind, const SrgbImage& image, int crop,
-                            std::optional<double> along) {
+SpectrumCurve spectrumCurve(std::string_view kind, const SrgbImage& image, int crop) {
   constexpr double kLeastPower = 1e-12; // power of an image without variance
-  SpectrumCurve curve{kind, along,
+  SpectrumCurve curve{kind,
                       radialPowerSpectrum(luminancePlane(image), image.width, image.height, crop)};
   for (double& value : curve.power)
     value = 10.0 * std::log10(std::max(value, kLeastPower));
@@ -142,15 +141,9 @@ std::string spectrumChart(std::span<const SpectrumCurve> curves, int crop) {
     std::vector<Point> points;
     for (std::size_t cycles = 1; cycles < curve.power.size(); ++cycles)
       points.push_back({toX(double(cycles) * lowest), toY(curve.power[cycles])});
-    chart.path(points, lookAlong(curve.kind, curve.along));
+    chart.path(points, fmt::format(R"(class="{}")", curve.kind));
   }
   return chart.markup();
-}
-
-std::string lookAlong(std::string_view classes, std::optional<double> along) {
-  return along
-             ? fmt::format(R"(class="{} ramped" style="--along:{:.1f}%")", classes, 100.0 * *along)
-             : fmt::format(R"(class="{}")", classes);
 }
 
 } // namespace lichen

@@ -4,7 +4,6 @@
 
 #include <lichen/image.h>
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,20 +22,15 @@ namespace lichen {
 
 /// A curve of spectrumChart().
 struct SpectrumCurve {
-  std::string_view kind;       ///< "exemplar", "gaussian" or "result", which choose its look
-  std::optional<double> along; ///< its place on the path of a mix, which chooses its colour
-  std::vector<double> power;   ///< decibels by cycles per crop
+  std::string_view kind;     ///< "exemplar", "gaussian" or "result", which choose its look
+  std::vector<double> power; ///< decibels by cycles per crop
 };
 
 /// The power spectrum of the image's luminance, averaged over directions.
-[[nodiscard]] SpectrumCurve spectrumCurve(std::string_view kind, const SrgbImage& image, int crop,
-                                          std::optional<double> along = {});
+[[nodiscard]] SpectrumCurve spectrumCurve(std::string_view kind, const SrgbImage& image, int crop);
 
 /// Power in decibels over the frequency in cycles per pixel, which runs in octaves. Later curves
 /// cover earlier ones.
 [[nodiscard]] std::string spectrumChart(std::span<const SpectrumCurve> curves, int crop);
-
-/// The classes, and the style, of what belongs to a place on the path of a mix.
-[[nodiscard]] std::string lookAlong(std::string_view classes, std::optional<double> along);
 
 } // namespace lichen

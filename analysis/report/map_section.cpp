@@ -58,7 +58,6 @@ Result<std::string> panesOf(const Bundle& bundle, const MaterialNoise& material,
   options.material = material;
   options.map = shown.exemplar.target;
   options.texelsPerTile = width;
-  options.mix = {material.mix.weight, material.mix.weight};
   const Extents extents = resultExtents({width, height}, exemplarSide);
   options.width = extents[0];
   options.height = extents[1];
@@ -84,11 +83,11 @@ Result<std::string> panesOf(const Bundle& bundle, const MaterialNoise& material,
   const Result<std::vector<Picture>> pictures = allOf(std::move(made));
   if (!pictures)
     return pictures.error();
-  double sum = extents[0]; // of the widths, with the repetition
+  double width = extents[0]; // of all panes: the repeated exemplar's, then each picture's
   for (const Picture& picture : pictures.value())
-    sum += picture.extents[0];
+    width += picture.extents[0];
   const auto widthsOf = [&](int pixels) {
-    return ShownWidths{pixels / sum, double(pixels) / extents[0]};
+    return ShownWidths{pixels / width, double(pixels) / extents[0]};
   };
   std::string panes;
   for (std::size_t i = 0; i < pictures.value().size(); ++i) {
@@ -209,12 +208,10 @@ Result<MapSection> describeMap(const Bundle& bundle, const MaterialNoise& materi
   const Result<std::string> panes = panesOf(bundle, material, shown, comparison, exemplarSide);
   if (!panes)
     return panes.error();
-  const Result<std::string> data =
-      dataOf({bundle, noise, map, comparison.look, material.mix.weight, exemplarSide});
+  const Result<std::string> data = dataOf({bundle, noise, map, comparison.look, exemplarSide});
   if (!data)
     return data.error();
-  const std::string title = std::string(nameOf(exemplar.target)) +
-                            (shown.input.empty() ? "" : " of " + std::string(shown.input));
+  const std::string title(nameOf(exemplar.target));
   std::string markup =
       element("article", element("h2", htmlText(title)) +
                              element("p class=\"quiet\"", summaryOf(exemplar)) + panes.value() +

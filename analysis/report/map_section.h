@@ -19,20 +19,18 @@ struct ShownExemplar {
   const MapExemplar& exemplar;
   const std::vector<Risk>& risks;
   const ExemplarOrigin& origin;
-  std::string_view input; ///< its name, if there are several inputs
 };
 
 struct MapSection {
   ShownExemplar shown;
-  std::string title; ///< the map, and the input if there are several
+  std::string title; ///< the map
   std::string markup;
   std::vector<Measure> measures;
 };
 
 /// The section of one map. The picture of the exemplar has at most exemplarSide^2 pixels, and all
-/// of them as many as MethodReport::picturePixels says. The noise is the material's, a mix at the
-/// material's constant weight. Settings that help against a risk are in `words`. Errors: as
-/// compareNoise().
+/// of them as many as MethodReport::picturePixels says. The noise is the material's. Settings that
+/// help against a risk are in `words`. Errors: as compareNoise().
 [[nodiscard]] Result<MapSection> describeMap(const Bundle& bundle, const MaterialNoise& material,
                                              const ShownExemplar& shown, SettingWords words,
                                              int exemplarSide, const Progress& progress);

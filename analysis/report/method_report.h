@@ -41,7 +41,6 @@ struct DrawnMap {
   const Noise& noise;
   const NoiseMap& map;
   const MapLook& look;
-  double mixWeight = 0.0;
   int side = 0; ///< a picture has at most side^2 pixels
 };
 
@@ -55,8 +54,7 @@ struct MethodReport {
   Result<void> (*judge)(const ComparedResult& result, NoiseComparison& comparison) = nullptr;
   /// The number of pixels that judge() synthesizes, for an exemplar of this size; null for none.
   double (*judgedPixels)(int width, int height) = nullptr;
-  /// Pictures of what the bundle holds, first of the image that the shader fetches from; of a mix,
-  /// at its weight.
+  /// Pictures of what the bundle holds, first of the image that the shader fetches from.
   Result<std::vector<Picture>> (*pictures)(const DrawnMap& drawn);
   /// The most pixels of all of a map's pictures on the page, except for the table's, in units of
   /// the exemplar's.

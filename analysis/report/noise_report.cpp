@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The record of a bake or a mix -> the bytes of its page.
+// The record of a bake -> the bytes of its page.
 #include "map_section.h"
 #include "markup.h"
 #include "method_report.h"
-#include "mix_section.h"
 
 #include <lichen/noise_report.h>
 
@@ -22,27 +21,12 @@ namespace {
 
 constexpr int kLargestExemplarSide = 512;
 
-/// Time of a step between the inputs of a mix over that of an input's section: the texels that both
-/// evaluate of exemplars of 512 x 512.
-constexpr double kStepOverInput = 0.25;
-
-/// Whether the noise should look like each of its inputs at some weight. One texture between all
-/// inputs should look like none of them, so it is not compared with them.
-bool showsInputs(const BakeRecord& record) { return !record.mix || record.mix->weights.empty(); }
-
 /// Side of an exemplar's picture: all pictures together have at most kReportPixels.
 int exemplarSide(const BakeRecord& record, Method method) {
-  const double inputs = showsInputs(record) ? double(record.inputs.size()) : 0.0;
-  const double between = record.mix ? double(mixPictures(record)) : 0.0;
-  const double maps = double(std::max<std::size_t>(record.inputs.front().exemplars.size(), 1));
-  const double pictures = maps * (inputs * reportOf(method).picturePixels + between);
+  const double maps = double(std::max<std::size_t>(record.exemplars.size(), 1));
+  const double pictures = maps * reportOf(method).picturePixels;
   return std::min(kLargestExemplarSide, int(std::sqrt(kReportPixels / pictures)));
 }
-
-struct Sections {
-  std::vector<MapSection> maps; ///< of each input
-  std::string mixes;            ///< of what lies between the inputs
-};
 
 std::string paragraph(std::string_view look, std::string_view text) {
   return element(fmt::format("p class=\"{}\"", look), htmlText(text)) + "\n";
@@ -79,12 +63,12 @@ std::string risksLine(const std::vector<MapSection>& maps) {
 }
 
 std::string header(const BakeRecord& record, const std::vector<MapSection>& maps,
-                   const NoiseReport& report, std::string_view kind) {
-  std::string lines = paragraph("quiet", fmt::format("Lichen {} report", kind)) +
+                   const NoiseReport& report) {
+  std::string lines = paragraph("quiet", "Lichen bake report") +
                       element("h1", htmlText(record.bundle.noises.front().name));
   if (const std::optional<Verdict>& verdict = record.verdict; verdict) {
     constexpr std::array<std::string_view, 3> kLooks{"good", "warn", "bad"};
-    const bool severalMaps = record.inputs.front().exemplars.size() > 1;
+    const bool severalMaps = record.exemplars.size() > 1;
     lines += paragraph(kLooks[std::size_t(verdict->level)],
                        "Verdict: " + sentenceOf(*verdict, severalMaps, record.words));
   }
@@ -102,7 +86,7 @@ std::string factsOf(std::string_view title,
 }
 
 /// `reportSeconds`: the time that describing the maps took.
-std::string footer(const BakeRecord& record, std::string_view kind, double reportSeconds) {
+std::string footer(const BakeRecord& record, double reportSeconds) {
   std::vector<std::pair<std::string, std::string>> timings;
   double all = reportSeconds;
   const auto addTiming = [&](const std::string& name, double seconds) {
@@ -119,17 +103,15 @@ std::string footer(const BakeRecord& record, std::string_view kind, double repor
     notes += element("li", htmlText(note));
   if (!notes.empty())
     notes = element("section", "<h2>Notes</h2>" + element("ul", notes)) + "\n";
-  return element("footer", factsOf(fmt::format("The {}", kind), record.facts) +
-                               factsOf("Time", timings) + notes);
+  return element("footer", factsOf("The bake", record.facts) + factsOf("Time", timings) + notes);
 }
 
 /// The whole page. It loads nothing and runs nothing, and asks the browser to see to that.
-std::string page(const BakeRecord& record, const Sections& sections, const NoiseReport& report,
-                 double reportSeconds) {
-  const std::string_view kind = record.mix ? "mix" : "bake";
-  std::string maps;
-  for (const MapSection& map : sections.maps)
-    maps += map.markup;
+std::string page(const BakeRecord& record, const std::vector<MapSection>& maps,
+                 const NoiseReport& report, double reportSeconds) {
+  std::string sections;
+  for (const MapSection& map : maps)
+    sections += map.markup;
   return fmt::format(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -138,55 +120,19 @@ std::string page(const BakeRecord& record, const Sections& sections, const Noise
 <meta name="color-scheme" content="light dark"/>
 <meta http-equiv="Content-Security-Policy"
       content="default-src 'none'; img-src data:; style-src 'unsafe-inline'"/>
-<title>{} - {} report</title>
+<title>{} - bake report</title>
 <style>{}</style>
 </head>
 <body>
 {}
 <main>
-{}{}</main>
+{}</main>
 {}
 </body>
 </html>
 )",
-                     htmlText(record.bundle.noises.front().name), kind, kPageStyle,
-                     header(record, sections.maps, report, kind), sections.mixes, maps,
-                     footer(record, kind, reportSeconds));
-}
-
-/// Adds the sections of all maps of an input.
-Result<void> addInput(const BakeRecord& record, std::size_t i, int side, const Progress& progress,
-                      std::vector<MapSection>& maps) {
-  const ReportedInput& input = record.inputs[i];
-  const std::size_t inputs = record.inputs.size(), count = input.exemplars.size();
-  MaterialNoise material = *record.bundle.materials.front();
-  if (inputs > 1)
-    material.mix = {.source = MixSource::constant, .weight = double(i) / double(inputs - 1)};
-  for (std::size_t m = 0; m < count; ++m) {
-    const ShownExemplar shown{input.exemplars[m], input.risks[m], input.origins[m],
-                              inputs > 1 ? std::string_view(input.name) : ""};
-    const double before = double(m) / double(count), after = double(m + 1) / double(count);
-    Result<MapSection> map = describeMap(record.bundle, material, shown, record.words, side,
-                                         partOf(progress, before, after));
-    if (!map)
-      return map.error();
-    maps.push_back(std::move(map).value());
-  }
-  return {};
-}
-
-/// Adds the sections on what lies between the inputs.
-Result<void> addMixes(const BakeRecord& record, int side, const Progress& progress,
-                      std::string& mixes) {
-  const std::size_t count = record.inputs.front().exemplars.size();
-  for (std::size_t m = 0; m < count; ++m) {
-    const double before = double(m) / double(count), after = double(m + 1) / double(count);
-    const Result<std::string> mix = describeMix(record, m, side, partOf(progress, before, after));
-    if (!mix)
-      return mix.error();
-    mixes += mix.value();
-  }
-  return {};
+                     htmlText(record.bundle.noises.front().name), kPageStyle,
+                     header(record, maps, report), sections, footer(record, reportSeconds));
 }
 
 /// Adds the targets of the maps.
@@ -197,11 +143,9 @@ void addTargets(const std::vector<MapSection>& maps, NoiseReport& report) {
       if (!measure.isMissed())
         continue;
       const std::string unit = measure.unit.empty() ? "" : " " + std::string(measure.unit);
-      report.missedTargets.push_back(
-          fmt::format("{}{}: {} {:.3g}{} exceeds its target of {:g}{}",
-                      map.shown.input.empty() ? "" : std::string(map.shown.input) + ", ",
-                      nameOf(map.shown.exemplar.target), measure.name, *measure.value, unit,
-                      *measure.target, unit));
+      report.missedTargets.push_back(fmt::format("{}: {} {:.3g}{} exceeds its target of {:g}{}",
+                                                 nameOf(map.shown.exemplar.target), measure.name,
+                                                 *measure.value, unit, *measure.target, unit));
     }
 }
 
@@ -209,26 +153,21 @@ Result<NoiseReport> encode(const BakeRecord& record, const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
   const MaterialNoise& material = *record.bundle.materials.front();
   const int side = exemplarSide(record, record.bundle.noises[material.noise].method());
-  Sections sections;
-  const std::size_t inputs = showsInputs(record) ? record.inputs.size() : 0;
-  const double between = record.mix ? kStepOverInput * double(mixPictures(record)) / 2.0 : 0.0;
-  const double share = between / (between + double(inputs));
-  if (record.mix)
-    if (Result<void> added = addMixes(record, side, partOf(progress, 0.0, share), sections.mixes);
-        !added)
-      return added.error();
-  for (std::size_t i = 0; i < inputs; ++i) {
-    const auto reached = [&](std::size_t done) {
-      return share + (1.0 - share) * double(done) / double(inputs);
-    };
-    const Progress part = partOf(progress, reached(i), reached(i + 1));
-    if (Result<void> added = addInput(record, i, side, part, sections.maps); !added)
-      return added.error();
+  const std::size_t count = record.exemplars.size();
+  std::vector<MapSection> maps;
+  for (std::size_t m = 0; m < count; ++m) {
+    const ShownExemplar shown{record.exemplars[m], record.risks[m], record.origins[m]};
+    const double before = double(m) / double(count), after = double(m + 1) / double(count);
+    Result<MapSection> map = describeMap(record.bundle, material, shown, record.words, side,
+                                         partOf(progress, before, after));
+    if (!map)
+      return map.error();
+    maps.push_back(std::move(map).value());
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   NoiseReport report;
-  addTargets(sections.maps, report);
-  const std::string text = page(record, sections, report, taken.count());
+  addTargets(maps, report);
+  const std::string text = page(record, maps, report, taken.count());
   const auto bytes = std::as_bytes(std::span(text));
   report.page.assign(bytes.begin(), bytes.end());
   return report;

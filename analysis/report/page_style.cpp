@@ -7,13 +7,13 @@ namespace lichen {
 extern const std::string_view kPageStyle = R"(
 :root {
   --page: #faf9f6; --card: #fff; --text: #23282b; --quiet: #626b6f; --line: #dedcd5;
-  --accent: #1f6f63; --exemplar: #b9c2c4; --first: #1c5fb8; --last: #c8500a;
+  --accent: #1f6f63; --exemplar: #b9c2c4;
   --good: #1f6f4a; --warn: #8a5a00; --bad: #a8361a;
 }
 @media screen and (prefers-color-scheme: dark) {
   :root {
     --page: #14181a; --card: #1c2124; --text: #e1e5e4; --quiet: #98a3a5; --line: #30383b;
-    --accent: #79cbb8; --exemplar: #4d595d; --first: #6cabff; --last: #ff9a4d;
+    --accent: #79cbb8; --exemplar: #4d595d;
     --good: #7fcf9f; --warn: #e3b564; --bad: #f2957a;
   }
 }
@@ -68,7 +68,7 @@ td { white-space: nowrap; }
 .risks li { padding: 8px 0; border-bottom: 1px solid var(--line); }
 .risks b::first-letter { text-transform: uppercase; }
 
-.key, .ramp { display: inline-block; width: 18px; height: 10px; background: var(--exemplar); }
+.key { display: inline-block; width: 18px; height: 10px; background: var(--exemplar); }
 .key.result { height: 2px; margin-bottom: 4px; background: var(--accent); }
 .key.gaussian { height: 0; margin-bottom: 4px; background: none; border-top: 2px dashed var(--warn); }
 .histograms { display: grid; grid-template-columns: repeat(auto-fit, minmax(240px, 1fr)); gap: 18px; }
@@ -80,13 +80,6 @@ path { fill: none; stroke: var(--accent); stroke-width: 1.75; stroke-linejoin: r
 path.area { fill: var(--exemplar); stroke: none; }
 path.exemplar { stroke: var(--exemplar); stroke-width: 5; }
 path.gaussian { stroke: var(--warn); stroke-dasharray: 5 4; }
-/* Colours from the first input of a mix to the last. */
-.ramped { --ramped: color-mix(in oklch, var(--first), var(--last) var(--along)); }
-path.ramped { stroke: var(--ramped); }
-path.ramped.exemplar { stroke-opacity: 0.45; }
-.key.ramped { background: var(--ramped); }
-.key.ramped.exemplar { opacity: 0.45; }
-.ramp { width: 72px; height: 4px; margin-bottom: 3px; background: linear-gradient(in oklch to right, var(--first), var(--last)); }
 
 footer { display: grid; grid-template-columns: repeat(auto-fit, minmax(260px, 1fr)); gap: 24px 40px; }
 dl { display: grid; grid-template-columns: fit-content(60%) minmax(0, 1fr); gap: 4px 18px; margin: 10px 0 0; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page that `lichen bake --report` and `lichen mix --report` write, read as XML.
+// The page that `lichen bake --report` writes, read as XML.
 #include "checkout_paths.h"
 #include "command_run.h"
 #include "parsed_page.h"
@@ -287,94 +287,6 @@ TEST_CASE("compare makes the exemplar again as the bake made it, unless an optio
                {"--crop 8,0,64,64", "noise.glb was baked with", "give the photograph"});
 }
 
-TEST_CASE("a report of a mix measures each input as compare does, and shows the steps between") {
-  const Workplace workplace;
-  const std::string moss = workplace.write("moss.png", smooth(40));
-  const std::string sand = workplace.write("sand.png", speckled(32, 32, 3));
-  const std::string rust = workplace.write("rust.png", speckled(40, 40, 3));
-  const std::string bundle = workplace.path("mix.glb");
-  const Ended ended = runLichen({"mix", moss, sand, rust, "-o", bundle, "--support", "8", "--steps",
-                                 "8", "--report", workplace.path("mix.html"), "--json"});
-  INFO(ended.errors);
-  REQUIRE(ended.code == 0);
-  const PageElement page = parsedPage(workplace.read("mix.html"));
-  CHECK(page.all("title").at(0).text == "moss-sand-rust - mix report");
-  const std::vector<PageElement> maps = mapsOf(page);
-  REQUIRE(maps.size() == 3);
-  int remedies = 0;
-  for (std::size_t input = 0; input < 3; ++input) {
-    CHECK(maps[input].all("h2").at(0).text ==
-          "baseColor of " + std::array<std::string, 3>{"moss", "sand", "rust"}[input]);
-    CHECK(measuresOf(maps[input]) ==
-          measuresOf(nlohmann::json::parse(
-              runLichen({"compare", std::array{moss, sand, rust}[input], bundle, "--mix",
-                         std::array{"0", "0.5", "1"}[input], "--json"})
-                  .output)));
-    for (const PageElement& detail : maps[input].all("ul").at(0).all("span", "class", "detail"))
-      if (detail.text.starts_with("What helps: ")) { // mix has no --method
-        ++remedies;
-        CHECK_THAT(detail.text, Catch::Contains("lichen bake --method tiling"));
-      }
-  }
-  CHECK(remedies > 0);
-  const PageElement mix = page.all("article").at(0);
-  const std::vector<PageElement> paths = mix.all("div", "class", "panes"), charts = mix.all("svg");
-  const nlohmann::json errors = nlohmann::json::parse(ended.output).at("modelErrors");
-  REQUIRE(errors.size() == 15); // 7 steps from each input to the next
-  REQUIRE(paths.size() == 2);
-  REQUIRE(charts.size() == 2);
-  for (std::size_t path = 0; path < 2; ++path) {
-    CHECK(charts[path].all("path").size() == 7);
-    const std::vector<std::string> captions = captionsOf(paths[path]);
-    REQUIRE(captions.size() == 7);
-    CHECK(captions[0] == " " + std::array<std::string, 2>{"moss", "sand"}[path]);
-    CHECK(captions[6] == " " + std::array<std::string, 2>{"sand", "rust"}[path]);
-    const std::vector<PageElement> kernels = imagesOf(paths[path], "Texton");
-    REQUIRE(kernels.size() == 5);
-    for (std::size_t k = 0; k < 5; ++k) {
-      const std::size_t step = 7 * path + std::array<std::size_t, 5>{0, 2, 4, 5, 7}[k];
-      static const std::regex numbers(" Step (\\d+), weight (.*), model error (.*)");
-      std::smatch found;
-      REQUIRE(std::regex_match(captions[k + 1], found, numbers));
-      CHECK(std::stoul(found[1]) == step + 1);
-      CHECK(digits(std::stod(found[2])) == digits(double(step) / 14.0));
-      CHECK(digits(std::stod(found[3])) == digits(errors[step]));
-      CHECK(!isSame(kernels[k], kernels[(k + 1) % 5]));
-    }
-    CHECK(isSame(kernels[0], imageOf(maps[path], "Texton")));
-    CHECK(isSame(kernels[4], imageOf(maps[path + 1], "Texton")));
-  }
-  CHECK(!isSame(imageOf(maps[0], "Result"), imageOf(maps[2], "Result")));
-}
-
-TEST_CASE(
-    "a report of one texture between inputs shows it and their shares, and measures nothing") {
-  const Workplace workplace;
-  const std::string moss = workplace.write("moss.png", smooth(24));
-  const std::string sand = workplace.write("sand.png", speckled(24, 24, 3));
-  const auto panesOf = [&](const std::string& weights) {
-    const Ended ended =
-        runLichen({"mix", moss, sand, "-o", workplace.path("mix.glb"), "--support", "8",
-                   "--weights", weights, "--report", workplace.path("mix.html")});
-    INFO(ended.errors);
-    REQUIRE(ended.code == 0);
-    const PageElement page = parsedPage(workplace.read("mix.html"));
-    CHECK(mapsOf(page).empty());
-    CHECK(captionsOf(page).size() == 3);
-    return page;
-  };
-  const PageElement mostlyMoss = panesOf("3,1"), mostlySand = panesOf("1,3"),
-                    onlySand = panesOf("0,5");
-  CHECK(captionsOf(mostlyMoss)[0] == " moss, 75 %");
-  CHECK(captionsOf(mostlyMoss)[1] == " sand, 25 %");
-  CHECK_THAT(captionsOf(mostlyMoss)[2], Catch::StartsWith(" The mix, model error "));
-  CHECK(captionsOf(mostlySand)[0] == " moss, 25 %");
-  CHECK(captionsOf(mostlySand)[1] == " sand, 75 %");
-  CHECK(captionsOf(onlySand)[1] == " sand, 100 %");
-  CHECK(!isSame(imageOf(mostlyMoss, "The mix"), imageOf(mostlySand, "The mix")));
-  CHECK(!isSame(imageOf(mostlySand, "The mix"), imageOf(onlySand, "The mix")));
-}
-
 TEST_CASE("a report says what was done to an exemplar, and shows it as it was before flattening") {
   const Workplace workplace;
   std::filesystem::create_directory(workplace.path("leaf"));
@@ -545,7 +457,5 @@ TEST_CASE("an invalid report file is an error before the work starts") {
                int(ErrorKind::usage), {"r.txt", ".html"});
   checkRefusal({"bake", input, "-o", bundle, "--report", workplace.path("absent/r.html")},
                int(ErrorKind::environment), {"absent", "does not exist"});
-  checkRefusal({"mix", input, input, "-o", bundle, "--report", workplace.path("r.txt")},
-               int(ErrorKind::usage), {"r.txt", ".html"});
   CHECK(workplace.names() == std::vector<std::string>{"moss.png"});
 }

@@ -336,9 +336,10 @@ TEST_CASE("a report returns an error for exhausted memory, whichever large alloc
   bundle.materials = {MaterialNoise{}};
   const std::vector<Risk> risks = assessSuitability(map, true).value();
   const ExemplarOrigin origin{{"without what is slow"}, map};
-  const ReportedInput input{"input", {&map, 1}, {&risks, 1}, {&origin, 1}};
   const BakeRecord record{.bundle = bundle,
-                          .inputs = {&input, 1},
+                          .exemplars = {&map, 1},
+                          .risks = {&risks, 1},
+                          .origins = {&origin, 1},
                           .command = "command",
                           .facts = {{"name", "value"}},
                           .timings = {{"step", 1.0}},

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report of a bake or a mix: one HTML page with pictures, measures and charts, for people to
-// judge it.
+// The report of a bake: one HTML page with pictures, measures and charts, for people to judge it.
 #pragma once
 
 #include <lichen/bundle.h>
@@ -23,34 +22,17 @@ struct ExemplarOrigin {
   std::optional<MapExemplar> original; ///< before flattening; empty if it was not flattened
 };
 
-/// What a noise was made from: an image or the maps of a material.
-struct ReportedInput {
-  std::string name;                       ///< shown if there are several inputs
+/// A finished bake, as the caller knows it. Texts may hold any bytes; invalid UTF-8 is
+/// replaced. The objects referred to must outlive the call.
+struct BakeRecord {
+  const Bundle& bundle;                   ///< has one noise and one material
   std::span<const MapExemplar> exemplars; ///< every map to show
   /// The result of assessSuitability() for each exemplar, in the same order.
   std::span<const std::vector<Risk>> risks;
   std::span<const ExemplarOrigin> origins; ///< one per exemplar
-};
-
-/// How several inputs became one noise.
-struct ReportedMix {
-  /// The model error of each step from the first input to the last, or of the one texture.
-  std::span<const double> modelErrors;
-  /// For one texture between all inputs: their weights in it, one per input, as for
-  /// TextonMixOptions. Empty for steps.
-  std::span<const double> weights;
-};
-
-/// A finished bake or mix, as the caller knows it. Texts may hold any bytes; invalid UTF-8 is
-/// replaced. The objects referred to must outlive the call.
-struct BakeRecord {
-  const Bundle& bundle; ///< has one noise and one material
-  /// One for a bake, all in order for a mix. All have the same maps in the same order.
-  std::span<const ReportedInput> inputs;
-  std::optional<ReportedMix> mix{}; ///< empty for a bake
-  std::optional<Verdict> verdict{}; ///< the page begins with it
-  SettingWords words = plainWords;  ///< for settings that help against a risk
-  std::string command;              ///< the command line
+  std::optional<Verdict> verdict{};        ///< the page begins with it
+  SettingWords words = plainWords;         ///< for settings that help against a risk
+  std::string command;                     ///< the command line
   /// Pairs of name and value, for example {"Version", "0.1.0"}, shown in order.
   std::vector<std::pair<std::string, std::string>> facts;
   /// Steps and their seconds; the report adds its own time and the sum.
@@ -70,12 +52,10 @@ struct NoiseReport {
 };
 
 /// Returns a page that needs no other file and no network. An exemplar's picture has at most 512^2
-/// pixels, and fewer if there are many maps or inputs, because all pictures together have at most
+/// pixels, and fewer if there are many maps, because all pictures together have at most
 /// kReportPixels. A pixel takes at most 4 bytes, so the page stays below 14 MiB (about 7 MiB for
 /// photographs), plus 1 MiB per inverse table. Synthesizes and measures as
-/// compareNoise() does, which takes seconds: for a mix each input at its own weight. Also shows the
-/// steps between the inputs of a mix; one texture between all inputs is only shown, because it
-/// should look like none of them. Errors: as compareNoise() and synthesize().
+/// compareNoise() does, which takes seconds. Errors: as compareNoise() and synthesize().
 [[nodiscard]] Result<NoiseReport> encodeNoiseReport(const BakeRecord& record,
                                                     const Progress& progress = {});
 

@@ -50,18 +50,17 @@ NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
   return here;
 }
 
-/// The coefficients of a texton, or of one step of a mix, or means of neighbours if they are more
-/// than side^2. Grey is 0; the largest magnitude sets the range.
-LinearImage textonPicture(const Table& table, const TextonShape& shape, std::size_t step,
-                          std::size_t channels, int side) {
+/// The coefficients of a texton, or means of neighbours if they are more than side^2. Grey is 0;
+/// the largest magnitude sets the range.
+LinearImage textonPicture(const Table& table, const TextonShape& shape, std::size_t channels,
+                          int side) {
   const std::vector<float> texels = decodeLevel(table, 0);
   const auto stored = std::size_t(channelCount(table.format));
-  const std::size_t top = step * shape.frameHeight();
   LinearImage image(shape.coefficientsX, shape.coefficientsY, int(channels));
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x)
       for (std::size_t c = 0; c < channels; ++c) {
-        const std::size_t texel = (top + std::size_t(y)) * table.width + std::size_t(x);
+        const std::size_t texel = std::size_t(y) * table.width + std::size_t(x);
         image.pixel(x, y)[c] = texels[texel * stored + c];
       }
   const auto [width, height] = pictureExtents(image.width, image.height, side);
@@ -120,8 +119,7 @@ Result<void> judge(const ComparedResult& result, NoiseComparison& comparison) {
 Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
   return allOf({encodedPicture(
       textonPicture(drawn.bundle.tables[drawn.map.as<TextonMap>().image],
-                    drawn.noise.as<TextonShape>(), stepAt(drawn.noise, drawn.mixWeight),
-                    drawn.map.channels.size(), drawn.side),
+                    drawn.noise.as<TextonShape>(), drawn.map.channels.size(), drawn.side),
       "Texton",
       ". The image that the noise adds up at random points with random signs; grey is zero.")});
 }
