@@ -2,7 +2,7 @@
 // Reads the extension's root, tables, noises and materials, and checks them against one another.
 #include "extension_reader.h"
 
-#include "methods/method_format.h"
+#include "methods/method_reader.h"
 
 #include <lichen/layered_noise.h>
 
@@ -88,7 +88,7 @@ Noise readNoise(ObjectReader reader, const Tables& tables, FindingList& findings
                  std::to_string(*revision) + "; expected " + std::to_string(revisionOf(method)));
   noise.tileSizeMetres = reader.numberOr("tileSize", kTileSizeRange, noise.tileSizeMetres);
   noise.preparation = readPreparation(reader, findings);
-  noise.data = formatOf(method).readNoise(reader, findings);
+  noise.data = readerOf(method).readNoise(reader, findings);
   const json* maps = reader.array("maps", kMaxMaps);
   std::set<MapTarget> targets;
   for (std::size_t i = 0; maps != nullptr && i < maps->size(); ++i) {
@@ -312,9 +312,9 @@ std::vector<bool> readableTables(const json* noises, std::size_t count) {
     const std::string* method = stringMember(noise, "method");
     if (isUnknown(noise) || maps == nullptr || !maps->is_array() || method == nullptr)
       continue;
-    const MethodFormat& format = formatOf(*methodFrom(*method));
+    const MethodReader& ofMethod = readerOf(*methodFrom(*method));
     for (const json& map : *maps)
-      for (const std::string_view key : format.tableMembers())
+      for (const std::string_view key : ofMethod.tableMembers)
         if (const json* table = memberOf(&map, key);
             table != nullptr && table->is_number_unsigned() && table->get<std::uint64_t>() < count)
           readable[table->get<std::size_t>()] = true;

@@ -2,21 +2,21 @@
 // The extension's JSON, in the order of the specification's tables.
 #include "extension_writer.h"
 
-#include "methods/method_format.h"
+#include "methods/method_writer.h"
 
 namespace lichen {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json describeMap(const NoiseMap& map, const MethodFormat& format) {
+Json describeMap(const NoiseMap& map, const MethodWriter& writer) {
   Json json = {{"target", nameOf(map.target)}, {"channels", Json::array()}};
   for (const MapChannel channel : map.channels)
     json["channels"].push_back(nameOf(channel));
   json["encoding"] = nameOf(map.encoding);
   json["mean"] = map.mean;
   json["covariance"] = map.covariance;
-  format.writeMap(map, json);
+  writer.writeMap(map, json);
   return json;
 }
 
@@ -90,17 +90,17 @@ Json describePreparation(const Preparation& preparation) {
 } // namespace
 
 Json describeNoise(const Noise& noise, std::size_t index) {
-  const MethodFormat& format = formatOf(noise);
+  const MethodWriter& writer = writerOf(noise.method());
   Json json = {{"name", noise.name},
-               {"method", format.name()},
-               {"revision", format.revision()},
+               {"method", nameOf(noise.method())},
+               {"revision", revisionOf(noise.method())},
                {"tileSize", noise.tileSizeMetres}};
-  format.writeNoise(noise, json);
+  writer.writeNoise(noise, json);
   if (noise.preparation != Preparation{})
     json["preparation"] = describePreparation(noise.preparation);
   json["maps"] = Json::array();
   for (const NoiseMap& map : noise.maps)
-    json["maps"].push_back(describeMap(map, format));
+    json["maps"].push_back(describeMap(map, writer));
   if (noise.layers)
     json["layers"] = describeNode(*noise.layers, 0, index);
   return json;

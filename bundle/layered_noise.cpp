@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Layered noises: which noises fit together, and which mappings they have.
 #include "findings.h"
-#include "methods/method_format.h"
+#include "methods/method_parameters.h"
 
 #include <lichen/layered_noise.h>
 
@@ -54,7 +54,7 @@ bool hasSameMaps(const Noise& a, const Noise& b) {
 }
 
 double aspectOf(const Bundle& bundle, const Noise& noise) {
-  const auto [width, height] = formatOf(noise).tileSize(bundle, noise);
+  const auto [width, height] = tileSize(bundle, noise);
   return double(width) / double(height);
 }
 
@@ -71,7 +71,7 @@ std::string faultOf(const Bundle& firstBundle, const Noise& first, const Bundle&
     return name + " is layered itself; expected one that is not";
   if (isMix(noise))
     return name + " is a mix; expected one that is not";
-  if (!formatOf(noise).isLayerable())
+  if (!parametersOf(noise).isLayerable)
     return name + " has the method " + std::string(nameOf(noise.method())) +
            ", which layers do not take; expected " + layerableMethods();
   if (!areAlike(noise.tileSizeMetres, first.tileSizeMetres))
@@ -85,7 +85,7 @@ std::string faultOf(const Bundle& firstBundle, const Noise& first, const Bundle&
 
 } // namespace
 
-bool isLayerable(Method method) { return formatOf(method).isLayerable(); }
+bool isLayerable(Method method) { return parametersOf(method).isLayerable; }
 
 std::string layerableMethods() {
   std::vector<std::string> names;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads one map of a noise: the JSON members that all methods share, checked against one another.
 #include "extension_reader.h"
-#include "methods/method_format.h"
+#include "methods/method_reader.h"
 
 #include <algorithm>
 
@@ -128,7 +128,7 @@ NoiseMap readMap(ObjectReader& reader, const Noise& noise, const Tables& tables,
   MapMoments moments = readMoments(reader, map.encoding, map.channels.size());
   map.mean = std::move(moments.mean);
   map.covariance = std::move(moments.covariance);
-  map.data = formatOf(noise).readMap(reader, noise, map, tables, findings);
+  map.data = readerOf(noise.method()).readMap(reader, noise, map, tables, findings);
   reader.warnOfUnknown();
   return map;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bundle and material -> the shader library's uniform structs, except the members of single
 // methods.
-#include "methods/method_format.h"
+#include "methods/method_parameters.h"
 #include "methods/split_origin.h"
 
 #include <lichen/layered_noise.h>
@@ -39,11 +39,17 @@ float withinPeriod(double offset, std::int64_t origin, double periodTiles) {
   return float(place - std::floor(place / periodTiles) * periodTiles);
 }
 
+std::array<std::int64_t, 2> originStep(const shader::LichenNoise& noise,
+                                       const MaterialNoise& material) {
+  const auto ofMethod = parametersOf(noise).originStep;
+  return ofMethod != nullptr ? ofMethod(noise, material) : std::array<std::int64_t, 2>{1, 1};
+}
+
 /// Sets the method's cells, and the position of the tile origin in them.
 void setCells(shader::LichenMaterial& result, const shader::LichenNoise& noise,
               const MaterialNoise& material, const Placement& placement) {
-  const MethodFormat& format = formatOf(Method(noise.method));
-  const Lattice lattice = format.cells(noise, material, placement);
+  const MethodParameters& method = parametersOf(noise);
+  const Lattice lattice = method.cells(noise, material, placement);
   result.columnsPerTile = float(lattice.columnsPerTile);
   result.rowsPerTile = float(lattice.rowsPerTile);
   result.periodColumns = lattice.periodColumns;
@@ -59,12 +65,12 @@ void setCells(shader::LichenMaterial& result, const shader::LichenNoise& noise,
         withinPeriod(material.offset[1], placement.tileOriginY, placement.periodTilesY);
     return;
   }
-  const std::array<std::int64_t, 2> step = format.originStep(noise, material);
+  const std::array<std::int64_t, 2> step = originStep(noise, material);
   const SplitOrigin x = splitOrigin(placement.tileOriginX, material.offset[0], step[0]);
   const SplitOrigin y = splitOrigin(placement.tileOriginY, material.offset[1], step[1]);
   result.offsetX = x.offset;
   result.offsetY = y.offset;
-  const std::array<std::int32_t, 2> cell = format.cellOf(noise, material, x.tile, y.tile);
+  const std::array<std::int32_t, 2> cell = method.cellOf(noise, material, x.tile, y.tile);
   result.cellI = cell[0];
   result.cellJ = cell[1];
 }
@@ -84,9 +90,9 @@ std::array<double, 2> ontoPlane(const Placement& placement, std::size_t axis) {
 void setPlanes(shader::LichenTriplanarMaterial& planes, const shader::LichenNoise& noise,
                const MaterialNoise& material, const Placement& placement) {
   shader::LichenMaterial& result = planes.material;
-  const MethodFormat& format = formatOf(Method(noise.method));
-  const Lattice lattice = format.cells(noise, material, {});
-  const std::array<std::int64_t, 2> step = format.originStep(noise, material);
+  const MethodParameters& method = parametersOf(noise);
+  const Lattice lattice = method.cells(noise, material, {});
+  const std::array<std::int64_t, 2> step = originStep(noise, material);
   const double aspect = double(noise.tileTexelsX) / double(noise.tileTexelsY); // square texels
   const double cosine = std::cos(material.rotation);
   const double sine = std::sin(material.rotation);
@@ -99,7 +105,7 @@ void setPlanes(shader::LichenTriplanarMaterial& planes, const shader::LichenNois
                                        aspect * (cosine * down - sine * right)};
     const SplitOrigin x = splitOrigin(origin[0], material.offset[0], step[0]);
     const SplitOrigin y = splitOrigin(origin[1], material.offset[1], step[1]);
-    const std::array<std::int32_t, 2> cell = format.cellOf(noise, material, x.tile, y.tile);
+    const std::array<std::int32_t, 2> cell = method.cellOf(noise, material, x.tile, y.tile);
     const std::uint32_t seedWord = latticeSeed(material.seed, std::uint32_t(axis));
     if (axis > 0) {
       (axis == 1 ? planes.planeY : planes.planeZ) = {cell[0],  cell[1], x.offset, y.offset,
@@ -123,7 +129,7 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
   for (const MapChannel channel : map.channels)
     if (channel >= MapChannel::occlusion && channel <= MapChannel::metallic)
       result.ormChannels |= 1u << (int(channel) - int(MapChannel::occlusion));
-  formatOf(noise).setMap(bundle, noise, map, result);
+  parametersOf(noise).setMap(bundle, noise, map, result);
   return result;
 }
 
@@ -147,8 +153,8 @@ std::uint32_t roleOf(MapTarget target) {
 
 shader::LichenNoise shaderNoise(const Bundle& bundle, std::size_t noiseIndex) {
   const Noise& noise = bundle.noises[noiseIndex];
-  const MethodFormat& format = formatOf(noise);
-  const auto [width, height] = format.tileSize(bundle, noise);
+  const MethodParameters& method = parametersOf(noise);
+  const auto [width, height] = tileSize(bundle, noise);
   shader::LichenNoise result{};
   result.tileTexelsX = float(width);
   result.tileTexelsY = float(height);
@@ -157,7 +163,7 @@ shader::LichenNoise shaderNoise(const Bundle& bundle, std::size_t noiseIndex) {
   result.method = shader::uint(noise.method());
   for (const NoiseMap& map : noise.maps)
     result.roles |= 1u << roleOf(map.target);
-  format.setNoise(bundle, noise, result);
+  method.setNoise(bundle, noise, result);
   return result;
 }
 
@@ -194,7 +200,8 @@ shader::LichenNoiseConstants shaderConstants(const Bundle& bundle, std::size_t n
   result.noise = shaderNoise(bundle, noiseIndex);
   for (std::size_t map = 0; map < noise.maps.size(); ++map)
     result.maps[roleOf(noise.maps[map].target)] = shaderMap(bundle, noise, map);
-  formatOf(noise).setConstants(noise, result);
+  if (const auto setConstants = parametersOf(noise).setConstants; setConstants != nullptr)
+    setConstants(noise, result);
   if (noise.layers)
     setLayers(bundle, noise, result);
   return result;
@@ -203,7 +210,7 @@ shader::LichenNoiseConstants shaderConstants(const Bundle& bundle, std::size_t n
 shader::LichenTriplanarMaterial shaderMaterial(const shader::LichenNoise& noise,
                                                const MaterialNoise& material,
                                                const Placement& placement) {
-  const MethodFormat& format = formatOf(Method(noise.method));
+  const MethodParameters& method = parametersOf(noise);
   shader::LichenTriplanarMaterial planes{};
   shader::LichenMaterial& result = planes.material;
   const double cosine = std::cos(material.rotation) / material.scale;
@@ -221,7 +228,8 @@ shader::LichenTriplanarMaterial shaderMaterial(const shader::LichenNoise& noise,
     setPlanes(planes, noise, material, placement);
   else if (material.mapping == Mapping::uv)
     setCells(result, noise, material, placement);
-  format.setMaterial(noise, material, placement, result);
+  if (method.setMaterial != nullptr)
+    method.setMaterial(noise, material, placement, result);
   return planes;
 }
 

@@ -23,9 +23,10 @@ std::uint32_t featuresOf(const LichenMaterialParameters& parameters,
   case LICHEN_METHOD_TILING:
     return featureIf(parameters.tileRotation > 1, LICHEN_FEATURE_TILE_ROTATION) |
            featureIf(parameters.blendSharpness != 1.0, LICHEN_FEATURE_BLEND_SHARPNESS) |
-           featureIf(tilingPart(noise).grain != LICHEN_GRAIN_NONE, LICHEN_FEATURE_GRAIN);
+           featureIf(partOf<shader::LichenTilingNoise>(noise).grain != LICHEN_GRAIN_NONE,
+                     LICHEN_FEATURE_GRAIN);
   case LICHEN_METHOD_TEXTON: {
-    const shader::LichenTextonNoise texton = textonPart(noise);
+    const auto texton = partOf<shader::LichenTextonNoise>(noise);
     return featureIf(texton.order == 3, LICHEN_FEATURE_CUBIC_TEXTONS) |
            featureIf(texton.order == 0, LICHEN_FEATURE_NEAREST_TEXTONS) |
            featureIf(texton.steps > 1, LICHEN_FEATURE_MIXES) |
@@ -33,9 +34,10 @@ std::uint32_t featuresOf(const LichenMaterialParameters& parameters,
                      LICHEN_FEATURE_POISSON_POINTS);
   }
   case LICHEN_METHOD_LOCAL_RANDOM_PHASE:
-    return featureIf(cosinesPart(noise).structure != 0, LICHEN_FEATURE_STRUCTURES);
+    return featureIf(partOf<shader::LichenCosinesNoise>(noise).structure != 0,
+                     LICHEN_FEATURE_STRUCTURES);
   case LICHEN_METHOD_MULTIPLE_KERNELS: {
-    const shader::LichenKernelsNoise kernels = kernelsPart(noise);
+    const auto kernels = partOf<shader::LichenKernelsNoise>(noise);
     return featureIf(kernels.rings > 0, LICHEN_FEATURE_RING_KERNELS) |
            featureIf(kernels.window != LICHEN_WINDOW_GABOR, LICHEN_FEATURE_SQUARE_KERNELS) |
            featureIf(kernels.cosines > 0, LICHEN_FEATURE_PATTERNS);
@@ -64,8 +66,7 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
       add(noise.layers[layer - 1]);
       add(noise.indices[layer - 1]);
     }
-    switches.layerMethods |=
-        1u << (layer == 0 ? noise.constants : noise.layers[layer - 1]).method;
+    switches.layerMethods |= 1u << (layer == 0 ? noise.constants : noise.layers[layer - 1]).method;
     for (std::uint32_t role = 0; role < LICHEN_MAX_MAPS; ++role)
       if ((noise.constants.roles & (1u << role)) != 0)
         switches.features |= LICHEN_FEATURE_SLOT(layerSlot(layer, role));
@@ -109,10 +110,9 @@ LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* mate
           result != LICHEN_SUCCESS)
         return result;
     constexpr std::uint32_t kFirstMapping = 5; // bit of LICHEN_FEATURES
-    switches.features |=
-        switches.methods | switches.mappings << kFirstMapping |
-        featureIf(where.periodTiles[0] != 0.0 || where.periodTiles[1] != 0.0,
-                  LICHEN_FEATURE_PERIOD);
+    switches.features |= switches.methods | switches.mappings << kFirstMapping |
+                         featureIf(where.periodTiles[0] != 0.0 || where.periodTiles[1] != 0.0,
+                                   LICHEN_FEATURE_PERIOD);
     switches.anisotropic = where.maxAnisotropy > 1.0f ? 1 : 0;
     // std::to_string() would export a symbol of the standard library.
     const int length = std::snprintf(
@@ -124,10 +124,10 @@ LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* mate
     if (switches.layers > 1)
       std::snprintf(switches.text + length, sizeof switches.text - std::size_t(length),
                     " -DLICHEN_LAYER_METHODS=%u", switches.layerMethods);
-    if (const LichenResult result =
-            writeStruct(switches, LICHEN_STRUCTURE_SHADER_SWITCHES, target);
+    if (const LichenResult result = writeStruct(switches, LICHEN_STRUCTURE_SHADER_SWITCHES, target);
         result != LICHEN_SUCCESS) {
-      writeDiagnostic(diagnostic, "switches is NULL or has an invalid type or size; use LICHEN_INIT");
+      writeDiagnostic(diagnostic,
+                      "switches is NULL or has an invalid type or size; use LICHEN_INIT");
       return result;
     }
     return LICHEN_SUCCESS;

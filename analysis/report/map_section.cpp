@@ -83,11 +83,11 @@ Result<std::string> panesOf(const Bundle& bundle, const MaterialNoise& material,
   const Result<std::vector<Picture>> pictures = allOf(std::move(made));
   if (!pictures)
     return pictures.error();
-  double width = extents[0]; // of all panes: the repeated exemplar's, then each picture's
+  double allWidths = extents[0]; // of the repeated exemplar, then of each picture
   for (const Picture& picture : pictures.value())
-    width += picture.extents[0];
+    allWidths += picture.extents[0];
   const auto widthsOf = [&](int pixels) {
-    return ShownWidths{pixels / width, double(pixels) / extents[0]};
+    return ShownWidths{pixels / allWidths, double(pixels) / extents[0]};
   };
   std::string panes;
   for (std::size_t i = 0; i < pictures.value().size(); ++i) {

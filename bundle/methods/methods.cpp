@@ -1,28 +1,32 @@
 // SPDX-License-Identifier: MIT
 // The methods of the format, in the order of Method.
-#include "local_random_phase/local_random_phase_format.h"
-#include "multiple_kernels/multiple_kernels_format.h"
-#include "quilting/quilting_format.h"
-#include "texton/texton_format.h"
-#include "tiling/tiling_format.h"
+#include "method_parameters.h"
+#include "method_reader.h"
 
 #include <algorithm>
+#include <array>
 
 namespace lichen {
 
-std::span<const MethodFormat* const> methodFormats() {
-  static const TilingFormat kTiling;
-  static const TextonFormat kTexton;
-  static const LocalRandomPhaseFormat kLocalRandomPhase;
-  static const MultipleKernelsFormat kMultipleKernels;
-  static const QuiltingFormat kQuilting;
-  static const std::array<const MethodFormat*, 5> kFormats{&kTiling, &kTexton, &kLocalRandomPhase,
-                                                           &kMultipleKernels, &kQuilting};
-  static_assert(kFormats.size() == std::variant_size_v<MethodMap>);
-  return kFormats;
+extern const MethodReader kTilingReader, kTextonReader, kLocalRandomPhaseReader,
+    kMultipleKernelsReader, kQuiltingReader;
+extern const MethodParameters kTilingParameters, kTextonParameters, kLocalRandomPhaseParameters,
+    kMultipleKernelsParameters, kQuiltingParameters;
+
+const MethodReader& readerOf(Method method) {
+  static constexpr std::array kReaders{&kTilingReader, &kTextonReader, &kLocalRandomPhaseReader,
+                                       &kMultipleKernelsReader, &kQuiltingReader};
+  static_assert(kReaders.size() == std::variant_size_v<MethodMap>);
+  return *kReaders[std::size_t(method)];
 }
 
-const MethodFormat& formatOf(Method method) { return *methodFormats()[std::size_t(method)]; }
+const MethodParameters& parametersOf(Method method) {
+  static constexpr std::array kParameters{&kTilingParameters, &kTextonParameters,
+                                          &kLocalRandomPhaseParameters, &kMultipleKernelsParameters,
+                                          &kQuiltingParameters};
+  static_assert(kParameters.size() == std::variant_size_v<MethodMap>);
+  return *kParameters[std::size_t(method)];
+}
 
 std::span<const Method> allMethods() {
   static constexpr std::array kMethods{Method::tiling, Method::texton, Method::localRandomPhase,
@@ -31,7 +35,7 @@ std::span<const Method> allMethods() {
   return kMethods;
 }
 
-std::string_view nameOf(Method value) { return formatOf(value).name(); }
+std::string_view nameOf(Method value) { return readerOf(value).name; }
 
 std::optional<Method> methodFrom(std::string_view name) {
   for (const Method method : allMethods())
@@ -40,23 +44,48 @@ std::optional<Method> methodFrom(std::string_view name) {
   return std::nullopt;
 }
 
-int revisionOf(Method method) { return formatOf(method).revision(); }
+int revisionOf(Method method) { return readerOf(method).revision; }
 
-bool mappingFits(Method method, Mapping mapping) { return formatOf(method).fits(mapping); }
+bool mappingFits(Method method, Mapping mapping) { return parametersOf(method).fits(mapping); }
 
 std::string_view mappingObstacle(const shader::LichenNoise& noise, Mapping mapping) {
-  return formatOf(Method(noise.method)).obstacle(noise, mapping);
+  const MethodParameters& parameters = parametersOf(noise);
+  return parameters.obstacle != nullptr ? parameters.obstacle(noise, mapping) : "";
 }
 
 std::string_view mappingObstacle(const Noise& noise, Mapping mapping) {
-  return formatOf(noise).obstacle(noise, mapping);
+  const MethodParameters& parameters = parametersOf(noise);
+  if (parameters.obstacle == nullptr)
+    return "";
+  shader::LichenNoise constants{};
+  parameters.setNoise({}, noise,
+                      constants); // which has no tables to read where there are obstacles
+  return parameters.obstacle(constants, mapping);
 }
 
-bool isMix(const Noise& noise) { return formatOf(noise).isMix(noise); }
+bool isMix(const Noise& noise) {
+  const MethodParameters& parameters = parametersOf(noise);
+  return parameters.isMix != nullptr && parameters.isMix(noise);
+}
 
 std::array<std::uint32_t, 2> exemplarSize(const Bundle& bundle, const Noise& noise,
                                           const NoiseMap& map) {
-  return formatOf(noise).exemplarSize(bundle, noise, map);
+  const MethodParameters& parameters = parametersOf(noise);
+  if (parameters.texelsPerTile != nullptr)
+    return parameters.texelsPerTile(noise);
+  const Table& image = bundle.tables[parameters.imageOf(map)];
+  return {image.width, image.height};
+}
+
+std::array<std::uint32_t, 2> tileSize(const Bundle& bundle, const Noise& noise) {
+  if (const MethodParameters& parameters = parametersOf(noise); parameters.texelsPerTile != nullptr)
+    return parameters.texelsPerTile(noise);
+  std::array<std::uint32_t, 2> size{1, 1};
+  for (const NoiseMap& map : noise.maps) {
+    const auto [width, height] = exemplarSize(bundle, noise, map);
+    size = {std::max(size[0], width), std::max(size[1], height)};
+  }
+  return size;
 }
 
 } // namespace lichen

@@ -170,7 +170,8 @@ TEST_CASE("as many impacts reach a point as the process predicts, in the plane a
   DeviceNoise surface(syntheticTextonBundle({}), Mapping::surface);
   const double mean = meanOf(surface, surface.host.use(), 400);
   // [GLM17] proposition 3: lambda times the box of (22, 19, sqrt(22 * 19)) texels.
-  const double cube = double(textonPart(surface.host.material()).surfaceCubeTexels);
+  const double cube =
+      double(partOf<shader::LichenTextonMaterial>(surface.host.material()).surfaceCubeTexels);
   const double expected = std::pow(22.0 * 19.0, 1.5) / (cube * cube * cube);
   CHECK(expected == Approx(60.0).epsilon(0.1));
   // 400 points, with a Bernoulli variable for each of some 90 cubes on the border: 5 standard

@@ -36,8 +36,9 @@ double signOf(std::uint32_t word) { return (word >> 31) != 0 ? -1.0 : 1.0; }
 
 TextonReference::TextonReference(const Bundle& bundle, const shader::LichenMaterial& material)
     : map_(bundle.noises[0].maps[0]), textonMap_(map_.as<TextonMap>()),
-      image_(bundle.tables[textonMap_.image]), material_(material), part_(textonPart(material)),
-      noise_(shaderNoise(bundle, 0)), texton_(textonPart(noise_)) {
+      image_(bundle.tables[textonMap_.image]), material_(material),
+      part_(partOf<shader::LichenTextonMaterial>(material)), noise_(shaderNoise(bundle, 0)),
+      texton_(partOf<shader::LichenTextonNoise>(noise_)) {
   const double cellX = double(noise_.tileTexelsX) / double(material_.columnsPerTile);
   const double cellY = double(noise_.tileTexelsY) / double(material_.rowsPerTile);
   const double offsetX = double(material_.offsetX) * double(noise_.tileTexelsX);

@@ -107,7 +107,8 @@ Tap tapOf(Vec2 p, Vertex v, const shader::LichenMaterial& m, const shader::Liche
   }
   const auto i = std::uint32_t(v.i), j = std::uint32_t(v.j);
   Tap tap{p};
-  if (const std::uint32_t rotation = tilingPart(m).tileRotation; rotation > 1) {
+  if (const std::uint32_t rotation = partOf<shader::LichenTilingMaterial>(m).tileRotation;
+      rotation > 1) {
     const double quarters = tileQuarterTurns(i, j, m.seedWord, rotation);
     tap.turn = std::polar(1.0, 0.5 * std::numbers::pi * quarters);
     const Complex there = tap.turn * Complex(p[0], p[1]);
@@ -282,7 +283,8 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
   // Steps 4 and 5.
   Sample sample;
   sample.here = offset == 0.0 ? lossShareOf(texels(p), x, y) : 1.0;
-  const auto triangle = triangleAt(p, m, double(tilingPart(m).blendSharpness));
+  const auto triangle =
+      triangleAt(p, m, double(partOf<shader::LichenTilingMaterial>(m).blendSharpness));
   double squares = 0.0;
   for (const Vertex& vertex : triangle)
     squares += vertex.weight * vertex.weight;
@@ -306,7 +308,8 @@ TilingReference::Sample TilingReference::evaluate(const Point& point,
     sample.loss = fetched[last]; // the same in all tiles
   }
   sample.gaussian[3] = sample.here * sample.loss;
-  if (shaderMap_.encoding != LICHEN_ENCODING_SLOPE || tilingPart(m).tileRotation <= 1) {
+  if (shaderMap_.encoding != LICHEN_ENCODING_SLOPE ||
+      partOf<shader::LichenTilingMaterial>(m).tileRotation <= 1) {
     sample.value = decoded(sample.gaussian, sample.loss, sample.here, contrast);
     return sample;
   }

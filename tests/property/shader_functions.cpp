@@ -343,7 +343,7 @@ TEST_CASE("the sums of impacts, weights and squared weights on surfaces follow p
       use.pointProcess = process;
       use.impacts = 30.0;
       const shader::LichenMaterial material = shaderMaterial(bundle, use, {}).material;
-      const shader::LichenTextonMaterial part = textonPart(material);
+      const auto part = partOf<shader::LichenTextonMaterial>(material);
       const double lambda = std::pow(double(part.surfaceCubeTexels), -3.0);
       CHECK(lambda * area * thickness == Approx(60.0).epsilon(0.1)); // whole cells
       const Eigen::Vector3d expected =

@@ -124,7 +124,7 @@ TEST_CASE("impacts in space and the grid of textons there match the published te
     const double cells = v["cells"];
     const shader::LichenMaterial block = shaderMaterial(bundle, material, {}).material;
     CHECK(double(block.columnsPerTile) == cells);
-    const shader::LichenTextonMaterial part = textonPart(block);
+    const auto part = partOf<shader::LichenTextonMaterial>(block);
     CHECK(part.surfaceCubeTexels == float(double(shape.texelsPerTileX) / cells));
     CHECK(double(part.amplitude) == Approx(double(v["amplitude"])).epsilon(1e-6));
   }

@@ -23,7 +23,8 @@ struct TextonEvaluation {
                    const Placement& placement = {})
       : bundle(syntheticTextonBundle(source).bundle), evaluator(methodEvaluator(bundle, 0)),
         material(shaderMaterial(bundle, materialNoise, placement)),
-        part(textonPart(material.material)), constants(shaderNoise(bundle, 0)) {}
+        part(partOf<shader::LichenTextonMaterial>(material.material)),
+        constants(shaderNoise(bundle, 0)) {}
 
   /// Stored values minus their mean at a position in the plane or on a surface.
   [[nodiscard]] std::array<double, 3> storedAt(const Footprint& place) const {

@@ -47,7 +47,7 @@ TEST_CASE("the constants of a noise count the cosines of each octave") {
   Bundle bundle = example::smallestCosines().bundle;
   auto& shared = bundle.noises[0].as<LocalRandomPhaseNoise>();
   shared.cosines = {2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24};
-  const shader::LichenCosinesNoise part = cosinesPart(shaderNoise(bundle, 0));
+  const auto part = partOf<shader::LichenCosinesNoise>(shaderNoise(bundle, 0));
   CHECK(part.octaves0 == 0x08060402u);
   CHECK(part.octaves1 == 0x100E0C0Au);
   CHECK(part.octaves2 == 0x18161412u);
@@ -61,7 +61,8 @@ TEST_CASE("the constants of a noise count the cosines of each octave") {
 TEST_CASE("the constants of a noise hold the size of its structure and what its levels leave") {
   Bundle bundle = example::smallestStructure().bundle;
   bundle.noises[0].as<LocalRandomPhaseNoise>().structure.rows = 128;
-  CHECK(cosinesPart(shaderNoise(bundle, 0)).structure == 0x40000376u); // 0.25 of 65,535, 3, 7 and 6
+  CHECK(partOf<shader::LichenCosinesNoise>(shaderNoise(bundle, 0)).structure ==
+        0x40000376u); // 0.25 of 65,535, 3, 7 and 6
   const shader::LichenMap map = shaderMap(bundle, bundle.noises[0], 0);
   CHECK(map.sumFactor.x == Approx(0.5 / 511.0));
   CHECK(map.mipRetained0.x == 0x8099B3CCu); // 0.8, 0.7, 0.6 and 0.5 of 255
@@ -70,7 +71,9 @@ TEST_CASE("the constants of a noise hold the size of its structure and what its 
     Placement placement;
     placement.periodic = periodic;
     placement.periodTilesX = placement.periodTilesY = tiles;
-    return cosinesPart(shaderMaterial(bundle, MaterialNoise(), placement).material).guided != 0;
+    return partOf<shader::LichenCosinesMaterial>(
+               shaderMaterial(bundle, MaterialNoise(), placement).material)
+               .guided != 0;
   };
   CHECK(isGuided(false, 0.0));
   CHECK(isGuided(true, 3.0));
@@ -109,7 +112,7 @@ TEST_CASE("a period holds at least three columns and four rows of cosines, in a 
     CHECK(material.periodColumns >= 3);
     CHECK(material.periodRows >= 4);
     CHECK(material.periodRows % 2 == 0);
-    const int octave = cosinesPart(material).firstOctave;
+    const int octave = partOf<shader::LichenCosinesMaterial>(material).firstOctave;
     CHECK((octave == 0) == (tiles == 40.0));
     CHECK(double(material.columnsPerTile) * tiles == Approx(material.periodColumns));
     // Within a fifth of the lattice without a period, where there is room for one.
@@ -120,7 +123,7 @@ TEST_CASE("a period holds at least three columns and four rows of cosines, in a 
 
 TEST_CASE("the constants of a kernels noise and its material have the numbers of its kernels") {
   const Bundle bundle = example::smallestKernels().bundle;
-  const shader::LichenKernelsNoise noise = kernelsPart(shaderNoise(bundle, 0));
+  const auto noise = partOf<shader::LichenKernelsNoise>(shaderNoise(bundle, 0));
   CHECK(noise.kernels == 2);
   CHECK(noise.rings == 1);
   CHECK(noise.cosines == 2);
@@ -145,7 +148,7 @@ TEST_CASE("the constants of a quilting noise hold its reach, its offsets and the
   const shader::LichenNoiseConstants constants = shaderConstants(bundle, 0);
   CHECK(constants.noise.method == LICHEN_METHOD_QUILTING);
   CHECK(constants.noise.tileTexelsX == 4.0f);
-  const shader::LichenQuiltingNoise part = quiltingPart(constants.noise);
+  const auto part = partOf<shader::LichenQuiltingNoise>(constants.noise);
   CHECK(part.reach == 0.125f);
   CHECK(part.cellLevelOffset == 1.0f); // twice as wide as the map
   CHECK(part.offsets == 5);

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <lichen_interface.h>
 #include <span>
 #include <string_view>
@@ -94,24 +95,41 @@ shaderLayeredMaterial(std::span<const shader::LichenNoise> layers,
                       std::span<const shader::LichenNoise> indices, const MaterialNoise& material,
                       const Placement& placement);
 
-/// What a material and a noise hold for their method, and back.
-[[nodiscard]] shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material);
-[[nodiscard]] shader::LichenTextonMaterial textonPart(const shader::LichenMaterial& material);
-[[nodiscard]] shader::LichenCosinesMaterial cosinesPart(const shader::LichenMaterial& material);
-[[nodiscard]] shader::LichenKernelsMaterial kernelsPart(const shader::LichenMaterial& material);
-[[nodiscard]] shader::LichenTilingNoise tilingPart(const shader::LichenNoise& noise);
-[[nodiscard]] shader::LichenTextonNoise textonPart(const shader::LichenNoise& noise);
-[[nodiscard]] shader::LichenCosinesNoise cosinesPart(const shader::LichenNoise& noise);
-[[nodiscard]] shader::LichenKernelsNoise kernelsPart(const shader::LichenNoise& noise);
-[[nodiscard]] shader::LichenQuiltingNoise quiltingPart(const shader::LichenNoise& noise);
-void setPart(shader::LichenMaterial& material, const shader::LichenTilingMaterial& part);
-void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part);
-void setPart(shader::LichenMaterial& material, const shader::LichenCosinesMaterial& part);
-void setPart(shader::LichenMaterial& material, const shader::LichenKernelsMaterial& part);
-void setPart(shader::LichenNoise& noise, const shader::LichenTilingNoise& part);
-void setPart(shader::LichenNoise& noise, const shader::LichenTextonNoise& part);
-void setPart(shader::LichenNoise& noise, const shader::LichenCosinesNoise& part);
-void setPart(shader::LichenNoise& noise, const shader::LichenKernelsNoise& part);
-void setPart(shader::LichenNoise& noise, const shader::LichenQuiltingNoise& part);
+/// What a material and a noise hold for their method in own0 and so on, and back: structs of the
+/// method's, such as LichenTextonNoise.
+template <class Part>
+Part partOf(const shader::LichenMaterial& material) {
+  const std::array words{material.own0, material.own1, material.own2};
+  static_assert(sizeof(Part) <= sizeof words);
+  Part part;
+  std::memcpy(&part, words.data(), sizeof part);
+  return part;
+}
+
+template <class Part>
+void setPart(shader::LichenMaterial& material, const Part& part) {
+  std::array<shader::uvec4, 3> words{};
+  std::memcpy(words.data(), &part, sizeof part);
+  material.own0 = words[0];
+  material.own1 = words[1];
+  material.own2 = words[2];
+}
+
+template <class Part>
+Part partOf(const shader::LichenNoise& noise) {
+  const std::array words{noise.own0, noise.own1};
+  static_assert(sizeof(Part) <= sizeof words);
+  Part part;
+  std::memcpy(&part, words.data(), sizeof part);
+  return part;
+}
+
+template <class Part>
+void setPart(shader::LichenNoise& noise, const Part& part) {
+  std::array<shader::uvec4, 2> words{};
+  std::memcpy(words.data(), &part, sizeof part);
+  noise.own0 = words[0];
+  noise.own1 = words[1];
+}
 
 } // namespace lichen

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A local random-phase noise and its material -> the members of the shader's constants that only
 // this method has.
-#include "local_random_phase_format.h"
 #include "methods/map_constants.h"
-#include "methods/method_part.h"
+#include "methods/method_parameters.h"
 #include "methods/solid_origin.h"
 
 #include <lichen/structure_texel.h>
@@ -23,7 +22,7 @@ constexpr double kFewestColumns = 3.0, kFewestRows = 4.0;
 int firstOctave(const shader::LichenNoise& noise, const Placement& placement) {
   if (!placement.periodic)
     return 0;
-  const shader::LichenCosinesNoise part = cosinesPart(noise);
+  const shader::LichenCosinesNoise part = partOf<shader::LichenCosinesNoise>(noise);
   int octave = 0;
   while (
       octave + 1 < int(kMostOctaves) &&
@@ -58,7 +57,7 @@ void setSolid(const shader::LichenNoise& noise, const MaterialNoise& material,
   // A window of edge 1 is as wide as one of 0.73 cubes: the root of 0.1733 / 0.3265, their mean
   // square frequencies. More cubes leave fewer strokes in planes other than the exemplar's.
   constexpr double kCubesPerEdge = 0.84;
-  const shader::LichenCosinesNoise own = cosinesPart(noise);
+  const shader::LichenCosinesNoise own = partOf<shader::LichenCosinesNoise>(noise);
   const auto cubesIn = [](double edges) {
     return std::max(1LL, std::llround(edges * kCubesPerEdge));
   };
@@ -85,11 +84,21 @@ void setSolid(const shader::LichenNoise& noise, const MaterialNoise& material,
   part.offsetZ = z.offset;
 }
 
-} // namespace
+bool fits(Mapping mapping) { return mapping != Mapping::surface; }
 
-Lattice LocalRandomPhaseFormat::cells(const shader::LichenNoise& noise, const MaterialNoise&,
-                                      const Placement& placement) const {
-  const shader::LichenCosinesNoise part = cosinesPart(noise);
+std::string_view obstacle(const shader::LichenNoise& noise, Mapping mapping) {
+  const bool hasStructure = partOf<shader::LichenCosinesNoise>(noise).structure != 0;
+  return mapping == Mapping::solid && hasStructure ? "it has a structure, which lies in a plane"
+                                                   : "";
+}
+
+std::array<std::uint32_t, 2> texelsPerTile(const Noise& noise) {
+  const auto& shared = noise.as<LocalRandomPhaseNoise>();
+  return {std::uint32_t(shared.texelsPerTileX), std::uint32_t(shared.texelsPerTileY)};
+}
+
+Lattice cells(const shader::LichenNoise& noise, const MaterialNoise&, const Placement& placement) {
+  const shader::LichenCosinesNoise part = partOf<shader::LichenCosinesNoise>(noise);
   Lattice lattice;
   lattice.columnsPerTile = double(part.columns) / kOctaveTiles;
   lattice.rowsPerTile = double(part.rows) / kOctaveTiles;
@@ -109,15 +118,12 @@ Lattice LocalRandomPhaseFormat::cells(const shader::LichenNoise& noise, const Ma
   return lattice;
 }
 
-std::array<std::int64_t, 2> LocalRandomPhaseFormat::originStep(const shader::LichenNoise&,
-                                                               const MaterialNoise&) const {
+std::array<std::int64_t, 2> originStep(const shader::LichenNoise&, const MaterialNoise&) {
   return {kOctaveTiles, kOctaveTiles};
 }
 
-std::array<std::int32_t, 2> LocalRandomPhaseFormat::cellOf(const shader::LichenNoise& noise,
-                                                           const MaterialNoise& material,
-                                                           std::int64_t tileX,
-                                                           std::int64_t tileY) const {
+std::array<std::int32_t, 2> cellOf(const shader::LichenNoise& noise, const MaterialNoise& material,
+                                   std::int64_t tileX, std::int64_t tileY) {
   const Lattice lattice = cells(noise, material, {});
   // I = columns x - J / 2 and J = rows y, modulo 2^32; x and y in units of kOctaveTiles tiles.
   const auto columns = std::uint64_t(std::llround(lattice.columnsPerTile * kOctaveTiles));
@@ -128,8 +134,7 @@ std::array<std::int32_t, 2> LocalRandomPhaseFormat::cellOf(const shader::LichenN
           std::int32_t(std::uint32_t(2u * halfRows * y))};
 }
 
-void LocalRandomPhaseFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& map,
-                                    shader::LichenMap& constants) const {
+void setMap(const Bundle& bundle, const Noise&, const NoiseMap& map, shader::LichenMap& constants) {
   const auto& own = map.as<LocalRandomPhaseMap>();
   setImage(constants, bundle.tables[own.cosines]);
   constants.dimensions = shader::uint(own.dimensions);
@@ -149,8 +154,7 @@ void LocalRandomPhaseFormat::setMap(const Bundle& bundle, const Noise&, const No
     setLinearRows(constants, map, bundle.tables[*own.inverseTable]);
 }
 
-void LocalRandomPhaseFormat::setNoise(const Bundle&, const Noise& noise,
-                                      shader::LichenNoise& constants) const {
+void setNoise(const Bundle&, const Noise& noise, shader::LichenNoise& constants) {
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   std::array<shader::uint, 3> counts{};
   for (std::size_t octave = 0; octave < shared.cosines.size(); ++octave)
@@ -161,9 +165,8 @@ void LocalRandomPhaseFormat::setNoise(const Bundle&, const Noise& noise,
                          shader::uint(shared.cosineCount()), structureWord(shared.structure)});
 }
 
-void LocalRandomPhaseFormat::setMaterial(const shader::LichenNoise& noise,
-                                         const MaterialNoise& material, const Placement& placement,
-                                         shader::LichenMaterial& constants) const {
+void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
+                 const Placement& placement, shader::LichenMaterial& constants) {
   shader::LichenCosinesMaterial part{};
   part.firstOctave = firstOctave(noise, placement);
   part.guided = shader::uint(isGuided(placement));
@@ -172,20 +175,16 @@ void LocalRandomPhaseFormat::setMaterial(const shader::LichenNoise& noise,
   setPart(constants, part);
 }
 
-shader::LichenCosinesMaterial cosinesPart(const shader::LichenMaterial& material) {
-  return partOf<shader::LichenCosinesMaterial>(material);
-}
+} // namespace
 
-void setPart(shader::LichenMaterial& material, const shader::LichenCosinesMaterial& part) {
-  setPartOf(material, part);
-}
-
-shader::LichenCosinesNoise cosinesPart(const shader::LichenNoise& noise) {
-  return partOf<shader::LichenCosinesNoise>(noise);
-}
-
-void setPart(shader::LichenNoise& noise, const shader::LichenCosinesNoise& part) {
-  setPartOf(noise, part);
-}
+extern const MethodParameters kLocalRandomPhaseParameters{.fits = fits,
+                                                          .obstacle = obstacle,
+                                                          .texelsPerTile = texelsPerTile,
+                                                          .cells = cells,
+                                                          .originStep = originStep,
+                                                          .cellOf = cellOf,
+                                                          .setMap = setMap,
+                                                          .setNoise = setNoise,
+                                                          .setMaterial = setMaterial};
 
 } // namespace lichen

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reads the members of a local random-phase noise: what its cosines share, and each map's image.
-#include "local_random_phase_format.h"
 #include "methods/given_spectrum_reader.h"
 #include "methods/inverse_table_reader.h"
+#include "methods/method_reader.h"
 #include "methods/texels_per_tile_reader.h"
 
 #include <lichen/counted.h>
@@ -146,9 +146,7 @@ void checkImage(ObjectReader& reader, const LocalRandomPhaseNoise& shared, const
   checkTexels(reader, layout, shared.structure.offsets, image);
 }
 
-} // namespace
-
-MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList& findings) const {
+MethodNoise readNoise(ObjectReader& reader, FindingList& findings) {
   const json* value = reader.required(kMember);
   if (value == nullptr)
     return LocalRandomPhaseNoise();
@@ -183,9 +181,8 @@ MethodNoise LocalRandomPhaseFormat::readNoise(ObjectReader& reader, FindingList&
   return shared;
 }
 
-MethodMap LocalRandomPhaseFormat::readMap(ObjectReader& reader, const Noise& noise,
-                                          const NoiseMap& map, const Tables& tables,
-                                          FindingList& findings) const {
+MethodMap readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
+                  const Tables& tables, FindingList& findings) {
   LocalRandomPhaseMap own;
   const InverseTableMembers inverse = readInverseTable(reader, map, tables);
   own.dimensions = inverse.dimensions;
@@ -198,5 +195,15 @@ MethodMap LocalRandomPhaseFormat::readMap(ObjectReader& reader, const Noise& noi
     checkImage(reader, shared, *image);
   return own;
 }
+
+constexpr std::array<std::string_view, 2> kTableMembers{"cosines", "inverseTable"};
+
+} // namespace
+
+extern const MethodReader kLocalRandomPhaseReader{.name = "local-random-phase",
+                                                  .revision = 1,
+                                                  .tableMembers = kTableMembers,
+                                                  .readNoise = readNoise,
+                                                  .readMap = readMap};
 
 } // namespace lichen

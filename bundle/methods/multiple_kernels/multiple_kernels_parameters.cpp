@@ -2,18 +2,35 @@
 // A multiple-kernels noise and its material -> the members of the shader's constants that only this
 // method has.
 #include "methods/map_constants.h"
-#include "methods/method_part.h"
+#include "methods/method_parameters.h"
 #include "methods/solid_origin.h"
-#include "multiple_kernels_format.h"
 
 #include <array>
 
 namespace lichen {
+namespace {
+
+bool fits(Mapping) { return true; }
+
+std::string_view obstacle(const shader::LichenNoise& noise, Mapping mapping) {
+  const auto own = partOf<shader::LichenKernelsNoise>(noise);
+  if (mapping != Mapping::solid && mapping != Mapping::surface)
+    return "";
+  if (own.cosines > 0)
+    return "it has a pattern, which lies in a plane";
+  return KernelWindow(own.window) == KernelWindow::gabor || mapping == Mapping::surface
+             ? ""
+             : "its kernels have a window on a square, and in solids all have gabor";
+}
+
+std::array<std::uint32_t, 2> texelsPerTile(const Noise& noise) {
+  const auto& shared = noise.as<MultipleKernelsNoise>();
+  return {std::uint32_t(shared.texelsPerTileX), std::uint32_t(shared.texelsPerTileY)};
+}
 
 /// The cells of kernels differ; these are groups of kKernelTiles tiles, which hold whole cells of
 /// all. With a period the kernels' cells divide that.
-Lattice MultipleKernelsFormat::cells(const shader::LichenNoise&, const MaterialNoise&,
-                                     const Placement& placement) const {
+Lattice cells(const shader::LichenNoise&, const MaterialNoise&, const Placement& placement) {
   Lattice lattice;
   lattice.columnsPerTile = lattice.rowsPerTile = 1.0 / kKernelTiles;
   if (placement.periodic)
@@ -21,22 +38,19 @@ Lattice MultipleKernelsFormat::cells(const shader::LichenNoise&, const MaterialN
   return lattice;
 }
 
-std::array<std::int64_t, 2> MultipleKernelsFormat::originStep(const shader::LichenNoise&,
-                                                              const MaterialNoise&) const {
+std::array<std::int64_t, 2> originStep(const shader::LichenNoise&, const MaterialNoise&) {
   return {kKernelTiles, kKernelTiles};
 }
 
-std::array<std::int32_t, 2> MultipleKernelsFormat::cellOf(const shader::LichenNoise&,
-                                                          const MaterialNoise&, std::int64_t tileX,
-                                                          std::int64_t tileY) const {
+std::array<std::int32_t, 2> cellOf(const shader::LichenNoise&, const MaterialNoise&,
+                                   std::int64_t tileX, std::int64_t tileY) {
   const auto group = [](std::int64_t tile) {
     return std::int32_t(std::uint32_t(std::uint64_t(tile / kKernelTiles)));
   };
   return {group(tileX), group(tileY)};
 }
 
-void MultipleKernelsFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& map,
-                                   shader::LichenMap& constants) const {
+void setMap(const Bundle& bundle, const Noise&, const NoiseMap& map, shader::LichenMap& constants) {
   const auto& own = map.as<MultipleKernelsMap>();
   setImage(constants, bundle.tables[own.kernels]);
   constants.dimensions = shader::uint(own.dimensions);
@@ -46,17 +60,15 @@ void MultipleKernelsFormat::setMap(const Bundle& bundle, const Noise&, const Noi
     setLinearRows(constants, map, bundle.tables[*own.inverseTable]);
 }
 
-void MultipleKernelsFormat::setNoise(const Bundle&, const Noise& noise,
-                                     shader::LichenNoise& constants) const {
+void setNoise(const Bundle&, const Noise& noise, shader::LichenNoise& constants) {
   const auto& shared = noise.as<MultipleKernelsNoise>();
   setPart(constants,
           shader::LichenKernelsNoise{shader::uint(shared.kernels), shader::uint(shared.rings),
                                      shader::uint(shared.window), shader::uint(shared.cosines)});
 }
 
-void MultipleKernelsFormat::setMaterial(const shader::LichenNoise& noise,
-                                        const MaterialNoise& material, const Placement& placement,
-                                        shader::LichenMaterial& constants) const {
+void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
+                 const Placement& placement, shader::LichenMaterial& constants) {
   shader::LichenKernelsMaterial part{};
   const bool isSolid = material.mapping == Mapping::solid;
   if (isSolid || material.mapping == Mapping::surface) {
@@ -79,20 +91,16 @@ void MultipleKernelsFormat::setMaterial(const shader::LichenNoise& noise,
   setPart(constants, part);
 }
 
-shader::LichenKernelsMaterial kernelsPart(const shader::LichenMaterial& material) {
-  return partOf<shader::LichenKernelsMaterial>(material);
-}
+} // namespace
 
-void setPart(shader::LichenMaterial& material, const shader::LichenKernelsMaterial& part) {
-  setPartOf(material, part);
-}
-
-shader::LichenKernelsNoise kernelsPart(const shader::LichenNoise& noise) {
-  return partOf<shader::LichenKernelsNoise>(noise);
-}
-
-void setPart(shader::LichenNoise& noise, const shader::LichenKernelsNoise& part) {
-  setPartOf(noise, part);
-}
+extern const MethodParameters kMultipleKernelsParameters{.fits = fits,
+                                                         .obstacle = obstacle,
+                                                         .texelsPerTile = texelsPerTile,
+                                                         .cells = cells,
+                                                         .originStep = originStep,
+                                                         .cellOf = cellOf,
+                                                         .setMap = setMap,
+                                                         .setNoise = setNoise,
+                                                         .setMaterial = setMaterial};
 
 } // namespace lichen

@@ -2,8 +2,8 @@
 // Reads the members of a multiple-kernels noise: what its kernels share, and each map's image.
 #include "methods/given_spectrum_reader.h"
 #include "methods/inverse_table_reader.h"
+#include "methods/method_reader.h"
 #include "methods/texels_per_tile_reader.h"
-#include "multiple_kernels_format.h"
 
 #include <lichen/counted.h>
 
@@ -131,9 +131,7 @@ void checkImage(ObjectReader& reader, const MultipleKernelsNoise& shared, const 
   checkTexels(reader, shared, image);
 }
 
-} // namespace
-
-MethodNoise MultipleKernelsFormat::readNoise(ObjectReader& reader, FindingList& findings) const {
+MethodNoise readNoise(ObjectReader& reader, FindingList& findings) {
   const json* value = reader.required(kMember);
   if (value == nullptr)
     return MultipleKernelsNoise();
@@ -156,9 +154,8 @@ MethodNoise MultipleKernelsFormat::readNoise(ObjectReader& reader, FindingList& 
                               cosines,      *window,      *isGiven};
 }
 
-MethodMap MultipleKernelsFormat::readMap(ObjectReader& reader, const Noise& noise,
-                                         const NoiseMap& map, const Tables& tables,
-                                         FindingList&) const {
+MethodMap readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
+                  const Tables& tables, FindingList&) {
   MultipleKernelsMap own;
   const InverseTableMembers inverse = readInverseTable(reader, map, tables);
   own.dimensions = inverse.dimensions;
@@ -169,5 +166,15 @@ MethodMap MultipleKernelsFormat::readMap(ObjectReader& reader, const Noise& nois
     checkImage(reader, shared, *image);
   return own;
 }
+
+constexpr std::array<std::string_view, 2> kTableMembers{"kernels", "inverseTable"};
+
+} // namespace
+
+extern const MethodReader kMultipleKernelsReader{.name = "multiple-kernels",
+                                                 .revision = 1,
+                                                 .tableMembers = kTableMembers,
+                                                 .readNoise = readNoise,
+                                                 .readMap = readMap};
 
 } // namespace lichen

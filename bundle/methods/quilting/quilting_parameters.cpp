@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A quilting noise and its material -> the members of the shader's constants that only it has.
 #include "methods/map_constants.h"
-#include "methods/method_part.h"
-#include "quilting_format.h"
+#include "methods/method_parameters.h"
 
 #include <cmath>
 
@@ -26,7 +25,9 @@ std::array<float, 4> meanOf(const Table& image, ValueEncoding encoding) {
   return {mean[0], mean[1], mean[2], 1.0f};
 }
 
-Grain grainOf(const shader::LichenNoise& noise) { return Grain(quiltingPart(noise).grain); }
+Grain grainOf(const shader::LichenNoise& noise) {
+  return Grain(partOf<shader::LichenQuiltingNoise>(noise).grain);
+}
 
 /// Of [0, 1) in 65,536ths.
 shader::uint word16(double share) {
@@ -34,28 +35,27 @@ shader::uint word16(double share) {
   return shader::uint(std::llround(share * kSteps)) & 0xFFFFu;
 }
 
-} // namespace
+bool fits(Mapping mapping) { return mapping == Mapping::uv || mapping == Mapping::triplanar; }
 
-Lattice QuiltingFormat::cells(const shader::LichenNoise& noise, const MaterialNoise&,
-                              const Placement& placement) const {
+std::size_t imageOf(const NoiseMap& map) { return map.as<QuiltingMap>().image; }
+
+Lattice cells(const shader::LichenNoise& noise, const MaterialNoise&, const Placement& placement) {
   const Grain grain = grainOf(noise);
   return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY, grain)
                             : infiniteLattice(grain);
 }
 
-std::array<std::int64_t, 2> QuiltingFormat::originStep(const shader::LichenNoise& noise,
-                                                       const MaterialNoise&) const {
+std::array<std::int64_t, 2> originStep(const shader::LichenNoise& noise, const MaterialNoise&) {
   return {latticeOriginStep(grainOf(noise)), 1};
 }
 
-std::array<std::int32_t, 2> QuiltingFormat::cellOf(const shader::LichenNoise& noise,
-                                                   const MaterialNoise&, std::int64_t tileX,
-                                                   std::int64_t tileY) const {
+std::array<std::int32_t, 2> cellOf(const shader::LichenNoise& noise, const MaterialNoise&,
+                                   std::int64_t tileX, std::int64_t tileY) {
   return latticeCell(tileX, tileY, grainOf(noise));
 }
 
-void QuiltingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
-                            shader::LichenMap& constants) const {
+void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+            shader::LichenMap& constants) {
   const Table& image = bundle.tables[map.as<QuiltingMap>().image];
   setImage(constants, image);
   constants.levelOffset = levelOffset(image, tileSize(bundle, noise));
@@ -64,8 +64,7 @@ void QuiltingFormat::setMap(const Bundle& bundle, const Noise& noise, const Nois
   constants.mean = {mean[0], mean[1], mean[2], mean[3]};
 }
 
-void QuiltingFormat::setNoise(const Bundle& bundle, const Noise& noise,
-                              shader::LichenNoise& constants) const {
+void setNoise(const Bundle& bundle, const Noise& noise, shader::LichenNoise& constants) {
   const auto& shared = noise.as<QuiltingNoise>();
   shader::LichenQuiltingNoise part{};
   part.grain = shader::uint(shared.grain);
@@ -80,8 +79,7 @@ void QuiltingFormat::setNoise(const Bundle& bundle, const Noise& noise,
   setOffsetSteps(constants);
 }
 
-void QuiltingFormat::setConstants(const Noise& noise,
-                                  shader::LichenNoiseConstants& constants) const {
+void setConstants(const Noise& noise, shader::LichenNoiseConstants& constants) {
   const auto& offsets = noise.as<QuiltingNoise>().offsets;
   for (std::size_t k = 0; k < offsets.size(); ++k) {
     const shader::uint word = word16(offsets[k][0]) | word16(offsets[k][1]) << 16u;
@@ -91,15 +89,16 @@ void QuiltingFormat::setConstants(const Noise& noise,
   }
 }
 
-void QuiltingFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise&, const Placement&,
-                                 shader::LichenMaterial&) const {}
+} // namespace
 
-shader::LichenQuiltingNoise quiltingPart(const shader::LichenNoise& noise) {
-  return partOf<shader::LichenQuiltingNoise>(noise);
-}
-
-void setPart(shader::LichenNoise& noise, const shader::LichenQuiltingNoise& part) {
-  setPartOf(noise, part);
-}
+extern const MethodParameters kQuiltingParameters{.fits = fits,
+                                                  .isLayerable = false,
+                                                  .imageOf = imageOf,
+                                                  .cells = cells,
+                                                  .originStep = originStep,
+                                                  .cellOf = cellOf,
+                                                  .setMap = setMap,
+                                                  .setNoise = setNoise,
+                                                  .setConstants = setConstants};
 
 } // namespace lichen

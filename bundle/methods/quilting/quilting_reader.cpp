@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the members of a quilting noise and of a map, and checks its images.
 #include "methods/grain_member.h"
-#include "quilting_format.h"
+#include "methods/method_reader.h"
 
 #include <lichen/counted.h>
 
@@ -104,9 +104,7 @@ std::vector<std::array<double, 2>> readOffsets(ObjectReader& reader, FindingList
   return offsets;
 }
 
-} // namespace
-
-MethodNoise QuiltingFormat::readNoise(ObjectReader& reader, FindingList& findings) const {
+MethodNoise readNoise(ObjectReader& reader, FindingList& findings) {
   constexpr double kLeastReach = 1e-4;
   QuiltingNoise shared;
   shared.grain = readGrain(reader);
@@ -117,8 +115,8 @@ MethodNoise QuiltingFormat::readNoise(ObjectReader& reader, FindingList& finding
   return shared;
 }
 
-MethodMap QuiltingFormat::readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
-                                  const Tables& tables, FindingList&) const {
+MethodMap readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
+                  const Tables& tables, FindingList&) {
   QuiltingMap own;
   if (const Table* image = readTableIndex(reader, "image", "map-quilting-index", tables, own.image))
     checkImage(reader, map, *image);
@@ -128,5 +126,15 @@ MethodMap QuiltingFormat::readMap(ObjectReader& reader, const Noise& noise, cons
     reader.error("map-quilting", "cells", "differs from the first map's; expected the same");
   return own;
 }
+
+constexpr std::array<std::string_view, 2> kTableMembers{"image", "cells"};
+
+} // namespace
+
+extern const MethodReader kQuiltingReader{.name = "quilting",
+                                          .revision = 1,
+                                          .tableMembers = kTableMembers,
+                                          .readNoise = readNoise,
+                                          .readMap = readMap};
 
 } // namespace lichen

@@ -2,8 +2,7 @@
 // A texton noise and its material -> the texton-only members of the shader's constants.
 #include "impact_grid.h"
 #include "methods/map_constants.h"
-#include "methods/method_part.h"
-#include "texton_format.h"
+#include "methods/method_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,7 @@ LinearWeight linearWeight(const MaterialNoise& material, const Placement& placem
 
 /// What of a noise's shape its constants hold.
 TextonShape shapeOf(const shader::LichenNoise& noise) {
-  const shader::LichenTextonNoise part = textonPart(noise);
+  const shader::LichenTextonNoise part = partOf<shader::LichenTextonNoise>(noise);
   TextonShape shape;
   shape.coefficientsX = part.coefficientsX;
   shape.coefficientsY = part.coefficientsY;
@@ -89,21 +88,26 @@ void setSurface(const TextonShape& shape, const MaterialNoise& material, const P
   part.amplitude = float(1.0 / std::sqrt(lambda * surfaceThickness(shape) / 3.0));
 }
 
-} // namespace
+bool fits(Mapping mapping) { return mapping != Mapping::solid; }
 
-Lattice TextonFormat::cells(const shader::LichenNoise& noise, const MaterialNoise& material,
-                            const Placement& placement) const {
+bool hasSteps(const Noise& noise) { return noise.as<TextonShape>().steps > 1; }
+
+std::array<std::uint32_t, 2> texelsPerTile(const Noise& noise) {
+  const auto& shape = noise.as<TextonShape>();
+  return {std::uint32_t(shape.texelsPerTileX), std::uint32_t(shape.texelsPerTileY)};
+}
+
+Lattice cells(const shader::LichenNoise& noise, const MaterialNoise& material,
+              const Placement& placement) {
   return impactGrid(shapeOf(noise), material.impacts, placement);
 }
 
-std::array<std::int32_t, 2> TextonFormat::cellOf(const shader::LichenNoise& noise,
-                                                 const MaterialNoise& material, std::int64_t tileX,
-                                                 std::int64_t tileY) const {
+std::array<std::int32_t, 2> cellOf(const shader::LichenNoise& noise, const MaterialNoise& material,
+                                   std::int64_t tileX, std::int64_t tileY) {
   return impactGridCell(cells(noise, material, {}), tileX, tileY);
 }
 
-void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& map,
-                          shader::LichenMap& constants) const {
+void setMap(const Bundle& bundle, const Noise&, const NoiseMap& map, shader::LichenMap& constants) {
   const auto& texton = map.as<TextonMap>();
   setImage(constants, bundle.tables[texton.image]);
   constants.decoding = LICHEN_DECODING_GAUSSIAN;
@@ -113,8 +117,7 @@ void TextonFormat::setMap(const Bundle& bundle, const Noise&, const NoiseMap& ma
   setGaussianMean(constants);
 }
 
-void TextonFormat::setNoise(const Bundle&, const Noise& noise,
-                            shader::LichenNoise& constants) const {
+void setNoise(const Bundle&, const Noise& noise, shader::LichenNoise& constants) {
   const auto& shape = noise.as<TextonShape>();
   setPart(constants, shader::LichenTextonNoise{
                          shape.coefficientsX, shape.coefficientsY, int(shape.frameWidth()),
@@ -122,9 +125,8 @@ void TextonFormat::setNoise(const Bundle&, const Noise& noise,
                          shader::uint(shape.mipLevels), shader::uint(shape.steps), 0});
 }
 
-void TextonFormat::setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
-                               const Placement& placement,
-                               shader::LichenMaterial& constants) const {
+void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material,
+                 const Placement& placement, shader::LichenMaterial& constants) {
   const TextonShape shape = shapeOf(noise);
   shader::LichenTextonMaterial part{};
   part.pointProcess = material.pointProcess == PointProcess::poisson ? LICHEN_POINTS_POISSON
@@ -146,20 +148,15 @@ void TextonFormat::setMaterial(const shader::LichenNoise& noise, const MaterialN
   setPart(constants, part);
 }
 
-shader::LichenTextonMaterial textonPart(const shader::LichenMaterial& material) {
-  return partOf<shader::LichenTextonMaterial>(material);
-}
+} // namespace
 
-void setPart(shader::LichenMaterial& material, const shader::LichenTextonMaterial& part) {
-  setPartOf(material, part);
-}
-
-shader::LichenTextonNoise textonPart(const shader::LichenNoise& noise) {
-  return partOf<shader::LichenTextonNoise>(noise);
-}
-
-void setPart(shader::LichenNoise& noise, const shader::LichenTextonNoise& part) {
-  setPartOf(noise, part);
-}
+extern const MethodParameters kTextonParameters{.fits = fits,
+                                                .isMix = hasSteps,
+                                                .texelsPerTile = texelsPerTile,
+                                                .cells = cells,
+                                                .cellOf = cellOf,
+                                                .setMap = setMap,
+                                                .setNoise = setNoise,
+                                                .setMaterial = setMaterial};
 
 } // namespace lichen

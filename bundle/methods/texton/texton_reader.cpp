@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the texton members of a noise: the shape that its textons share, and each map's texton. n
 // is the number of a map's channels.
-#include "texton_format.h"
+#include "methods/method_reader.h"
 
 #include <lichen/counted.h>
 
@@ -155,9 +155,7 @@ void checkTexels(ObjectReader& reader, const Table& image) {
                             "a texel of " + json(double(texel)).dump() + "; expected -4 to 4");
 }
 
-} // namespace
-
-MethodNoise TextonFormat::readNoise(ObjectReader& noise, FindingList& findings) const {
+MethodNoise readNoise(ObjectReader& noise, FindingList& findings) {
   const std::size_t errorsBefore = findings.errorCount();
   const json* member = noise.required("texton");
   if (member == nullptr)
@@ -180,8 +178,8 @@ MethodNoise TextonFormat::readNoise(ObjectReader& noise, FindingList& findings) 
   return findings.errorCount() > errorsBefore ? TextonShape() : shape;
 }
 
-MethodMap TextonFormat::readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
-                                const Tables& tables, FindingList& findings) const {
+MethodMap readMap(ObjectReader& reader, const Noise& noise, const NoiseMap& map,
+                  const Tables& tables, FindingList& findings) {
   constexpr NumberRange kScales{0.0, 1e6};
   const auto& shape = noise.as<TextonShape>();
   const std::size_t n = map.channels.size();
@@ -214,5 +212,15 @@ MethodMap TextonFormat::readMap(ObjectReader& reader, const Noise& noise, const 
     checkScale(reader, map, texton);
   return texton;
 }
+
+constexpr std::array<std::string_view, 1> kTableMembers{"texton"};
+
+} // namespace
+
+extern const MethodReader kTextonReader{.name = "texton",
+                                        .revision = 1,
+                                        .tableMembers = kTableMembers,
+                                        .readNoise = readNoise,
+                                        .readMap = readMap};
 
 } // namespace lichen

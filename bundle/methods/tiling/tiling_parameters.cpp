@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A tiling noise and its material -> the tiling-only members of the shader's constants.
 #include "methods/map_constants.h"
-#include "methods/method_part.h"
-#include "tiling_format.h"
+#include "methods/method_parameters.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,34 +12,36 @@ namespace {
 
 /// Tiles that are rotated have no grain: their streaks run in all directions.
 Grain grainOf(const shader::LichenNoise& noise, const MaterialNoise& material) {
-  return material.tileRotation > 1 ? Grain::none : Grain(tilingPart(noise).grain);
+  return material.tileRotation > 1 ? Grain::none
+                                   : Grain(partOf<shader::LichenTilingNoise>(noise).grain);
 }
 
 static_assert(int(Grain::none) == LICHEN_GRAIN_NONE && int(Grain::x) == LICHEN_GRAIN_X &&
               int(Grain::y) == LICHEN_GRAIN_Y);
 
-} // namespace
+bool fits(Mapping mapping) { return mapping == Mapping::uv || mapping == Mapping::triplanar; }
 
-Lattice TilingFormat::cells(const shader::LichenNoise& noise, const MaterialNoise& material,
-                            const Placement& placement) const {
+std::size_t imageOf(const NoiseMap& map) { return map.as<TilingMap>().gaussian; }
+
+Lattice cells(const shader::LichenNoise& noise, const MaterialNoise& material,
+              const Placement& placement) {
   const Grain grain = grainOf(noise, material);
   return placement.periodic ? periodicLattice(placement.periodTilesX, placement.periodTilesY, grain)
                             : infiniteLattice(grain);
 }
 
-std::array<std::int64_t, 2> TilingFormat::originStep(const shader::LichenNoise& noise,
-                                                     const MaterialNoise& material) const {
+std::array<std::int64_t, 2> originStep(const shader::LichenNoise& noise,
+                                       const MaterialNoise& material) {
   return {latticeOriginStep(grainOf(noise, material)), 1};
 }
 
-std::array<std::int32_t, 2> TilingFormat::cellOf(const shader::LichenNoise& noise,
-                                                 const MaterialNoise& material, std::int64_t tileX,
-                                                 std::int64_t tileY) const {
+std::array<std::int32_t, 2> cellOf(const shader::LichenNoise& noise, const MaterialNoise& material,
+                                   std::int64_t tileX, std::int64_t tileY) {
   return latticeCell(tileX, tileY, grainOf(noise, material));
 }
 
-void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
-                          shader::LichenMap& constants) const {
+void setMap(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
+            shader::LichenMap& constants) {
   const auto& tiling = map.as<TilingMap>();
   const Table& image = bundle.tables[tiling.gaussian];
   setImage(constants, image);
@@ -50,17 +51,27 @@ void TilingFormat::setMap(const Bundle& bundle, const Noise& noise, const NoiseM
   setDecoding(constants, bundle, map, tiling.inverseTable);
 }
 
-void TilingFormat::setNoise(const Bundle&, const Noise& noise,
-                            shader::LichenNoise& constants) const {
+void setNoise(const Bundle&, const Noise& noise, shader::LichenNoise& constants) {
   setOffsetSteps(constants);
   setPart(constants, shader::LichenTilingNoise{shader::uint(noise.as<TilingNoise>().grain)});
 }
 
-void TilingFormat::setMaterial(const shader::LichenNoise&, const MaterialNoise& material,
-                               const Placement&, shader::LichenMaterial& constants) const {
+void setMaterial(const shader::LichenNoise&, const MaterialNoise& material, const Placement&,
+                 shader::LichenMaterial& constants) {
   setPart(constants,
           shader::LichenTilingMaterial{float(material.blendSharpness), material.tileRotation});
 }
+
+} // namespace
+
+extern const MethodParameters kTilingParameters{.fits = fits,
+                                                .imageOf = imageOf,
+                                                .cells = cells,
+                                                .originStep = originStep,
+                                                .cellOf = cellOf,
+                                                .setMap = setMap,
+                                                .setNoise = setNoise,
+                                                .setMaterial = setMaterial};
 
 bool takesTileRotation(const shader::LichenNoise& noise, std::uint32_t tileRotation) {
   // Only these map texels onto texels.
@@ -68,20 +79,13 @@ bool takesTileRotation(const shader::LichenNoise& noise, std::uint32_t tileRotat
                                                      noise.tileAspect == 1.0f));
 }
 
-shader::LichenTilingMaterial tilingPart(const shader::LichenMaterial& material) {
-  return partOf<shader::LichenTilingMaterial>(material);
+TableKind tableKindOf(const TilingMap& map) {
+  return map.inverseTable ? TableKind::joint : TableKind::none;
 }
 
-void setPart(shader::LichenMaterial& material, const shader::LichenTilingMaterial& part) {
-  setPartOf(material, part);
-}
-
-shader::LichenTilingNoise tilingPart(const shader::LichenNoise& noise) {
-  return partOf<shader::LichenTilingNoise>(noise);
-}
-
-void setPart(shader::LichenNoise& noise, const shader::LichenTilingNoise& part) {
-  setPartOf(noise, part);
+std::string_view nameOf(TableKind kind) {
+  constexpr std::array<std::string_view, 2> kNames = {"joint", "none"};
+  return kNames[std::size_t(kind)];
 }
 
 } // namespace lichen

@@ -3,7 +3,7 @@
 // another and against the Gaussian image.
 #include "methods/grain_member.h"
 #include "methods/inverse_table_reader.h"
-#include "tiling_format.h"
+#include "methods/method_reader.h"
 
 #include <lichen/counted.h>
 
@@ -76,14 +76,10 @@ void checkGaussian(ObjectReader& reader, const TilingMap& tiling, const Table& i
   checkLosses(reader, image);
 }
 
-} // namespace
+MethodNoise readNoise(ObjectReader& reader, FindingList&) { return TilingNoise{readGrain(reader)}; }
 
-MethodNoise TilingFormat::readNoise(ObjectReader& reader, FindingList&) const {
-  return TilingNoise{readGrain(reader)};
-}
-
-MethodMap TilingFormat::readMap(ObjectReader& reader, const Noise&, const NoiseMap& map,
-                                const Tables& tables, FindingList&) const {
+MethodMap readMap(ObjectReader& reader, const Noise&, const NoiseMap& map, const Tables& tables,
+                  FindingList&) {
   TilingMap tiling;
   const InverseTableMembers inverse = readInverseTable(reader, map, tables);
   tiling.dimensions = inverse.dimensions;
@@ -94,5 +90,15 @@ MethodMap TilingFormat::readMap(ObjectReader& reader, const Noise&, const NoiseM
     checkGaussian(reader, tiling, *gaussian);
   return tiling;
 }
+
+constexpr std::array<std::string_view, 2> kTableMembers{"gaussian", "inverseTable"};
+
+} // namespace
+
+extern const MethodReader kTilingReader{.name = "tiling",
+                                        .revision = 1,
+                                        .tableMembers = kTableMembers,
+                                        .readNoise = readNoise,
+                                        .readMap = readMap};
 
 } // namespace lichen

@@ -1,29 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The supported mappings of multiple-kernels noise, the size of its exemplar, its members as JSON,
-// and the rows of its images.
-#include "multiple_kernels_format.h"
+// The kernels and the pattern of a multiple-kernels noise <-> the rows of their image.
+#include <lichen/multiple_kernels_map.h>
 
 #include <array>
 
 namespace lichen {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Floats of a cosine of a pattern.
 constexpr std::size_t kPatternFloats = 4 * kKernelTexels / kRowPatternCosines;
 
 constexpr std::array<std::string_view, 3> kWindowNames{"gabor", "sinc", "gaussian-sinc"};
-
-std::string_view obstacleOf(KernelWindow window, bool hasPattern, Mapping mapping) {
-  if (mapping != Mapping::solid && mapping != Mapping::surface)
-    return "";
-  if (hasPattern)
-    return "it has a pattern, which lies in a plane";
-  return window == KernelWindow::gabor || mapping == Mapping::surface
-             ? ""
-             : "its kernels have a window on a square, and in solids all have gabor";
-}
 
 } // namespace
 
@@ -93,58 +80,6 @@ Table kernelTable(const std::vector<KernelRow>& rows, const std::vector<PatternC
   texels.resize(std::size_t(4) * table.width * table.height, 0.0f);
   appendTexels(table.texels, table.format, texels);
   return table;
-}
-
-bool MultipleKernelsFormat::fits(Mapping) const { return true; }
-
-std::string_view MultipleKernelsFormat::obstacle(const Noise& noise, Mapping mapping) const {
-  const auto& own = noise.as<MultipleKernelsNoise>();
-  return obstacleOf(own.window, own.cosines > 0, mapping);
-}
-
-std::string_view MultipleKernelsFormat::obstacle(const shader::LichenNoise& noise,
-                                                 Mapping mapping) const {
-  const shader::LichenKernelsNoise own = kernelsPart(noise);
-  return obstacleOf(KernelWindow(own.window), own.cosines > 0, mapping);
-}
-
-std::span<const std::string_view> MultipleKernelsFormat::tableMembers() const {
-  static constexpr std::array<std::string_view, 2> kMembers{"kernels", "inverseTable"};
-  return kMembers;
-}
-
-void MultipleKernelsFormat::writeNoise(const Noise& noise, Json& json) const {
-  const auto& shared = noise.as<MultipleKernelsNoise>();
-  Json& own = json["multipleKernels"];
-  own = {{"texelsPerTile", {shared.texelsPerTileX, shared.texelsPerTileY}},
-         {"kernels", shared.kernels}};
-  if (shared.rings > 0)
-    own["rings"] = shared.rings;
-  if (shared.cosines > 0)
-    own["cosines"] = shared.cosines;
-  own["window"] = nameOf(shared.window);
-  if (shared.hasGivenSpectrum)
-    own["spectrum"] = "given";
-}
-
-void MultipleKernelsFormat::writeMap(const NoiseMap& map, Json& json) const {
-  const auto& own = map.as<MultipleKernelsMap>();
-  json["dimensions"] = own.dimensions;
-  json["kernels"] = own.kernels;
-  if (own.inverseTable)
-    json["inverseTable"] = *own.inverseTable;
-}
-
-std::array<std::uint32_t, 2> MultipleKernelsFormat::exemplarSize(const Bundle& bundle,
-                                                                 const Noise& noise,
-                                                                 const NoiseMap&) const {
-  return tileSize(bundle, noise);
-}
-
-std::array<std::uint32_t, 2> MultipleKernelsFormat::tileSize(const Bundle&,
-                                                             const Noise& noise) const {
-  const auto& shared = noise.as<MultipleKernelsNoise>();
-  return {std::uint32_t(shared.texelsPerTileX), std::uint32_t(shared.texelsPerTileY)};
 }
 
 } // namespace lichen
