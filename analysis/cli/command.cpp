@@ -4,7 +4,6 @@
 
 #include "options.h"
 
-#include <lichen/counted.h>
 #include <lichen/escaped.h>
 #include <lichen/files.h>
 
@@ -28,14 +27,6 @@ Result<void> checkOutput(const std::filesystem::path& output,
     return Error{ErrorKind::usage, fmt::format("{}: expected the extension {}", output.string(),
                                                alternatives(extensions))};
   return checkFolder(output.parent_path());
-}
-
-std::string shortList(std::vector<std::string> items) {
-  constexpr std::size_t kMostNamed = 4;
-  const std::size_t others = items.size() - std::min(items.size(), kMostNamed);
-  items.resize(items.size() - others);
-  return fmt::format("{}{}", fmt::join(items, ", "),
-                     others == 0 ? "" : " and " + counted(others, "other"));
 }
 
 std::string toText(const nlohmann::ordered_json& json) {

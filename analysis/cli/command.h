@@ -54,8 +54,6 @@ inline constexpr const char* kDroppedByOthers =
 [[nodiscard]] Result<void> checkOutput(const std::filesystem::path& output,
                                        const std::vector<std::string>& extensions);
 
-/// Returns "a, b, c, d and 23 others": the first four items, to keep a message short.
-[[nodiscard]] std::string shortList(std::vector<std::string> items);
 /// Returns indented JSON. Replaces bytes that are not UTF-8, which file names may contain.
 [[nodiscard]] std::string toText(const nlohmann::ordered_json& json);
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 // lichen apply: adds a noise to materials of an existing scene.
-#include "apply_extensions.h"
-#include "apply_factors.h"
-#include "apply_frames.h"
-#include "apply_materials.h"
-#include "apply_meshes.h"
-#include "apply_mix.h"
-#include "apply_textures.h"
-#include "apply_tiles.h"
+#include "bake_risks.h"
 #include "command.h"
 #include "methods/method_command.h"
 #include "noise_choice.h"
 #include "options.h"
+#include "steps_shown.h"
 
+#include <lichen/apply_noise.h>
+#include <lichen/counted.h>
 #include <lichen/layered_noise.h>
 
 #include <CLI/App.hpp>
@@ -21,6 +17,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <numbers>
 
@@ -36,7 +33,6 @@ struct Arguments {
   const SharedOptions& shared;
   std::string scene;
   std::string noise;
-  std::vector<std::string> materials;
   Mapping mapping{};
   std::optional<NoiseSpace> space;
   std::optional<double> scale;
@@ -46,19 +42,8 @@ struct Arguments {
   std::optional<double> planeSharpness;
   std::vector<UseOptions> methods; ///< in the order of Method
   const CLI::App* verb = nullptr;
-  std::optional<Vector3> grain;
-  bool setsFactors = false;
-  MixOptions mix;
+  ApplyOptions apply; ///< without how the materials use the noise
   std::string output;
-};
-
-/// The result, for the report.
-struct Outcome {
-  AppliedNoise noise;
-  std::vector<std::string> materials;
-  std::vector<MaterialTile> tiles;
-  std::vector<MeshFrames> frames;
-  std::vector<std::string> notes;
 };
 
 /// Returns the parameters of the bundle's first material that uses the noise, since the user has
@@ -137,18 +122,39 @@ Result<void> checkMethodOptions(const Arguments& arguments, const Noise& noise) 
                            nameOf(noise.method()), nameOf(foreign->method))};
 }
 
-/// Adds a note if the noise is renamed in the scene.
-void noteName(const std::string& scene, const std::string& name, const AppliedNoise& applied,
-              std::vector<std::string>& notes) {
-  if (applied.name == name)
-    return;
-  notes.push_back(
-      fmt::format("{}: noise '{}' {} '{}'", scene, name,
-                  applied.isNew ? "is renamed, since the name is taken, to" : "is already there as",
-                  applied.name));
+nlohmann::ordered_json asJson(std::span<const MeshFrames> frames) {
+  using Json = nlohmann::ordered_json;
+  Json list = Json::array();
+  for (const MeshFrames& mesh : frames) {
+    Json singularities = Json::array();
+    for (const FrameSingularity& singularity : mesh.singularities)
+      singularities.push_back({{"position", singularity.position}, {"index", singularity.index}});
+    Json components = Json::array();
+    for (const FieldComponent& component : mesh.components)
+      components.push_back({{"triangles", component.triangles},
+                            {"closed", component.isClosed},
+                            {"eulerCharacteristic", component.eulerCharacteristic},
+                            {"singularities", component.singularities}});
+    list.push_back({{"mesh", mesh.mesh},
+                    {"triangles", mesh.triangles},
+                    {"newNormals", mesh.hasNewNormals},
+                    {"components", components},
+                    {"singularities", singularities}});
+  }
+  return list;
 }
 
-void report(const Arguments& arguments, const Outcome& outcome, double seconds) {
+nlohmann::ordered_json asJson(std::span<const MaterialTile> tiles) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [material, object, size] : tiles)
+    list.push_back({{"material", material},
+                    {"object", object},
+                    {"metres", size.metres},
+                    {"pixels", size.pixels}});
+  return list;
+}
+
+void report(const Arguments& arguments, const NoiseOnScene& outcome, double seconds) {
   if (arguments.shared.json) {
     const nlohmann::ordered_json json{{"output", arguments.output},
                                       {"noise", outcome.noise.name},
@@ -167,24 +173,8 @@ void report(const Arguments& arguments, const Outcome& outcome, double seconds) 
       fmt::format("{}: {} on {}; {} new table{}, {:.2f} s", arguments.output, outcome.noise.name,
                   shortList(outcome.materials), outcome.noise.newTables,
                   outcome.noise.newTables == 1 ? "" : "s", seconds));
-  for (const std::string& line : linesOn(outcome.tiles))
+  for (const std::string& line : linesOn(outcome.tiles, optionOf))
     say(arguments.shared, line);
-}
-
-/// Returns the materials that have, or can be given, what the mapping needs.
-Result<std::vector<std::size_t>> suitableMaterials(const GltfScene& scene,
-                                                   const ChosenMaterials& chosen,
-                                                   const Noise& noise, const MaterialNoise& use,
-                                                   std::vector<std::string>& notes) {
-  switch (use.mapping) {
-  case Mapping::uv:
-    return materialsWith(fmt::format("TEXCOORD_{}", use.texCoord), scene, chosen, "--mapping uv",
-                         "--mapping triplanar", notes);
-  case Mapping::surface:
-    return materialsWithFrames(scene, chosen, findMap(noise, MapTarget::normal).has_value(), notes);
-  default:
-    return chosen.indices;
-  }
 }
 
 struct ChosenNoise {
@@ -219,88 +209,92 @@ Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
   return ChosenNoise{std::move(bundle).value(), index.value()};
 }
 
-/// Notes on unexpected changes to the look of the noise.
-std::vector<std::string> notesOnLook(const Arguments& arguments, const GltfScene& scene,
-                                     std::span<const std::size_t> materials, const Noise& noise) {
-  std::vector<std::string> notes = notesOnFactors(scene, materials, noise, arguments.setsFactors);
-  for (std::string& text : notesOnTextures(scene, materials, noise))
-    notes.push_back(std::move(text));
-  return notes;
-}
-
-Result<Outcome> apply(const Arguments& arguments) {
-  const Result<ChosenNoise> noiseChosen = chooseNoise(arguments);
-  if (!noiseChosen)
-    return noiseChosen.error();
-  const auto& [bundle, index] = noiseChosen.value();
-  const Noise& noise = bundle.noises[index];
-  Result<GltfScene> opened = GltfScene::open(arguments.scene);
-  if (!opened)
-    return opened.error();
-  GltfScene& scene = opened.value();
-  Outcome outcome;
-  const Result<ChosenMaterials> chosen = findMaterials(scene, arguments.materials);
+/// Reads the noise and the scene, and writes the scene with it.
+Result<NoiseOnScene> apply(Arguments& arguments) {
+  const Result<ChosenNoise> chosen = chooseNoise(arguments);
   if (!chosen)
     return chosen.error();
-  MaterialNoise use = parametersOf(bundle, index, arguments);
-  if (!takesTileRotation(bundle, index, use.tileRotation))
-    return Error{ErrorKind::usage,
-                 fmt::format("--tile-rotation {}: the tiles of the noise '{}' are not square; "
-                             "expected none or 2",
-                             use.tileRotation, noise.name)};
-  Result<std::vector<std::size_t>> suitable =
-      suitableMaterials(scene, chosen.value(), noise, use, outcome.notes);
-  if (!suitable)
-    return suitable.error();
-  const Result<ChosenMix> mix =
-      chosenMix(arguments.mix, noise, use, {std::move(suitable).value(), chosen.value().areAll},
-                scene, outcome.notes);
-  if (!mix)
-    return mix.error();
-  use.mix = mix.value().weight;
-  const std::vector<std::size_t>& materials = mix.value().materials;
-  // Frames for `surface` read the same vertices and report their own errors.
-  if (use.mapping != Mapping::surface)
-    if (Result<void> sound = checkMeshes(scene, materials, outcome.notes); !sound)
-      return sound.error();
-  Result<AddedFrames> frames =
-      addFrames(scene, materials, noise, use.mapping, arguments.grain, arguments.shared);
-  if (!frames)
-    return frames.error();
-  outcome.frames = std::move(frames.value().meshes);
-  Result<AppliedNoise> applied = scene.applyNoise(bundle, index, use, materials);
+  const auto& [bundle, index] = chosen.value();
+  Result<GltfScene> scene = GltfScene::open(arguments.scene);
+  if (!scene)
+    return scene.error();
+  arguments.apply.use = parametersOf(bundle, index, arguments);
+  StepsShown steps(arguments.shared);
+  Result<NoiseOnScene> applied =
+      applyNoise(scene.value(), bundle, index, arguments.apply, steps.observer());
   if (!applied)
-    return applied.error();
-  outcome.noise = std::move(applied).value();
-  if (arguments.setsFactors)
-    setFactorsToOne(scene, materials, noise);
-  removeCompetingExtensions(scene, materials, noise, outcome.notes);
-  leaveReplacedImages(scene, materials, noise, use.mix, outcome.notes);
-  outcome.tiles = measuredTiles(scene, materials, noise, use, outcome.notes);
-  if (Result<void> written = scene.write(arguments.output); !written)
+    return applied;
+  if (Result<void> written = scene.value().write(arguments.output); !written)
     return written.error();
-  noteName(arguments.scene, noise.name, outcome.noise, outcome.notes);
-  for (const std::size_t material : materials)
-    outcome.materials.push_back(scene.materialTitle(material));
-  for (std::string& text : notesOnLook(arguments, scene, materials, noise))
-    outcome.notes.push_back(std::move(text));
-  outcome.notes.insert(outcome.notes.end(), frames.value().notes.begin(),
-                       frames.value().notes.end());
-  return outcome;
+  return applied;
 }
 
-Result<int> run(const Arguments& arguments) {
+Result<int> run(Arguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked = checkOutput(arguments.output, {".glb", ".gltf"}); !checked)
     return checked.error();
   if (Result<void> checked = checkMappingOptions(arguments); !checked)
     return checked.error();
-  const Result<Outcome> outcome = apply(arguments);
+  const Result<NoiseOnScene> outcome = apply(arguments);
   if (!outcome)
     return outcome.error();
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   report(arguments, outcome.value(), seconds.count());
   return kDone;
+}
+
+/// X,Y,Z, not the zero vector.
+Accepted<Vector3> axis() {
+  constexpr double kMost = 1e6; // only the ratios of the components matter
+  constexpr std::size_t kNumbers = 3;
+  const Accepted<std::vector<double>> list = numbers({-kMost, kMost}, kNumbers);
+  return {"X,Y,Z", fmt::format("X,Y,Z with numbers from {} to {}, not all 0", -kMost, kMost),
+          [read = list.read](const std::string& text) -> std::optional<Vector3> {
+            const std::optional<std::vector<double>> values = read(text);
+            if (!values || values->size() != kNumbers)
+              return std::nullopt;
+            const Vector3 axis{float((*values)[0]), float((*values)[1]), float((*values)[2])};
+            return axis == Vector3{} ? std::nullopt : std::optional(axis);
+          }};
+}
+
+Accepted<std::array<double, 4>> twoPlaces() {
+  constexpr std::size_t kNumbers = 4;
+  const Accepted<std::vector<double>> list = numbers(kMixPlaceRange, kNumbers);
+  return {
+      "U0,V0,U1,V1",
+      fmt::format("U0,V0,U1,V1 with numbers from {} to {}, two places {:f} or more apart",
+                  kMixPlaceRange.least, kMixPlaceRange.most, kLeastMixLength),
+      [read = list.read](const std::string& text) -> std::optional<std::array<double, 4>> {
+        const std::optional<std::vector<double>> values = read(text);
+        if (!values || values->size() != kNumbers)
+          return std::nullopt;
+        const std::array<double, 4> places{(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
+        const double length = std::hypot(places[2] - places[0], places[3] - places[1]);
+        return length < kLeastMixLength ? std::nullopt : std::optional(places);
+      }};
+}
+
+constexpr int kMostColorSet = 15;
+
+void addMixOptions(CLI::App& verb, MixOptions& options) {
+  constexpr const char* kGroup = "Mix";
+  addValue(verb, "--mix", options.weight, optional(number(kMixWeightRange)), "",
+           "Weight of a mix everywhere: 0 the first input, 1 the last [default: the bundle's]")
+      .group(kGroup);
+  addValue(verb, "--mix-direction", options.direction, optional(twoPlaces()), "",
+           "Texture coordinates at which the weight is 0, and at which it is 1")
+      .group(kGroup);
+  addText(verb, "--mix-texture", options.texture, "IMAGE|INDEX",
+          "Mask of the weight: a PNG or JPEG, or the index of a texture of the scene")
+      .group(kGroup);
+  addValue(verb, "--mix-vertex-color", options.colorSet, optional(wholeNumber(0, kMostColorSet)),
+           "", "N of the vertex colours COLOR_N, which hold the weight")
+      .group(kGroup);
+  const Choices<int> channels{{"red", 0}, {"green", 1}, {"blue", 2}, {"alpha", 3}};
+  addValue(verb, "--mix-channel", options.channel, optional(oneOf(channels)), "",
+           "Channel of the mask or the colours [default: red]")
+      .group(kGroup);
 }
 
 } // namespace
@@ -311,7 +305,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addText(verb, "--noise", arguments->noise, "BUNDLE[:NAME]",
           "A bundle, and after a colon the name of one of its noises [default: the first]")
       .required();
-  addTexts(verb, "--material", arguments->materials, "NAME|INDEX|all",
+  addTexts(verb, "--material", arguments->apply.materials, "NAME|INDEX|all",
            "Name or index of a material that gets the noise; repeat it for more; or all")
       .required();
   const Choices<Mapping> mappings{{"uv", Mapping::uv},
@@ -340,13 +334,16 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--plane-sharpness", arguments->planeSharpness,
            optional(number(kPlaneSharpnessRange)), "",
            "triplanar: exponent of the plane weights [default: the bundle's]");
-  addFrameOptions(verb, arguments->grain);
-  addValue(verb, "--factors", arguments->setsFactors, oneOf<bool>({{"keep", false}, {"one", true}}),
-           "keep",
+  addValue(
+      verb, "--grain", arguments->apply.grain, optional(axis()), "",
+      "surface: an axis in the space of each mesh that the exemplar's rows follow [default: the "
+      "smoothest directions]");
+  addValue(verb, "--factors", arguments->apply.setsFactors,
+           oneOf<bool>({{"keep", false}, {"one", true}}), "keep",
            "Factors that multiply the noise, such as baseColorFactor: keep them or set them to 1");
   addText(verb, "-o,--output", arguments->output, "OUT.glb|OUT.gltf", "The scene with the noise")
       .required();
-  addMixOptions(verb, arguments->mix);
+  addMixOptions(verb, arguments->apply.mix);
   for (const Method method : allMethods())
     arguments->methods.push_back(commandOf(method).addApplyOptions(verb));
   arguments->verb = &verb;

@@ -7,6 +7,7 @@
 #include "options.h"
 #include "progress_line.h"
 
+#include <lichen/apply_noise.h>
 #include <lichen/bake_material.h>
 #include <lichen/noise_comparison.h>
 

@@ -7,6 +7,7 @@
 #include "progress_line.h"
 #include "texture_files.h"
 
+#include <lichen/apply_noise.h>
 #include <lichen/core_texture.h>
 #include <lichen/files.h>
 #include <lichen/image_io.h>

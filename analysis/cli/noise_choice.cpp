@@ -50,14 +50,6 @@ bool namesBundle(const std::string& file) {
   return extension == ".glb" || extension == ".gltf" || extension == ".lichen";
 }
 
-Error notMixed(const std::string& option, const Noise& noise) {
-  return {
-      ErrorKind::usage,
-      fmt::format("{}: noise '{}' is not a mix; expected one made by 'lichen mix', which blends "
-                  "photographs",
-                  option, noise.name)};
-}
-
 std::pair<std::string, std::string> splitNoise(const std::string& text) {
   std::error_code ignored;
   const std::size_t colon = text.rfind(':');

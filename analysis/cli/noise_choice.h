@@ -24,9 +24,6 @@ namespace lichen::cli {
 /// Whether a file name has the extension of a bundle: .glb, .gltf or .lichen.
 [[nodiscard]] bool namesBundle(const std::string& file);
 
-/// The usage error of an option of mixes, for a noise that is none.
-[[nodiscard]] Error notMixed(const std::string& option, const Noise& noise);
-
 /// Splits BUNDLE:NAME at the last colon, if the part before it is a file and the whole text is not.
 [[nodiscard]] std::pair<std::string, std::string> splitNoise(const std::string& text);
 

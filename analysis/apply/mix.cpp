@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Options -> the mix weight of a material; see apply_mix.h.
-#include "apply_mix.h"
+// Options -> the mix weight of a material.
+#include "steps.h"
 
-#include "noise_choice.h"
-
-#include <lichen/counted.h>
 #include <lichen/files.h>
 #include <lichen/image_io.h>
 
@@ -15,83 +12,68 @@
 #include <charconv>
 #include <cmath>
 
-namespace lichen::cli {
+namespace lichen::apply {
 namespace {
 
-constexpr int kMostColorSet = 15;
 /// Sources of the weight that need no texture coordinates.
-constexpr const char* kWithoutTexCoords = "--mix or --mix-vertex-color";
+std::string withoutTexCoords(SettingWords words) {
+  return words({"mix", ""}) + " or " + words({"mix-vertex-color", ""});
+}
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
-Accepted<std::array<double, 4>> twoPlaces() {
-  constexpr std::size_t kNumbers = 4;
-  const Accepted<std::vector<double>> list = numbers(kMixPlaceRange, kNumbers);
-  return {
-      "U0,V0,U1,V1",
-      fmt::format("U0,V0,U1,V1 with numbers from {} to {}, two places {:f} or more apart",
-                  kMixPlaceRange.least, kMixPlaceRange.most, kLeastMixLength),
-      [read = list.read](const std::string& text) -> std::optional<std::array<double, 4>> {
-        const std::optional<std::vector<double>> values = read(text);
-        if (!values || values->size() != kNumbers)
-          return std::nullopt;
-        const std::array<double, 4> places{(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
-        const double length = std::hypot(places[2] - places[0], places[3] - places[1]);
-        return length < kLeastMixLength ? std::nullopt : std::optional(places);
-      }};
-}
-
 /// Returns the options that the user gave and that choose a source of the weight.
-std::vector<std::string> sourcesOf(const MixOptions& options) {
+std::vector<std::string> sourcesOf(const MixOptions& options, SettingWords words) {
   std::vector<std::string> sources;
   const auto add = [&](bool isGiven, const char* option) {
     if (isGiven)
-      sources.emplace_back(option);
+      sources.push_back(words({option, ""}));
   };
-  add(options.weight.has_value(), "--mix");
-  add(options.direction.has_value(), "--mix-direction");
-  add(!options.texture.empty(), "--mix-texture");
-  add(options.colorSet.has_value(), "--mix-vertex-color");
+  add(options.weight.has_value(), "mix");
+  add(options.direction.has_value(), "mix-direction");
+  add(!options.texture.empty(), "mix-texture");
+  add(options.colorSet.has_value(), "mix-vertex-color");
   return sources;
 }
 
 /// Checks that the options fit each other and the noise.
-Result<void> check(const MixOptions& options, const Noise& noise) {
-  const std::vector<std::string> sources = sourcesOf(options);
+Result<void> check(const MixOptions& options, const Noise& noise, SettingWords words) {
+  const std::vector<std::string> sources = sourcesOf(options, words);
+  const std::string channel = words({"mix-channel", ""});
   if (!isMix(noise))
-    return notMixed(sources.empty() ? "--mix-channel" : sources.front(), noise);
+    return notMixed(sources.empty() ? channel : sources.front(), noise);
   if (sources.size() > 1)
     return usage(fmt::format("{}: {} sources of the weight; expected one of them",
                              fmt::join(sources, ", "), sources.size()));
   if (options.channel && options.texture.empty() && !options.colorSet)
-    return usage("--mix-channel: no texture and no vertex colours; add --mix-texture or "
-                 "--mix-vertex-color");
+    return usage(fmt::format("{}: no texture and no vertex colours; add {} or {}", channel,
+                             words({"mix-texture", ""}), words({"mix-vertex-color", ""})));
   return {};
 }
 
 /// Returns the materials whose meshes have the texture coordinates of the direction. For the
 /// mapping uv the caller has chosen them already. `whose` names the direction in messages.
-Result<std::vector<std::size_t>> withDirection(const GltfScene& scene,
-                                               const ChosenMaterials& chosen,
-                                               const MaterialNoise& use, const char* whose,
-                                               std::vector<std::string>& notes) {
+Result<std::vector<std::size_t>>
+withDirection(const GltfScene& scene, const ChosenMaterials& chosen, const MaterialNoise& use,
+              const std::string& whose, SettingWords words, std::vector<std::string>& notes) {
   if (use.mapping == Mapping::uv)
     return chosen.indices;
   return materialsWith(fmt::format("TEXCOORD_{}", use.texCoord), scene, chosen, whose,
-                       kWithoutTexCoords, notes);
+                       withoutTexCoords(words), notes);
 }
 
 /// Returns the scene's texture with the index `wanted`, or a new texture from the image file
 /// `wanted`, which must have the channel.
-Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene& scene) {
+Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene& scene,
+                              SettingWords words) {
   std::size_t index = 0;
   const auto [end, code] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
   if (code == std::errc{} && end == wanted.data() + wanted.size()) {
     if (index < scene.textureCount())
       return index;
-    return usage(fmt::format("--mix-texture {}: {} has {} textures; expected the index of one, or "
-                             "a file",
-                             wanted, scene.path().string(), scene.textureCount()));
+    return usage(fmt::format("{}: {} has {} textures; expected the index of one, or a file",
+                             words({"mix-texture", wanted}), scene.path().string(),
+                             scene.textureCount()));
   }
   const Result<std::vector<std::byte>> file = readFile(wanted);
   if (!file)
@@ -110,9 +92,9 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
   const auto& mask = std::get<SrgbImage>(image.value().pixels);
   constexpr int kAlpha = 3;
   if (channel == kAlpha && mask.channels % 2 != 0)
-    return Error{ErrorKind::badInput, wanted +
-                                          ": has no alpha, which --mix-channel asks for; expected "
-                                          "red, green or blue"};
+    return Error{ErrorKind::badInput,
+                 fmt::format("{}: has no alpha, which {} asks for; expected red, green or blue",
+                             wanted, words({"mix-channel", ""}))};
   return withinMemory([&] { return wanted + ": not enough memory to add it to the scene"; },
                       [&]() -> Result<std::size_t> {
                         return scene.addTexture(file.value(),
@@ -197,8 +179,8 @@ Result<void> noteMaskRange(GltfScene& scene, std::span<const std::size_t> materi
 /// Adds a note if a direction is so short, or so far off, that its change of weight hardly shows.
 /// `whose` names the direction.
 Result<void> noteDirectionRange(GltfScene& scene, std::span<const std::size_t> materials,
-                                const MaterialNoise& use, const MixWeight& mix, const char* whose,
-                                std::vector<std::string>& notes) {
+                                const MaterialNoise& use, const MixWeight& mix,
+                                const std::string& whose, std::vector<std::string>& notes) {
   // A share of the range of texture coordinates: a shorter change looks like a border (judged by
   // eye).
   constexpr double kLeastShare = 0.1;
@@ -228,9 +210,10 @@ Result<void> noteDirectionRange(GltfScene& scene, std::span<const std::size_t> m
 
 /// chosenMix() for a direction.
 Result<ChosenMix> directedMix(MixWeight mix, const MaterialNoise& use,
-                              const ChosenMaterials& chosen, const char* whose, GltfScene& scene,
+                              const ChosenMaterials& chosen, const std::string& whose,
+                              GltfScene& scene, SettingWords words,
                               std::vector<std::string>& notes) {
-  Result<std::vector<std::size_t>> fit = withDirection(scene, chosen, use, whose, notes);
+  Result<std::vector<std::size_t>> fit = withDirection(scene, chosen, use, whose, words, notes);
   if (!fit)
     return fit.error();
   if (Result<void> noted = noteDirectionRange(scene, fit.value(), use, mix, whose, notes); !noted)
@@ -240,7 +223,7 @@ Result<ChosenMix> directedMix(MixWeight mix, const MaterialNoise& use,
 
 /// chosenMix() when the user gave options.
 Result<ChosenMix> givenMix(const MixOptions& options, const MaterialNoise& use,
-                           const ChosenMaterials& chosen, GltfScene& scene,
+                           const ChosenMaterials& chosen, GltfScene& scene, SettingWords words,
                            std::vector<std::string>& notes) {
   MixWeight mix;
   mix.channel = options.channel.value_or(0);
@@ -253,24 +236,26 @@ Result<ChosenMix> givenMix(const MixOptions& options, const MaterialNoise& use,
     mix.source = MixSource::direction;
     mix.start = {startU, startV};
     mix.end = {endU, endV};
-    return directedMix(mix, use, chosen, "--mix-direction", scene, notes);
+    return directedMix(mix, use, chosen, words({"mix-direction", ""}), scene, words, notes);
   }
   if (options.colorSet) {
     mix.source = MixSource::vertexColor;
     mix.colorSet = *options.colorSet;
-    Result<std::vector<std::size_t>> fit =
-        materialsWith(fmt::format("COLOR_{}", mix.colorSet), scene, chosen, "--mix-vertex-color",
-                      "--mix, --mix-direction or --mix-texture", notes);
+    Result<std::vector<std::size_t>> fit = materialsWith(
+        fmt::format("COLOR_{}", mix.colorSet), scene, chosen, words({"mix-vertex-color", ""}),
+        fmt::format("{}, {} or {}", words({"mix", ""}), words({"mix-direction", ""}),
+                    words({"mix-texture", ""})),
+        notes);
     if (!fit)
       return fit.error();
     return ChosenMix{mix, std::move(fit).value()};
   }
   mix.source = MixSource::texture;
-  Result<std::vector<std::size_t>> fit =
-      materialsWith("TEXCOORD_0", scene, chosen, "--mix-texture", kWithoutTexCoords, notes);
+  Result<std::vector<std::size_t>> fit = materialsWith(
+      "TEXCOORD_0", scene, chosen, words({"mix-texture", ""}), withoutTexCoords(words), notes);
   if (!fit)
     return fit.error();
-  const Result<std::size_t> texture = textureOf(options.texture, mix.channel, scene);
+  const Result<std::size_t> texture = textureOf(options.texture, mix.channel, scene, words);
   if (!texture)
     return texture.error();
   mix.texture = texture.value();
@@ -281,39 +266,31 @@ Result<ChosenMix> givenMix(const MixOptions& options, const MaterialNoise& use,
 
 } // namespace
 
-void addMixOptions(CLI::App& verb, MixOptions& options) {
-  constexpr const char* kGroup = "Mix";
-  addValue(verb, "--mix", options.weight, optional(number(kMixWeightRange)), "",
-           "Weight of a mix everywhere: 0 the first input, 1 the last [default: the bundle's]")
-      .group(kGroup);
-  addValue(verb, "--mix-direction", options.direction, optional(twoPlaces()), "",
-           "Texture coordinates at which the weight is 0, and at which it is 1")
-      .group(kGroup);
-  addText(verb, "--mix-texture", options.texture, "IMAGE|INDEX",
-          "Mask of the weight: a PNG or JPEG, or the index of a texture of the scene")
-      .group(kGroup);
-  addValue(verb, "--mix-vertex-color", options.colorSet, optional(wholeNumber(0, kMostColorSet)),
-           "", "N of the vertex colours COLOR_N, which hold the weight")
-      .group(kGroup);
-  const Choices<int> channels{{"red", 0}, {"green", 1}, {"blue", 2}, {"alpha", 3}};
-  addValue(verb, "--mix-channel", options.channel, optional(oneOf(channels)), "",
-           "Channel of the mask or the colours [default: red]")
-      .group(kGroup);
-}
-
 Result<ChosenMix> chosenMix(const MixOptions& options, const Noise& noise, const MaterialNoise& use,
-                            const ChosenMaterials& chosen, GltfScene& scene,
+                            const ChosenMaterials& chosen, GltfScene& scene, SettingWords words,
                             std::vector<std::string>& notes) {
   if (options.isGiven()) {
-    if (Result<void> checked = check(options, noise); !checked)
+    if (Result<void> checked = check(options, noise, words); !checked)
       return checked.error();
-    return givenMix(options, use, chosen, scene, notes);
+    return givenMix(options, use, chosen, scene, words, notes);
   }
   if (use.mix.source == MixSource::texture)
     return ChosenMix{MixWeight{}, chosen.indices}; // its texture belongs to another file
   if (use.mix.source == MixSource::direction && isMix(noise))
-    return directedMix(use.mix, use, chosen, "the bundle's mix direction", scene, notes);
+    return directedMix(use.mix, use, chosen, "the bundle's mix direction", scene, words, notes);
   return ChosenMix{use.mix, chosen.indices};
 }
 
-} // namespace lichen::cli
+} // namespace lichen::apply
+
+namespace lichen {
+
+Error notMixed(const std::string& option, const Noise& noise) {
+  return {
+      ErrorKind::usage,
+      fmt::format("{}: noise '{}' is not a mix; expected one made by 'lichen mix', which blends "
+                  "photographs",
+                  option, noise.name)};
+}
+
+} // namespace lichen

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Materials and a noise -> the material factors that multiply the noise; see apply_factors.h.
+// Materials and a noise -> the material factors that multiply the noise.
 // Source: glTF 2.0 specification, sections 5.19 and 5.22.
-#include "apply_factors.h"
+#include "steps.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <array>
 
-namespace lichen::cli {
+namespace lichen::apply {
 namespace {
 
 using nlohmann::json;
@@ -88,7 +88,7 @@ std::string textOf(const std::vector<double>& value) {
 
 std::vector<std::string> notesOnFactors(const GltfScene& scene,
                                         std::span<const std::size_t> materials, const Noise& noise,
-                                        bool areSetToOne) {
+                                        bool areSetToOne, SettingWords words) {
   const std::vector<Factor> factors = factorsOf(noise);
   std::vector<std::string> changing, hiding, glowing;
   for (const std::size_t material : materials) {
@@ -115,12 +115,13 @@ std::vector<std::string> notesOnFactors(const GltfScene& scene,
     return items.size() == 1 ? one : many;
   };
   if (!changing.empty())
-    notes.push_back(fmt::format("{}: {} {} the noise; use --factors one to show it as baked", path,
-                                shortList(changing), verb(changing, "multiplies", "multiply")));
+    notes.push_back(fmt::format("{}: {} {} the noise; use {} to show it as baked", path,
+                                shortList(changing), verb(changing, "multiplies", "multiply"),
+                                words({"factors", "one"})));
   if (!hiding.empty())
-    notes.push_back(fmt::format("{}: {} {} below {}, which almost hides the noise; use --factors "
-                                "one to show it",
-                                path, shortList(hiding), verb(hiding, "is", "are"), kLeastFactor));
+    notes.push_back(fmt::format(
+        "{}: {} {} below {}, which almost hides the noise; use {} to show it", path,
+        shortList(hiding), verb(hiding, "is", "are"), kLeastFactor, words({"factors", "one"})));
   if (!glowing.empty())
     notes.push_back(fmt::format("{}: emissiveFactor of {} is 1 without an emissiveTexture; viewers "
                                 "without the extension show it white",
@@ -139,4 +140,4 @@ void setFactorsToOne(GltfScene& scene, std::span<const std::size_t> materials, c
     }
 }
 
-} // namespace lichen::cli
+} // namespace lichen::apply

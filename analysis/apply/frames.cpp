@@ -1,34 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Meshes of a scene -> tangent frames and notes; see apply_frames.h.
-#include "apply_frames.h"
-
-#include "options.h"
-#include "progress_line.h"
-
-#include <lichen/counted.h>
+// Meshes of a scene -> tangent frames and notes.
+#include "steps.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
-namespace lichen::cli {
+namespace lichen::apply {
 namespace {
-
-/// X,Y,Z, not the zero vector.
-Accepted<Vector3> axis() {
-  constexpr double kMost = 1e6; // only the ratios of the components matter
-  constexpr std::size_t kNumbers = 3;
-  const Accepted<std::vector<double>> list = numbers({-kMost, kMost}, kNumbers);
-  return {"X,Y,Z", fmt::format("X,Y,Z with numbers from {} to {}, not all 0", -kMost, kMost),
-          [read = list.read](const std::string& text) -> std::optional<Vector3> {
-            const std::optional<std::vector<double>> values = read(text);
-            if (!values || values->size() != kNumbers)
-              return std::nullopt;
-            const Vector3 axis{float((*values)[0]), float((*values)[1]), float((*values)[2])};
-            return axis == Vector3{} ? std::nullopt : std::optional(axis);
-          }};
-}
 
 /// Lists the points where the direction field is singular, on one line.
 std::string placesOf(const std::vector<FrameSingularity>& singularities) {
@@ -44,7 +24,8 @@ std::string placesOf(const std::vector<FrameSingularity>& singularities) {
                      places.size() < singularities.size() ? " and more" : "");
 }
 
-std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshFrames>& meshes) {
+std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshFrames>& meshes,
+                                 SettingWords words) {
   std::vector<std::string> notes, smoothed;
   const MeshFrames* singular = nullptr; // the first mesh with a singularity
   std::size_t singularMeshes = 0;
@@ -57,10 +38,10 @@ std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshF
   if (singular != nullptr) {
     const std::size_t count = singular->singularities.size();
     const std::size_t more = singularMeshes - 1;
-    const std::string others = more > 0
-                                   ? fmt::format("; {} more {} such triangles; --json lists them",
-                                                 more, more == 1 ? "mesh has" : "meshes have")
-                                   : "";
+    const std::string others =
+        more > 0 ? fmt::format("; {} more {} such triangles; {} lists them", more,
+                               more == 1 ? "mesh has" : "meshes have", words({"json", ""}))
+                 : "";
     notes.push_back(fmt::format("{}: {}: the noise rotates around {} of its direction field, at {} "
                                 "in the mesh's coordinates{}",
                                 scene.path().string(), singular->mesh,
@@ -99,7 +80,7 @@ std::vector<std::string> notesOnNormals(const GltfScene& scene,
 /// Notes the meshes that --grain does not affect: one note per material, which may have thousands
 /// of meshes.
 std::vector<std::string> notesOnGrain(const GltfScene& scene,
-                                      std::span<const std::size_t> materials) {
+                                      std::span<const std::size_t> materials, SettingWords words) {
   std::vector<std::string> notes;
   for (const std::size_t material : materials) {
     std::vector<PrimitivePlace> framed = scene.primitivesOf(material);
@@ -108,9 +89,9 @@ std::vector<std::string> notesOnGrain(const GltfScene& scene,
       continue;
     const std::string more =
         framed.size() > 1 ? fmt::format(", like {} more of its material", framed.size() - 1) : "";
-    notes.push_back(
-        fmt::format("{}: {}{}: has tangents, which the noise follows instead of --grain",
-                    scene.path().string(), scene.primitiveTitle(framed.front()), more));
+    notes.push_back(fmt::format("{}: {}{}: has tangents, which the noise follows instead of {}",
+                                scene.path().string(), scene.primitiveTitle(framed.front()), more,
+                                words({"grain", ""})));
   }
   return notes;
 }
@@ -122,58 +103,20 @@ void append(std::vector<std::string>& notes, std::vector<std::string> more) {
 
 } // namespace
 
-void addFrameOptions(CLI::App& verb, std::optional<Vector3>& grain) {
-  addValue(
-      verb, "--grain", grain, optional(axis()), "",
-      "surface: an axis in the space of each mesh that the exemplar's rows follow [default: the "
-      "smoothest directions]");
-}
-
-Result<AddedFrames> addFrames(GltfScene& scene, std::span<const std::size_t> materials,
-                              const Noise& noise, Mapping mapping,
-                              const std::optional<Vector3>& grain, const SharedOptions& shared) {
-  if (mapping != Mapping::surface) {
-    if (grain)
-      return Error{ErrorKind::usage, fmt::format("--grain: belongs to --mapping surface, not to {}",
-                                                 nameOf(mapping))};
-    return AddedFrames{};
-  }
-  AddedFrames added;
+Result<std::vector<MeshFrames>> addFrames(GltfScene& scene, std::span<const std::size_t> materials,
+                                          const Noise& noise, const std::optional<Vector3>& grain,
+                                          const BakeObserver& observer,
+                                          std::vector<std::string>& notes) {
   const bool bringsNormals = findMap(noise, MapTarget::normal).has_value();
   if (bringsNormals)
-    added.notes = notesOnNormals(scene, materials);
+    append(notes, notesOnNormals(scene, materials));
   if (grain)
-    append(added.notes, notesOnGrain(scene, materials));
-  ProgressLine progress("apply", shared);
+    append(notes, notesOnGrain(scene, materials, observer.words));
   Result<std::vector<MeshFrames>> meshes =
-      addSurfaceFrames(scene, materials, {grain, bringsNormals}, progress.asProgress());
-  if (!meshes)
-    return meshes.error();
-  added.meshes = std::move(meshes).value();
-  append(added.notes, notesOn(scene, added.meshes));
-  return added;
+      addSurfaceFrames(scene, materials, {grain, bringsNormals}, observer.of("apply"));
+  if (meshes)
+    append(notes, notesOn(scene, meshes.value(), observer.words));
+  return meshes;
 }
 
-nlohmann::ordered_json asJson(std::span<const MeshFrames> frames) {
-  using Json = nlohmann::ordered_json;
-  Json list = Json::array();
-  for (const MeshFrames& mesh : frames) {
-    Json singularities = Json::array();
-    for (const FrameSingularity& singularity : mesh.singularities)
-      singularities.push_back({{"position", singularity.position}, {"index", singularity.index}});
-    Json components = Json::array();
-    for (const FieldComponent& component : mesh.components)
-      components.push_back({{"triangles", component.triangles},
-                            {"closed", component.isClosed},
-                            {"eulerCharacteristic", component.eulerCharacteristic},
-                            {"singularities", component.singularities}});
-    list.push_back({{"mesh", mesh.mesh},
-                    {"triangles", mesh.triangles},
-                    {"newNormals", mesh.hasNewNormals},
-                    {"components", components},
-                    {"singularities", singularities}});
-  }
-  return list;
-}
-
-} // namespace lichen::cli
+} // namespace lichen::apply

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Materials and a noise -> what one tile measures on them; see apply_tiles.h.
-#include "apply_tiles.h"
+// Materials and a noise -> what one tile measures on them.
+#include "steps.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace lichen::cli {
+namespace lichen::apply {
 namespace {
 
 // Bounds in pixels of the typical view, in which an object is kViewHeight high. Details of an
@@ -41,7 +41,7 @@ std::string viewOf(const MaterialTile& tile) {
 /// One note on all materials with a tile beyond a bound; `fault` describes it. The value of --scale
 /// mends the first one.
 std::string noteOn(const std::string& scene, const std::vector<MaterialTile>& tiles,
-                   const std::string& fault, double aim, double scale) {
+                   const std::string& fault, double aim, double scale, SettingWords words) {
   const TileSize& first = tiles.front().size;
   const double mended = std::clamp(scale * aim / first.pixels, kScaleRange.least, kScaleRange.most);
   constexpr double kTwoDigits = 10.0;
@@ -51,16 +51,16 @@ std::string noteOn(const std::string& scene, const std::vector<MaterialTile>& ti
   for (const MaterialTile& tile : tiles)
     titles.push_back(tile.material);
   const std::string of = tiles.size() > 1 ? " of the first" : "";
-  return fmt::format("{}: {}: one tile{} is {} {}; {}; --scale {} makes it {}", scene,
-                     shortList(titles), of, pixelsText(first.pixels), viewOf(tiles.front()), fault,
-                     value, pixelsText(first.pixels * mended / scale));
+  return fmt::format("{}: {}: one tile{} is {} {}; {}; {} makes it {}", scene, shortList(titles),
+                     of, pixelsText(first.pixels), viewOf(tiles.front()), fault,
+                     words({"scale", value}), pixelsText(first.pixels * mended / scale));
 }
 
 } // namespace
 
 std::vector<MaterialTile> measuredTiles(GltfScene& scene, std::span<const std::size_t> materials,
                                         const Noise& noise, const MaterialNoise& use,
-                                        std::vector<std::string>& notes) {
+                                        SettingWords words, std::vector<std::string>& notes) {
   std::vector<MaterialTile> tiles, small, large;
   std::vector<std::string> others;
   std::string reason; // of the first of these
@@ -88,15 +88,20 @@ std::vector<MaterialTile> measuredTiles(GltfScene& scene, std::span<const std::s
   const std::string path = scene.path().string();
   if (!small.empty())
     notes.push_back(noteOn(path, small, "it is so small that little more than its mean shows",
-                           kRaisedTile, use.scale));
+                           kRaisedTile, use.scale, words));
   if (!large.empty())
     notes.push_back(noteOn(path, large,
                            "it is larger than the object, which shows only a part of it",
-                           kLoweredTile, use.scale));
+                           kLoweredTile, use.scale, words));
   return tiles;
 }
 
-std::vector<std::string> linesOn(std::span<const MaterialTile> tiles) {
+} // namespace lichen::apply
+
+namespace lichen {
+
+std::vector<std::string> linesOn(std::span<const MaterialTile> tiles, SettingWords words) {
+  using namespace apply;
   constexpr std::size_t kMostLines = 8;
   std::vector<std::string> lines;
   for (const MaterialTile& tile : tiles.first(std::min(tiles.size(), kMostLines)))
@@ -104,18 +109,9 @@ std::vector<std::string> linesOn(std::span<const MaterialTile> tiles) {
                                 lengthText(tile.size.metres), pixelsText(tile.size.pixels),
                                 viewOf(tile)));
   if (tiles.size() > kMostLines)
-    lines.push_back(fmt::format("and {} more; --json lists them", tiles.size() - kMostLines));
+    lines.push_back(
+        fmt::format("and {} more; {} lists them", tiles.size() - kMostLines, words({"json", ""})));
   return lines;
 }
 
-nlohmann::ordered_json asJson(std::span<const MaterialTile> tiles) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [material, object, size] : tiles)
-    list.push_back({{"material", material},
-                    {"object", object},
-                    {"metres", size.metres},
-                    {"pixels", size.pixels}});
-  return list;
-}
-
-} // namespace lichen::cli
+} // namespace lichen

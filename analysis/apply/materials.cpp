@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Names and indices of materials -> indices; see apply_materials.h.
-#include "apply_materials.h"
-
-#include <lichen/surface_frames.h>
+// Names and indices of materials -> the materials whose meshes can show the noise.
+#include "steps.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <numeric>
 
-namespace lichen::cli {
+namespace lichen::apply {
 namespace {
 
 /// Returns the only material with this name, or the material with this index.
-Result<std::size_t> findMaterial(const GltfScene& scene, const std::string& wanted) {
+Result<std::size_t> findMaterial(const GltfScene& scene, const std::string& wanted,
+                                 SettingWords words) {
   const auto refuse = [&](const std::string& what) {
-    return Error{ErrorKind::usage,
-                 fmt::format("--material {}: {} {}", wanted, scene.path().string(), what)};
+    return Error{ErrorKind::usage, fmt::format("{}: {} {}", words({"material", wanted}),
+                                               scene.path().string(), what)};
   };
   const std::size_t count = scene.materialCount();
   std::vector<std::size_t> found;
@@ -48,10 +48,21 @@ Result<std::size_t> findMaterial(const GltfScene& scene, const std::string& want
                             isMore ? " and others" : ""));
 }
 
+/// Returns " and 3 others" for a group of 4; empty for a group of 1.
+std::string andOthers(std::size_t count) {
+  return count < 2 ? "" : fmt::format(" and {} other{}", count - 1, count == 2 ? "" : "s");
+}
+
+/// The first primitive of a group, and the number of primitives in it.
+struct Group {
+  std::string first;
+  std::size_t count = 0;
+};
+
 } // namespace
 
 Result<ChosenMaterials> findMaterials(const GltfScene& scene,
-                                      const std::vector<std::string>& wanted) {
+                                      const std::vector<std::string>& wanted, SettingWords words) {
   if (scene.materialCount() == 0)
     return Error{ErrorKind::badInput,
                  scene.path().string() + ": has no materials; expected at least one"};
@@ -61,14 +72,16 @@ Result<ChosenMaterials> findMaterials(const GltfScene& scene,
       chosen.areAll = true;
       continue;
     }
-    const Result<std::size_t> material = findMaterial(scene, each);
+    const Result<std::size_t> material = findMaterial(scene, each, words);
     if (!material)
       return material.error();
     chosen.indices.push_back(material.value());
   }
   if (chosen.areAll && !chosen.indices.empty())
-    return Error{ErrorKind::usage, "--material all: given with another --material; expected all, "
-                                   "or materials by name or index"};
+    return Error{
+        ErrorKind::usage,
+        fmt::format("{}: given with another {}; expected all, or materials by name or index",
+                    words({"material", "all"}), words({"material", ""}))};
   if (chosen.areAll) {
     chosen.indices.resize(scene.materialCount());
     std::iota(chosen.indices.begin(), chosen.indices.end(), std::size_t(0));
@@ -136,4 +149,42 @@ Result<std::vector<std::size_t>> materialsWithFrames(const GltfScene& scene,
   return fit;
 }
 
-} // namespace lichen::cli
+Result<void> checkMeshes(GltfScene& scene, std::span<const std::size_t> materials,
+                         std::vector<std::string>& notes) {
+  static const nlohmann::json kNone = nlohmann::json::array();
+  const auto found = scene.document().find("meshes");
+  const nlohmann::json& meshes = found == scene.document().end() ? kNone : *found;
+  std::map<std::string, Group> compressed; // by extension
+  Group broken;
+  for (std::size_t m = 0; m < meshes.size(); ++m)
+    for (std::size_t p = 0; meshes[m].contains("primitives") && p < meshes[m]["primitives"].size();
+         ++p) {
+      const PrimitivePlace place{m, p};
+      const nlohmann::json& primitive = meshes[m]["primitives"][p];
+      const bool getsNoise = primitive.contains("material") &&
+                             std::find(materials.begin(), materials.end(),
+                                       primitive["material"].get<std::size_t>()) != materials.end();
+      const Result<std::optional<std::string>> checked = scene.checkVertices(place);
+      if (!checked && (getsNoise || checked.error().kind != ErrorKind::badInput))
+        return checked.error();
+      if (!checked && broken.count++ == 0)
+        broken.first = checked.error().message;
+      if (!checked || !checked.value())
+        continue;
+      Group& group = compressed[*checked.value()];
+      if (group.count++ == 0)
+        group.first = scene.primitiveTitle(place);
+    }
+  if (broken.count > 0)
+    notes.push_back(fmt::format("{}; it{} {} without noise and unchanged, but viewers may "
+                                "reject the scene",
+                                broken.first, andOthers(broken.count),
+                                broken.count == 1 ? "is" : "are"));
+  for (const auto& [extension, group] : compressed)
+    notes.push_back(fmt::format("{}: {}{}: compressed with {}, which lichen-render does not read",
+                                scene.path().string(), group.first, andOthers(group.count),
+                                extension));
+  return {};
+}
+
+} // namespace lichen::apply

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Puts a noise on materials of an existing glTF scene: what `lichen apply` does between reading and
+// writing the scene.
+#pragma once
+
+#include <lichen/bake_observer.h>
+#include <lichen/gltf_scene.h>
+#include <lichen/surface_frames.h>
+#include <lichen/tile_size.h>
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lichen {
+
+/// The source of a material's mix weight: at most one. Without any, it is the source of
+/// ApplyOptions::use, unless that is a texture, which belongs to another file.
+struct MixOptions {
+  std::optional<double> weight;
+  std::optional<std::array<double, 4>> direction; ///< u, v of the start, then of the end
+  std::string texture; ///< name of a PNG or JPEG, or the index of a texture in the scene
+  std::optional<int> colorSet;
+  std::optional<int> channel; ///< of the texture or the colours
+
+  [[nodiscard]] bool isGiven() const {
+    return weight || direction || !texture.empty() || colorSet || channel;
+  }
+};
+
+struct ApplyOptions {
+  std::vector<std::string> materials; ///< names or indices, or "all" alone
+  MaterialNoise use;                  ///< how the materials use the noise
+  std::optional<Vector3> grain; ///< surface: an axis of each mesh that the exemplar's rows follow
+  MixOptions mix;
+  bool setsFactors = false; ///< whether the factors that multiply the noise become 1
+};
+
+/// The tile of one material that could be measured.
+struct MaterialTile {
+  std::string material; ///< its title
+  std::string object;   ///< "node 'house'", or "its 12 nodes"
+  TileSize size;
+};
+
+/// What was done to the scene.
+struct NoiseOnScene {
+  AppliedNoise noise;
+  std::vector<std::string> materials; ///< titles of those that have the noise
+  std::vector<MaterialTile> tiles;
+  std::vector<MeshFrames> frames; ///< that were added, for surfaces
+  std::vector<std::string> notes; ///< for the user, one sentence each
+};
+
+/// Adds noise `noise` of the bundle to the materials. Where all are chosen, those that cannot have
+/// it are skipped, with a note. Adds the tangent frames that surfaces need, and removes material
+/// extensions that would hide the noise. The step of `observer` is "apply"; it hears no notes. The
+/// noise supports the mapping of `use`. Errors: usage for materials that are not there, and options
+/// that exclude each other or do not fit the noise; badInput for a scene without materials, for
+/// meshes that lack what the mapping or the mix needs, and for an unusable mask; as
+/// addSurfaceFrames() and GltfScene::applyNoise(). After an Error the scene is unspecified.
+[[nodiscard]] Result<NoiseOnScene> applyNoise(GltfScene& scene, const Bundle& bundle,
+                                              std::size_t noise, const ApplyOptions& options,
+                                              const BakeObserver& observer = {});
+
+/// "wall: one tile is 0.5 m, 120 pixels when node 'house' fills 1920 x 1080 pixels", for the first
+/// few materials. `words` name where the others are listed.
+[[nodiscard]] std::vector<std::string> linesOn(std::span<const MaterialTile> tiles,
+                                               SettingWords words);
+
+/// The usage error of an option of mixes, for a noise that is none.
+[[nodiscard]] Error notMixed(const std::string& option, const Noise& noise);
+
+} // namespace lichen
