@@ -20,17 +20,6 @@ LinearImage white() {
   return image;
 }
 
-/// Returns the RGB of `color`, or white if that is empty, with `opacity` as alpha.
-LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
-  LinearImage result(opacity.width, opacity.height, 4);
-  for (std::size_t i = 0; i < opacity.pixelCount(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c)
-      result.values[4 * i + c] = color.values.empty() ? 1.0f : color.values[3 * i + c];
-    result.values[4 * i + 3] = opacity.values[i];
-  }
-  return result;
-}
-
 /// Tileable images of the maps of a material's noise.
 Result<PreviewImages> previewImages(const Bundle& bundle, const MaterialNoise& material) {
   std::map<MapTarget, LinearImage> textures;

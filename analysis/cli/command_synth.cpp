@@ -5,7 +5,6 @@
 #include "noise_choice.h"
 #include "options.h"
 #include "progress_line.h"
-#include "texture_files.h"
 
 #include <lichen/apply_noise.h>
 #include <lichen/core_texture.h>
@@ -13,6 +12,7 @@
 #include <lichen/image_io.h>
 #include <lichen/shader_parameters.h>
 #include <lichen/synthesize.h>
+#include <lichen/texture_files.h>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>

@@ -45,6 +45,16 @@ LinearImage coreTexture(const NoiseMap& map, LinearImage values) {
   return values;
 }
 
+LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
+  LinearImage result(opacity.width, opacity.height, 4);
+  for (std::size_t i = 0; i < opacity.pixelCount(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      result.values[4 * i + c] = color.values.empty() ? 1.0f : color.values[3 * i + c];
+    result.values[4 * i + 3] = opacity.values[i];
+  }
+  return result;
+}
+
 Result<std::vector<std::byte>> encodeCoreTexture(MapTarget target, LinearImage texture) {
   // 16 bits, because displacement makes steps of 1 / 255 visible.
   const int bits = target == MapTarget::height ? 16 : 8;

@@ -17,6 +17,10 @@ namespace lichen {
 /// std::bad_alloc, as all building blocks do.
 [[nodiscard]] LinearImage coreTexture(const NoiseMap& map, LinearImage values);
 
+/// The RGB of `color`, or white if that is empty, with `opacity`, of the same size, as alpha.
+/// Throws std::bad_alloc.
+[[nodiscard]] LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity);
+
 /// Encodes a core texture as PNG. Light is stored in sRGB; data and alpha are stored unchanged. The
 /// file has 8 bits per channel, or 16 for a height, which no core material uses but `synth` writes.
 /// Errors: as encodePng().

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Blender's add-on Node Wrangler finds its slots by the words of a name. Unreal and Godot pack
 // occlusion, roughness and metallic as glTF does; Unity's mask map follows its HDRP.
-#include "texture_files.h"
-
 #include <lichen/core_texture.h>
 #include <lichen/image_io.h>
+#include <lichen/texture_files.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-namespace lichen::cli {
+namespace lichen {
 namespace {
 
 /// A texture before it is encoded.
@@ -108,15 +107,6 @@ bool opacityIsAlpha(Importer importer) {
   return importer == Importer::godot || importer == Importer::unity;
 }
 
-LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity) {
-  LinearImage result(color.width, color.height, 4);
-  for (std::size_t i = 0; i < result.pixelCount(); ++i) {
-    std::copy_n(&color.values[3 * i], 3, &result.values[4 * i]);
-    result.values[4 * i + 3] = opacity.values[i];
-  }
-  return result;
-}
-
 Result<std::vector<TextureFile>> texturesOf(const std::string& material, const NoiseMap& map,
                                             LinearImage values, const TextureStyle& style) {
   std::vector<TextureFile> files;
@@ -134,4 +124,4 @@ Result<std::vector<TextureFile>> texturesOf(const std::string& material, const N
   return files;
 }
 
-} // namespace lichen::cli
+} // namespace lichen

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace lichen::cli {
+namespace lichen {
 
 /// A program into which people load textures.
 enum class Importer { blender, godot, unity, unreal };
@@ -24,9 +24,6 @@ enum class TextureFormat { png, exr };
 [[nodiscard]] GreenAxis greenAxisOf(Importer importer);
 /// Whether a program takes opacity from the base colour's alpha.
 [[nodiscard]] bool opacityIsAlpha(Importer importer);
-
-/// Colours with an opacity of the same size as their alpha.
-[[nodiscard]] LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity);
 
 /// What all textures of a material share.
 struct TextureStyle {
@@ -48,4 +45,4 @@ struct TextureFile {
                                                           const NoiseMap& map, LinearImage values,
                                                           const TextureStyle& style);
 
-} // namespace lichen::cli
+} // namespace lichen
