@@ -11,7 +11,6 @@
 #include <lichen/files.h>
 #include <lichen/image_io.h>
 #include <lichen/shader_parameters.h>
-#include <lichen/synthesize.h>
 #include <lichen/texture_files.h>
 
 #include <fmt/core.h>
@@ -129,8 +128,7 @@ std::vector<std::string> notesOf(const Bundle& bundle, const SynthesisOptions& s
                       synthesis.width / across, synthesis.height / down, width, height)};
 }
 
-/// Synthesizes and writes one map after the other, so that memory holds one. Returns the names of
-/// the files.
+/// Writes the textures of all maps into the folder. Returns the names of the files.
 Result<std::vector<std::string>> writeAllMaps(const Arguments& arguments, const Bundle& bundle) {
   const std::filesystem::path folder = arguments.output;
   std::error_code code;
@@ -140,40 +138,13 @@ Result<std::vector<std::string>> writeAllMaps(const Arguments& arguments, const 
                                                      arguments.output, code.message())};
   const TextureStyle style{arguments.importer.value_or(Importer::blender), arguments.green,
                            arguments.format.value_or(TextureFormat::png)};
-  const Noise& noise = bundle.noises[arguments.synthesis.material.noise];
-  const auto count = double(noise.maps.size());
   std::vector<std::string> names;
-  double done = 0.0; // maps
-  const auto valuesOf = [&](MapTarget target) {
-    SynthesisOptions synthesis = arguments.synthesis;
-    synthesis.map = target;
-    synthesis.progress = partOf(arguments.synthesis.progress, done / count, (done + 1.0) / count);
-    done += 1.0;
-    return synthesize(bundle, synthesis);
+  const auto write = [&](const TextureFile& file) {
+    names.push_back(file.name);
+    return replaceFile(folder / file.name, file.bytes);
   };
-  const bool packsOpacity = opacityIsAlpha(style.importer) && findMap(noise, MapTarget::baseColor);
-  for (const NoiseMap& map : noise.maps) {
-    if (map.target == MapTarget::opacity && packsOpacity)
-      continue;
-    Result<LinearImage> values = valuesOf(map.target);
-    if (!values)
-      return values.error();
-    if (map.target == MapTarget::baseColor && packsOpacity && findMap(noise, MapTarget::opacity)) {
-      const Result<LinearImage> opacity = valuesOf(MapTarget::opacity);
-      if (!opacity)
-        return opacity.error();
-      values = withAlpha(values.value(), opacity.value());
-    }
-    const Result<std::vector<TextureFile>> files =
-        texturesOf(noise.name, map, std::move(values).value(), style);
-    if (!files)
-      return files.error();
-    for (const TextureFile& file : files.value()) {
-      if (Result<void> written = replaceFile(folder / file.name, file.bytes); !written)
-        return written.error();
-      names.push_back(file.name);
-    }
-  }
+  if (Result<void> made = makeTextures(bundle, arguments.synthesis, style, write); !made)
+    return made.error();
   return names;
 }
 

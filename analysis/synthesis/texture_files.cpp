@@ -20,6 +20,16 @@ struct Texture {
   LinearImage pixels;
 };
 
+/// The direction in a program's own normal maps.
+GreenAxis greenAxisOf(Importer importer) {
+  return importer == Importer::unreal ? GreenAxis::down : GreenAxis::up;
+}
+
+/// Whether a program takes opacity from the base colour's alpha.
+bool opacityIsAlpha(Importer importer) {
+  return importer == Importer::godot || importer == Importer::unity;
+}
+
 LinearImage channelOf(const LinearImage& image, std::size_t channel) {
   LinearImage result(image.width, image.height, 1);
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
@@ -97,19 +107,9 @@ std::string fileStem(std::string material, Importer importer) {
   return (importer == Importer::unreal ? "T_" : "") + material; // Unreal's prefix of textures
 }
 
-} // namespace
-
-GreenAxis greenAxisOf(Importer importer) {
-  return importer == Importer::unreal ? GreenAxis::down : GreenAxis::up;
-}
-
-bool opacityIsAlpha(Importer importer) {
-  return importer == Importer::godot || importer == Importer::unity;
-}
-
-Result<std::vector<TextureFile>> texturesOf(const std::string& material, const NoiseMap& map,
-                                            LinearImage values, const TextureStyle& style) {
-  std::vector<TextureFile> files;
+Result<void> giveFiles(const std::string& material, const NoiseMap& map, LinearImage values,
+                       const TextureStyle& style,
+                       const std::function<Result<void>(const TextureFile&)>& take) {
   for (Texture& texture : texturesBefore(map, std::move(values), style)) {
     std::string name = fileStem(material, style.importer) + "_" + std::string(texture.suffix) +
                        (style.format == TextureFormat::exr ? ".exr" : ".png");
@@ -119,9 +119,58 @@ Result<std::vector<TextureFile>> texturesOf(const std::string& material, const N
             : encodeCoreTexture(map.target, std::move(texture.pixels));
     if (!bytes)
       return bytes.error();
-    files.push_back({std::move(name), std::move(bytes).value()});
+    if (Result<void> taken = take({std::move(name), std::move(bytes).value()}); !taken)
+      return taken.error();
   }
-  return files;
+  return {};
+}
+
+Result<void> giveAllFiles(const Bundle& bundle, const SynthesisOptions& synthesis,
+                          const TextureStyle& style,
+                          const std::function<Result<void>(const TextureFile&)>& take) {
+  const std::size_t index = synthesis.material.noise;
+  if (index >= bundle.noises.size())
+    return Error{ErrorKind::usage, "noise " + std::to_string(index) + ": the bundle has " +
+                                       std::to_string(bundle.noises.size())};
+  const Noise& noise = bundle.noises[index];
+  const bool packsOpacity = opacityIsAlpha(style.importer) &&
+                            findMap(noise, MapTarget::baseColor) &&
+                            findMap(noise, MapTarget::opacity);
+  const auto count = double(noise.maps.size());
+  double done = 0.0; // maps
+  const auto valuesOf = [&](MapTarget target) {
+    SynthesisOptions one = synthesis;
+    one.map = target;
+    one.progress = partOf(synthesis.progress, done / count, (done + 1.0) / count);
+    done += 1.0;
+    return synthesize(bundle, one);
+  };
+  for (const NoiseMap& map : noise.maps) {
+    if (map.target == MapTarget::opacity && packsOpacity)
+      continue;
+    Result<LinearImage> values = valuesOf(map.target);
+    if (!values)
+      return values.error();
+    if (map.target == MapTarget::baseColor && packsOpacity) {
+      const Result<LinearImage> opacity = valuesOf(MapTarget::opacity);
+      if (!opacity)
+        return opacity.error();
+      values = withAlpha(values.value(), opacity.value());
+    }
+    if (Result<void> given = giveFiles(noise.name, map, std::move(values).value(), style, take);
+        !given)
+      return given.error();
+  }
+  return {};
+}
+
+} // namespace
+
+Result<void> makeTextures(const Bundle& bundle, const SynthesisOptions& synthesis,
+                          const TextureStyle& style,
+                          const std::function<Result<void>(const TextureFile& file)>& take) {
+  return withinMemory([] { return "not enough memory to make the textures"; },
+                      [&] { return giveAllFiles(bundle, synthesis, style, take); });
 }
 
 } // namespace lichen

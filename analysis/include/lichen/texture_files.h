@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The maps of a material -> the textures that a program imports: which files there are, their
-// names, and what their channels hold.
+// A noise -> the textures that a program imports: which files there are, their names, and what
+// their channels hold.
 #pragma once
 
-#include <lichen/bundle.h>
-#include <lichen/image.h>
-#include <lichen/result.h>
+#include <lichen/synthesize.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,15 +19,10 @@ enum class Importer { blender, godot, unity, unreal };
 enum class GreenAxis { up, down };
 enum class TextureFormat { png, exr };
 
-/// That of a program's own normal maps.
-[[nodiscard]] GreenAxis greenAxisOf(Importer importer);
-/// Whether a program takes opacity from the base colour's alpha.
-[[nodiscard]] bool opacityIsAlpha(Importer importer);
-
 /// What all textures of a material share.
 struct TextureStyle {
   Importer importer = Importer::blender;
-  std::optional<GreenAxis> green; ///< absent: greenAxisOf()
+  std::optional<GreenAxis> green; ///< absent: down for Unreal, up for the others
   TextureFormat format = TextureFormat::png;
 };
 
@@ -38,11 +32,13 @@ struct TextureFile {
   std::vector<std::byte> bytes;
 };
 
-/// The files of one map. `material` begins their names; characters that file systems or importers
-/// may not take are replaced. `values` come from synthesize(), colours also from withAlpha().
-/// Errors: as encodePng().
-[[nodiscard]] Result<std::vector<TextureFile>> texturesOf(const std::string& material,
-                                                          const NoiseMap& map, LinearImage values,
-                                                          const TextureStyle& style);
+/// Synthesizes all maps of the noise of `synthesis`, whose `map` is ignored, and gives each file to
+/// `take`, one map after the other, so that memory holds one. The noise's name begins the names of
+/// the files; characters that file systems or importers may not take are replaced. Opacity is the
+/// base colour's alpha where the program expects that. Errors: as synthesize() and encodePng(); an
+/// error of `take` ends the work.
+[[nodiscard]] Result<void>
+makeTextures(const Bundle& bundle, const SynthesisOptions& synthesis, const TextureStyle& style,
+             const std::function<Result<void>(const TextureFile& file)>& take);
 
 } // namespace lichen
