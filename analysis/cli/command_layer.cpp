@@ -9,6 +9,7 @@
 #include <lichen/bundle_merge.h>
 #include <lichen/index_map.h>
 #include <lichen/layered_noise.h>
+#include <lichen/layers.h>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
@@ -16,7 +17,6 @@
 
 #include <chrono>
 #include <memory>
-#include <numeric>
 
 namespace lichen::cli {
 namespace {
@@ -104,29 +104,6 @@ Result<Input> readIndex(const Arguments& arguments, const Input& first) {
   return Input{"--index", std::move(baked.value().bundle), 0};
 }
 
-/// A chain: each node divides one layer from those after it. Errors: usage for a layer that is too
-/// small beside those after it.
-Result<std::vector<LayerNode>> chainOf(std::vector<double> shares, std::size_t layers,
-                                       double softness) {
-  shares.resize(layers, 1.0 / double(layers)); // all or none are given
-  std::vector<LayerNode> nodes(layers - 1);
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const double rest = std::accumulate(shares.begin() + std::ptrdiff_t(n), shares.end(), 0.0);
-    const double proportion = (rest - shares[n]) / rest;
-    if (!(proportion >= kProportionRange.least && proportion <= kProportionRange.most))
-      return Error{
-          ErrorKind::usage,
-          fmt::format("--shares: {:g} beside {:g} of the layers after it; expected at least "
-                      "a hundredth of both on each side",
-                      shares[n], rest - shares[n])};
-    nodes[n].proportion = proportion;
-    nodes[n].softness = softness;
-    nodes[n].below = {false, n};
-    nodes[n].above = n + 1 < nodes.size() ? LayerSide{true, n + 1} : LayerSide{false, n + 1};
-  }
-  return nodes;
-}
-
 Result<Bundle> layered(const Arguments& arguments) {
   std::vector<Input> inputs;
   std::vector<std::string> names;
@@ -153,10 +130,11 @@ Result<Bundle> layered(const Arguments& arguments) {
                                           {&index.value().bundle, index.value().noise});
   const std::string name =
       arguments.name.empty() ? fmt::format("{}", fmt::join(names, "-")) : arguments.name;
+  const std::vector<double> equal(layers.size(), 1.0 / double(layers.size()));
   const Result<std::vector<LayerNode>> nodes =
-      chainOf(arguments.shares, layers.size(), arguments.softness);
+      layerChain(arguments.shares.empty() ? equal : arguments.shares, arguments.softness);
   if (!nodes)
-    return nodes.error();
+    return Error{nodes.error().kind, "--shares: " + nodes.error().message};
   Result<Bundle> bundle = layerNoises(name, layers, indices, nodes.value());
   if (!bundle)
     return bundle;

@@ -91,6 +91,7 @@ TEST_CASE("layers are made of noises of several bundles, with the areas asked fo
                           {"--index " + bundles[1] + ": the noise \"texton\" has the method texton",
                            "expected multiple-kernels for an index map"}},
                          {{"--shares", "1"}, {"--shares: 1 for 2 bundles; expected one each"}},
+                         {{"--shares", "1,500"}, {"--shares: 1 beside 500 of the layers after it"}},
                          {{"--index", "rings"}, {"rings"}, kBadInput}});
 }
 

@@ -3,6 +3,7 @@
 // the materials lie by Gaussian fields with thresholds. [MKN12] section 5, multi-layered textures.
 #pragma once
 
+#include <lichen/bundle.h>
 #include <lichen/exemplar.h>
 #include <lichen/image.h>
 #include <lichen/result.h>
@@ -83,5 +84,11 @@ struct LayerSplit {
 /// has the autocovariance of the labels inside the region [T91]. Throws std::bad_alloc.
 /// O(N log N) in the number of pixels.
 [[nodiscard]] std::vector<LayerSplit> splitLayers(const MapExemplar& map, const LabelImage& labels);
+
+/// Nodes for layerNoises() whose layers cover areas in the ratio of `shares`, at least two numbers
+/// above 0: node n divides layer n from those after it. Errors: usage for a layer that is too small
+/// beside those after it, or too large. Throws std::bad_alloc.
+[[nodiscard]] Result<std::vector<LayerNode>> layerChain(std::span<const double> shares,
+                                                        double softness);
 
 } // namespace lichen
