@@ -6,21 +6,20 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 namespace lichen {
 namespace {
 
 using namespace apply;
 
-void append(std::vector<std::string>& notes, std::vector<std::string> more) {
-  notes.insert(notes.end(), std::make_move_iterator(more.begin()),
-               std::make_move_iterator(more.end()));
-}
-
 Result<void> checkOptions(const Bundle& bundle, std::size_t noise, const ApplyOptions& options,
                           SettingWords words) {
   const MaterialNoise& use = options.use;
+  if (noise >= bundle.noises.size())
+    return Error{ErrorKind::usage,
+                 fmt::format("noise {}: the bundle has {}", noise, bundle.noises.size())};
+  if (const std::string obstacle = mappingObstacle(bundle, noise, use.mapping); !obstacle.empty())
+    return Error{ErrorKind::usage,
+                 words({"mapping", std::string(nameOf(use.mapping))}) + ": " + obstacle};
   if (!takesTileRotation(bundle, noise, use.tileRotation))
     return Error{ErrorKind::usage,
                  fmt::format("{}: the tiles of the noise '{}' are not square; expected none or 2",
@@ -61,14 +60,14 @@ void noteName(const GltfScene& scene, const std::string& name, const AppliedNois
 /// The noise of a bundle as it goes on a scene.
 Result<NoiseOnScene> applied(GltfScene& scene, const Bundle& bundle, std::size_t index,
                              const ApplyOptions& options, const BakeObserver& observer) {
-  const Noise& noise = bundle.noises[index];
   const SettingWords words = observer.words;
+  if (Result<void> checked = checkOptions(bundle, index, options, words); !checked)
+    return checked.error();
+  const Noise& noise = bundle.noises[index];
   NoiseOnScene done;
   const Result<ChosenMaterials> chosen = findMaterials(scene, options.materials, words);
   if (!chosen)
     return chosen.error();
-  if (Result<void> checked = checkOptions(bundle, index, options, words); !checked)
-    return checked.error();
   MaterialNoise use = options.use;
   Result<std::vector<std::size_t>> suitable =
       suitableMaterials(scene, chosen.value(), noise, use, words, done.notes);

@@ -77,7 +77,7 @@ std::vector<std::string> notesOnNormals(const GltfScene& scene,
       scene.path().string(), shortList(turned), turned.size() == 1 ? "its" : "their")};
 }
 
-/// Notes the meshes that --grain does not affect: one note per material, which may have thousands
+/// Notes the meshes that a grain does not affect: one note per material, which may have thousands
 /// of meshes.
 std::vector<std::string> notesOnGrain(const GltfScene& scene,
                                       std::span<const std::size_t> materials, SettingWords words) {
@@ -94,11 +94,6 @@ std::vector<std::string> notesOnGrain(const GltfScene& scene,
                                 words({"grain", ""})));
   }
   return notes;
-}
-
-void append(std::vector<std::string>& notes, std::vector<std::string> more) {
-  notes.insert(notes.end(), std::make_move_iterator(more.begin()),
-               std::make_move_iterator(more.end()));
 }
 
 } // namespace

@@ -102,8 +102,7 @@ Result<std::size_t> textureOf(const std::string& wanted, int channel, GltfScene&
                       });
 }
 
-/// Returns whether a texture repeats along u and along v. A texture that this command added does
-/// not.
+/// Returns whether a texture repeats along u and along v. One that textureOf() added does not.
 std::array<bool, 2> repeats(const GltfScene& scene, std::size_t texture) {
   constexpr std::uint64_t kRepeat = 10497, kClampToEdge = 33071; // [glTF 2.0, section 5.26]
   const nlohmann::json& document = scene.document();

@@ -5,7 +5,14 @@
 #include <lichen/apply_noise.h>
 #include <lichen/counted.h>
 
+#include <iterator>
+
 namespace lichen::apply {
+
+inline void append(std::vector<std::string>& notes, std::vector<std::string> more) {
+  notes.insert(notes.end(), std::make_move_iterator(more.begin()),
+               std::make_move_iterator(more.end()));
+}
 
 struct ChosenMaterials {
   std::vector<std::size_t> indices; ///< unique, in the scene's order

@@ -17,7 +17,7 @@ namespace {
 // of 1 m, is not beyond it. A tile larger than the object shows only a part of the exemplar there.
 constexpr double kSmallestTile = 16.0;
 constexpr double kLargestTile = kViewHeight;
-// The size that the proposed --scale gives: a sixteenth and a quarter of the object.
+// The size that the proposed scale gives: a sixteenth and a quarter of the object.
 constexpr double kRaisedTile = 64.0;
 constexpr double kLoweredTile = 256.0;
 
@@ -38,7 +38,7 @@ std::string viewOf(const MaterialTile& tile) {
                      tile.size.nodeCount == 1 ? "fills" : "fill", kViewWidth, kViewHeight);
 }
 
-/// One note on all materials with a tile beyond a bound; `fault` describes it. The value of --scale
+/// One note on all materials with a tile beyond a bound; `fault` describes it. The proposed scale
 /// mends the first one.
 std::string noteOn(const std::string& scene, const std::vector<MaterialTile>& tiles,
                    const std::string& fault, double aim, double scale, SettingWords words) {

@@ -199,11 +199,6 @@ Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
   const Noise& noise = bundle.value().noises[index.value()];
   if (Result<void> fits = checkMapping(noise, arguments.mapping); !fits)
     return fits.error();
-  if (const std::string obstacle =
-          mappingObstacle(bundle.value(), index.value(), arguments.mapping);
-      !obstacle.empty()) // of another layer
-    return Error{ErrorKind::usage,
-                 fmt::format("--mapping {}: {}", nameOf(arguments.mapping), obstacle)};
   if (Result<void> fits = checkMethodOptions(arguments, noise); !fits)
     return fits.error();
   return ChosenNoise{std::move(bundle).value(), index.value()};

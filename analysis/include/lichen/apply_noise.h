@@ -32,7 +32,7 @@ struct MixOptions {
 
 struct ApplyOptions {
   std::vector<std::string> materials; ///< names or indices, or "all" alone
-  MaterialNoise use;                  ///< how the materials use the noise
+  MaterialNoise use;                  ///< how the materials use the noise; its noise is ignored
   std::optional<Vector3> grain; ///< surface: an axis of each mesh that the exemplar's rows follow
   MixOptions mix;
   bool setsFactors = false; ///< whether the factors that multiply the noise become 1
@@ -56,11 +56,11 @@ struct NoiseOnScene {
 
 /// Adds noise `noise` of the bundle to the materials. Where all are chosen, those that cannot have
 /// it are skipped, with a note. Adds the tangent frames that surfaces need, and removes material
-/// extensions that would hide the noise. The step of `observer` is "apply"; it hears no notes. The
-/// noise supports the mapping of `use`. Errors: usage for materials that are not there, and options
-/// that exclude each other or do not fit the noise; badInput for a scene without materials, for
-/// meshes that lack what the mapping or the mix needs, and for an unusable mask; as
-/// addSurfaceFrames() and GltfScene::applyNoise(). After an Error the scene is unspecified.
+/// extensions that would hide the noise. The step of `observer` is "apply"; it hears no notes.
+/// Errors: usage for a noise or materials that are not there, and options that exclude each other
+/// or do not fit the noise; badInput for a scene without materials, for meshes that lack what the
+/// mapping or the mix needs, and for an unusable mask; as addSurfaceFrames() and
+/// GltfScene::applyNoise(). After an error the scene may be partly changed: do not write it.
 [[nodiscard]] Result<NoiseOnScene> applyNoise(GltfScene& scene, const Bundle& bundle,
                                               std::size_t noise, const ApplyOptions& options,
                                               const BakeObserver& observer = {});
