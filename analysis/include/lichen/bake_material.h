@@ -19,9 +19,9 @@ namespace lichen {
 /// A noise for each label, in which index maps alternate: either labels or a count.
 struct LayersOptions {
   /// A picture of the exemplar's shape, with 2 to 4 colours, and its name in messages.
-  std::optional<std::pair<SrgbImage, std::string>> labels;
-  std::optional<int> count; ///< of clusters of colours
-  double softness = 0.1;    ///< width of the transitions, in deviations of the index map
+  std::optional<std::pair<SrgbImage, std::string>> labels{};
+  std::optional<int> count{}; ///< of clusters of colours
+  double softness = 0.1;      ///< width of the transitions, in deviations of the index map
 };
 
 struct BakeOptions {
