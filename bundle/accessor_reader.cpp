@@ -16,9 +16,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint64_t kByte = 5120, kUnsignedByte = 5121, kShort = 5122, kUnsignedShort = 5123,
-                        kUnsignedInt = 5125, kFloat = 5126;
-constexpr std::uint64_t kMostViews = std::uint64_t(1) << 24;
 constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 32;
 /// Maximum number of elements of an accessor without a buffer view, whose elements are zero: 12 MiB
 /// of vectors.
@@ -100,8 +97,10 @@ public:
     componentType_ = componentType(reader_, types);
     elementBytes_ = components * componentBytes(componentType_);
     const auto name = reader_.text("type");
-    if (!name || *name != type)
-      fail("type", std::string("not ") + type);
+    if (!name || *name != type) {
+      reader_.error(kAccessorType, "type", std::string("not ") + type);
+      throw Unreadable{};
+    }
     if (count_ == 0)
       fail("count", "0; expected at least 1");
     if (const json* normalized = reader_.optional("normalized"); normalized != nullptr) {
@@ -139,7 +138,7 @@ public:
   [[nodiscard]] bool isNormalized() const { return isNormalized_; }
 
   [[noreturn]] void fail(const char* key, const std::string& what) {
-    findings_.error("accessor", pointer_ + "/" + key, what);
+    findings_.error("accessor", pointer_ + (*key == 0 ? "" : "/") + key, what);
     throw Unreadable{};
   }
 
@@ -189,7 +188,8 @@ private:
       std::string list;
       for (const std::uint64_t each : valid)
         list += (list.empty() ? "" : ", ") + std::to_string(each);
-      reader.error("accessor", "componentType", std::to_string(type) + "; expected one of " + list);
+      reader.error(kAccessorType, "componentType",
+                   std::to_string(type) + "; expected one of " + list);
       throw Unreadable{};
     }
     return type;
@@ -206,7 +206,9 @@ private:
 
   /// Finds `count` > 0 elements of `size` bytes in the buffer view that an object names.
   Elements elementsOf(ObjectReader& reader, std::size_t count, std::size_t size, bool mayStride) {
-    const auto view = std::size_t(integer(reader, "bufferView", kMostViews));
+    const auto views = file_.document().find("bufferViews");
+    const bool hasViews = views != file_.document().end() && views->is_array() && !views->empty();
+    const auto view = std::size_t(integer(reader, "bufferView", hasViews ? views->size() - 1 : 0));
     const auto offset = reader.has("byteOffset")
                             ? std::size_t(integer(reader, "byteOffset", kMostBytes))
                             : std::size_t(0);
@@ -259,20 +261,20 @@ std::optional<std::string> compressionOfView(const json& document, std::size_t v
 
 template <std::size_t kComponents>
 std::optional<std::vector<std::array<float, kComponents>>>
-readVectors(GltfFile& file, std::size_t accessor, FindingList& findings) {
+readVectors(GltfFile& file, std::size_t accessor, FindingList& findings,
+            std::initializer_list<std::uint64_t> types) {
   try {
     AccessorReader reader(file, accessor, findings);
     constexpr std::size_t kMatrix = 16;
     const std::string type = kComponents == kMatrix ? "MAT4" : "VEC" + std::to_string(kComponents);
-    reader.describe(type.c_str(), kComponents,
-                    {kByte, kUnsignedByte, kShort, kUnsignedShort, kFloat});
+    reader.describe(type.c_str(), kComponents, types);
     const std::size_t bytes = componentBytes(reader.type());
     return reader.values([&](const std::byte* element) {
       std::array<float, kComponents> value{};
       for (std::size_t c = 0; c < kComponents; ++c) {
         value[c] = loadFloat(element + c * bytes, reader.type(), reader.isNormalized());
         if (!std::isfinite(value[c]))
-          reader.fail("bufferView", "holds NaN or infinite values; expected finite ones");
+          reader.fail("", "contains NaN or infinity; all values must be finite");
       }
       return value;
     });
@@ -281,12 +283,16 @@ readVectors(GltfFile& file, std::size_t accessor, FindingList& findings) {
   }
 }
 
-template std::optional<std::vector<std::array<float, 2>>> readVectors<2>(GltfFile&, std::size_t,
-                                                                         FindingList&);
-template std::optional<std::vector<std::array<float, 3>>> readVectors<3>(GltfFile&, std::size_t,
-                                                                         FindingList&);
-template std::optional<std::vector<std::array<float, 16>>> readVectors<16>(GltfFile&, std::size_t,
-                                                                           FindingList&);
+// clang-format off
+template std::optional<std::vector<std::array<float, 2>>>
+readVectors<2>(GltfFile&, std::size_t, FindingList&, std::initializer_list<std::uint64_t>);
+template std::optional<std::vector<std::array<float, 3>>>
+readVectors<3>(GltfFile&, std::size_t, FindingList&, std::initializer_list<std::uint64_t>);
+template std::optional<std::vector<std::array<float, 4>>>
+readVectors<4>(GltfFile&, std::size_t, FindingList&, std::initializer_list<std::uint64_t>);
+template std::optional<std::vector<std::array<float, 16>>>
+readVectors<16>(GltfFile&, std::size_t, FindingList&, std::initializer_list<std::uint64_t>);
+// clang-format on
 
 std::optional<std::vector<std::uint32_t>> readIndices(GltfFile& file, std::size_t accessor,
                                                       std::size_t limit, FindingList& findings) {
@@ -303,6 +309,21 @@ std::optional<std::vector<std::uint32_t>> readIndices(GltfFile& file, std::size_
   } catch (const Unreadable&) {
     return std::nullopt;
   }
+}
+
+std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> indices, std::uint64_t mode) {
+  if (mode == kTriangles) {
+    indices.resize(indices.size() - indices.size() % 3);
+    return indices;
+  }
+  std::vector<std::uint32_t> list;
+  for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
+    if (mode == kTriangleFan)
+      list.insert(list.end(), {indices[i + 1], indices[i + 2], indices[0]});
+    else
+      list.insert(list.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
+  }
+  return list;
 }
 
 } // namespace lichen

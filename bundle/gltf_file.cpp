@@ -19,7 +19,7 @@ constexpr std::size_t kMaxBuffers = 4096;
 constexpr std::size_t kMaxStoredBytes = std::size_t(4) << 30;
 
 /// [glTF 2.0, section 5.11.4]
-constexpr std::uint64_t kMaxStride = 252;
+constexpr std::uint64_t kMaxStride = 252, kStrideStep = 4;
 
 bool isDataUri(const std::string& uri) { return uri.starts_with("data:"); }
 
@@ -174,10 +174,11 @@ std::optional<GltfFile::StridedView> GltfFile::stridedView(std::size_t index,
     findings.error("buffer-view", pointer + "/buffer", "not the index of a buffer");
     return std::nullopt;
   }
-  if (!offset || !length || *length == 0 || !stride || *stride > kMaxStride) {
+  if (!offset || !length || *length == 0 || !stride || *stride > kMaxStride ||
+      *stride % kStrideStep != 0) {
     findings.error("buffer-view", pointer,
                    "byteOffset, byteLength and byteStride must be integers, the length positive, "
-                   "the stride at most " +
+                   "the stride a multiple of 4, at most " +
                        std::to_string(kMaxStride));
     return std::nullopt;
   }

@@ -12,25 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uint64_t kTriangles = 4, kTriangleFan = 6; // a strip is between
 constexpr const char* kDraco = "KHR_draco_mesh_compression";
-
-/// Converts indices to a triangle list. All triangles of a strip or fan get the winding of the
-/// first. Drops an incomplete last triangle of a list.
-std::vector<std::uint32_t> asTriangleList(std::vector<std::uint32_t> indices, std::uint64_t mode) {
-  if (mode == kTriangles) {
-    indices.resize(indices.size() - indices.size() % 3);
-    return indices;
-  }
-  std::vector<std::uint32_t> list;
-  for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
-    if (mode == kTriangleFan)
-      list.insert(list.end(), {indices[i + 1], indices[i + 2], indices[0]});
-    else
-      list.insert(list.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
-  }
-  return list;
-}
 
 bool hasDraco(const json& primitive) {
   const auto extensions = primitive.find("extensions");

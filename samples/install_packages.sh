@@ -6,7 +6,7 @@ build_packages=(
   cmake ninja-build g++ pkg-config
   catch2 glslang-tools libcli11-dev libeigen3-dev libexif-dev libfftw3-dev libfmt-dev libglfw3-dev
   libglm-dev libjpeg-dev libkissfft-dev libnanoflann-dev libopenexr-dev libpng-dev libtbb-dev
-  libtinygltf-dev libvulkan-dev libvulkan-volk-dev mesa-vulkan-drivers nlohmann-json3-dev
+  libvulkan-dev libvulkan-volk-dev mesa-vulkan-drivers nlohmann-json3-dev
   spirv-tools)
 test_packages=(assimp-testmodels ccache libx11-dev spirv-cross vulkan-validationlayers xvfb)
 

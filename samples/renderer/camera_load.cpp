@@ -4,86 +4,89 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-#include <string>
-
 namespace lichen::renderer {
 namespace {
 
 constexpr double kSmallest = 1e-6;
-constexpr double kLargest = std::numeric_limits<float>::max();
 constexpr double kWidest = 3.1; // radians; glTF requires less than pi
 
+/// A mandatory number of a lens, and what is accepted.
 struct LensNumber {
   const char* name;
-  double value;
   double low;
-  double high;
+  double high = kLargest;
 };
 
-std::string faultOf(const LensNumber& number, const std::string& lens) {
-  if (number.value >= number.low && number.value <= number.high)
-    return {};
-  const std::string accepted = number.high < kLargest
-                                   ? fmt::format("{:.7g} to {:.7g}", number.low, number.high)
-                                   : fmt::format("{:.7g} or more", number.low);
-  return fmt::format("{}/{}: {:.7g} is out of range; expected {}", lens, number.name, number.value,
-                     accepted);
-}
-
-/// tinygltf stores an absent number as 0.
-std::string faultOf(const tinygltf::PerspectiveCamera& lens, const std::string& pointer) {
-  const bool hasRatio = lens.aspectRatio != 0.0;
-  for (const LensNumber& number :
-       {LensNumber{"yfov", lens.yfov, kSmallest, kWidest},
-        LensNumber{"aspectRatio", hasRatio ? lens.aspectRatio : 1.0, kSmallest, kLargest},
-        LensNumber{"znear", lens.znear, kSmallest, kLargest}})
-    if (std::string fault = faultOf(number, pointer); !fault.empty())
-      return fault;
-  if (lens.zfar != 0.0 && !(lens.zfar > lens.znear))
-    return fmt::format("{}/zfar: {:.7g} is out of range; expected more than znear ({:.7g})",
-                       pointer, lens.zfar, lens.znear);
+/// The first fault of the numbers, or nothing.
+std::string faultOf(const Place& lens, std::initializer_list<LensNumber> numbers) {
+  for (const auto& [name, low, high] : numbers) {
+    const double value = lens.member(name).asNumber();
+    if (value >= low && value <= high)
+      continue;
+    const std::string accepted = high < kLargest ? fmt::format("{:.7g} to {:.7g}", low, high)
+                                                 : fmt::format("{:.7g} or more", low);
+    return fmt::format("{}/{}: {:.7g} is out of range; expected {}", lens.pointer(), name, value,
+                       accepted);
+  }
   return {};
 }
 
-std::string faultOf(const tinygltf::OrthographicCamera& lens, const std::string& pointer) {
-  for (const LensNumber& number : {LensNumber{"xmag", lens.xmag, kSmallest, kLargest},
-                                   LensNumber{"ymag", lens.ymag, kSmallest, kLargest},
-                                   LensNumber{"znear", lens.znear, 0.0, kLargest}})
-    if (std::string fault = faultOf(number, pointer); !fault.empty())
-      return fault;
+/// An optional number that 0 leaves out, with a note.
+double numberUnlessZero(const Place& lens, const char* key, std::vector<std::string>& notes) {
+  const double value = lens.number(key, 0.0);
+  if (value == 0.0 && lens.find(key))
+    notes.push_back(lens.pointer() + "/" + key +
+                    ": 0 is invalid and treated as absent; expected more than 0");
+  return value;
+}
+
+void readPerspective(const Place& lens, Camera& camera, std::vector<std::string>& notes) {
+  const double ratio = numberUnlessZero(lens, "aspectRatio", notes);
+  const double near = lens.member("znear").asNumber();
+  const double far = numberUnlessZero(lens, "zfar", notes);
+  camera.fault = faultOf(lens, {{"yfov", kSmallest, kWidest}});
+  if (camera.fault.empty() && ratio != 0.0)
+    camera.fault = faultOf(lens, {{"aspectRatio", kSmallest}});
+  if (camera.fault.empty())
+    camera.fault = faultOf(lens, {{"znear", kSmallest}});
+  if (camera.fault.empty() && far != 0.0 && !(far > near))
+    camera.fault = fmt::format("{}/zfar: {:.7g} is out of range; expected more than znear ({:.7g})",
+                               lens.pointer(), far, near);
+  camera.verticalFieldOfView = float(lens.member("yfov").asNumber());
+  camera.aspectRatio = float(ratio);
+  camera.near = float(near);
+  camera.far = float(far);
+}
+
+void readOrthographic(const Place& lens, Camera& camera) {
+  const double near = lens.member("znear").asNumber(), far = lens.member("zfar").asNumber();
+  const double halfHeight = lens.member("ymag").asNumber();
+  camera.fault = faultOf(lens, {{"xmag", kSmallest}, {"ymag", kSmallest}, {"znear", 0.0}});
   // Compared as floats, because the projection divides by their float difference.
-  if (!(float(lens.zfar) - float(lens.znear) >= float(kSmallest)))
-    return fmt::format(
-        "{}/zfar: {:.12g} is too close to znear ({:.12g}); expected a distance of at "
-        "least 1e-6 between the two, as 32-bit floats",
-        pointer, lens.zfar, lens.znear);
-  return {};
+  if (camera.fault.empty() && !(float(far) - float(near) >= float(kSmallest)))
+    camera.fault =
+        fmt::format("{}/zfar: {:.12g} is too close to znear ({:.12g}); expected a distance of at "
+                    "least 1e-6 between the two, as 32-bit floats",
+                    lens.pointer(), far, near);
+  camera.halfHeight = float(halfHeight);
+  camera.aspectRatio = float(lens.member("xmag").asNumber() / halfHeight);
+  camera.near = float(near);
+  camera.far = float(far);
 }
 
 } // namespace
 
-Camera readCamera(const tinygltf::Model& model, std::size_t index,
-                  const glm::dmat4& worldFromCamera) {
-  const tinygltf::Camera& source = model.cameras[index];
-  const std::string pointer = fmt::format("/cameras/{}/{}", index, source.type);
+Camera readCamera(const Place& source, const glm::dmat4& worldFromCamera,
+                  std::vector<std::string>& notes) {
   Camera camera;
-  camera.name = source.name;
+  (void)source.member("type");
+  camera.name = source.string("name").value_or("");
   camera.worldFromCamera = worldFromCamera;
-  camera.perspective = source.type == "perspective";
-  if (camera.perspective) {
-    camera.fault = faultOf(source.perspective, pointer);
-    camera.verticalFieldOfView = float(source.perspective.yfov);
-    camera.aspectRatio = float(source.perspective.aspectRatio);
-    camera.near = float(source.perspective.znear);
-    camera.far = float(source.perspective.zfar);
-  } else {
-    camera.fault = faultOf(source.orthographic, pointer);
-    camera.halfHeight = float(source.orthographic.ymag);
-    camera.aspectRatio = float(source.orthographic.xmag / source.orthographic.ymag);
-    camera.near = float(source.orthographic.znear);
-    camera.far = float(source.orthographic.zfar);
-  }
+  camera.perspective = source.oneOf("type", {"perspective", "orthographic"}) == "perspective";
+  if (camera.perspective)
+    readPerspective(source.member("perspective"), camera, notes);
+  else
+    readOrthographic(source.member("orthographic"), camera);
   return camera;
 }
 

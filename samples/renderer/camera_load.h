@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Converts a glTF camera into the renderer's Camera. Private to scene loading, which has validated
-// the model.
+// Converts a glTF camera into the renderer's Camera. Private to scene loading.
 #pragma once
 
+#include "json_place.h"
 #include "scene.h"
-
-#include <tiny_gltf.h>
-
-#include <cstddef>
 
 namespace lichen::renderer {
 
-/// Stores an unusable projection as the camera's `fault` instead of failing: a scene may contain
-/// such a camera, as long as nobody renders with it.
-[[nodiscard]] Camera readCamera(const tinygltf::Model& model, std::size_t index,
-                                const glm::dmat4& worldFromCamera);
+/// Stores an unusable projection as the camera's `fault`: a scene may contain such a camera, as
+/// long as nobody renders with it. Appends a note for a member that is ignored. Throws a Fault for
+/// members of the wrong type.
+[[nodiscard]] Camera readCamera(const Place& source, const glm::dmat4& worldFromCamera,
+                                std::vector<std::string>& notes);
 
 } // namespace lichen::renderer

@@ -2,9 +2,9 @@
 // Scene, camera -> a mesh with vertices as close as displacement needs them, and how each moves.
 #include "displacement.h"
 
+#include "directions.h"
 #include "framing.h"
 #include "refinement.h"
-#include "unit_vector.h"
 
 #include <fmt/format.h>
 

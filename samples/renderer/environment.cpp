@@ -4,7 +4,7 @@
 // Sampling, eqs. 11 to 13].
 #include "environment.h"
 
-#include "orthonormal_frame.h"
+#include "directions.h"
 #include "sky.h"
 
 #include <lichen/image_io.h>

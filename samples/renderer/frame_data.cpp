@@ -2,8 +2,8 @@
 // Camera, lights and frame index -> the uniform block; see frame_data.h.
 #include "frame_data.h"
 
+#include "directions.h"
 #include "environment.h"
-#include "orthonormal_frame.h"
 #include "relative_to.h"
 #include "sampling.h"
 

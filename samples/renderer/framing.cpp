@@ -3,7 +3,7 @@
 // which floats keep their precision far away [Reed 2015, Depth Precision Visualized].
 #include "framing.h"
 
-#include "orthonormal_frame.h"
+#include "directions.h"
 #include "printable.h"
 #include "relative_to.h"
 

@@ -2,16 +2,13 @@
 // Accessors -> vertices and triangles [glTF 2.0, sections 3.6.2 and 3.7.2].
 #include "geometry.h"
 
-#include "accessor.h"
-#include "orthonormal_frame.h"
+#include "directions.h"
 #include "tangents.h"
 #include "thin_solids.h"
-#include "unit_vector.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -20,57 +17,36 @@ namespace {
 
 constexpr glm::vec3 kUp{0.0f, 1.0f, 0.0f}; // default normal
 
-bool isThin(int mode) { return mode >= TINYGLTF_MODE_POINTS && mode < TINYGLTF_MODE_TRIANGLES; }
+// [glTF 2.0, section 5.24]
+constexpr std::uint64_t kPoints = 0, kLines = 1, kLineLoop = 2;
 
-bool isStripOrFan(int mode) {
-  return mode == TINYGLTF_MODE_TRIANGLE_STRIP || mode == TINYGLTF_MODE_TRIANGLE_FAN;
-}
-
-/// Converts strips and fans to a list; drops an incomplete last triangle of a list.
-std::vector<std::uint32_t> asTriangleList(const std::vector<std::uint32_t>& indices, int mode) {
-  if (!isStripOrFan(mode)) {
-    const auto whole = std::ptrdiff_t(indices.size() - indices.size() % 3);
-    return {indices.begin(), indices.begin() + whole};
-  }
-  std::vector<std::uint32_t> list;
-  for (std::size_t i = 0; i + 2 < indices.size(); ++i) {
-    if (mode == TINYGLTF_MODE_TRIANGLE_FAN)
-      list.insert(list.end(), {indices[i + 1], indices[i + 2], indices[0]});
-    else
-      list.insert(list.end(), {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
-  }
-  return list;
-}
+bool isThin(std::uint64_t mode) { return mode < kTriangles; }
 
 /// Converts points, lines, strips and loops to a list of segments; a point becomes a segment from a
 /// vertex to itself.
-std::vector<std::uint32_t> asSegmentList(const std::vector<std::uint32_t>& indices, int mode) {
-  const bool arePoints = mode == TINYGLTF_MODE_POINTS;
-  const std::size_t step = mode == TINYGLTF_MODE_LINE ? 2 : 1;
+std::vector<std::uint32_t> asSegmentList(const std::vector<std::uint32_t>& indices,
+                                         std::uint64_t mode) {
+  const bool arePoints = mode == kPoints;
+  const std::size_t step = mode == kLines ? 2 : 1;
   std::vector<std::uint32_t> list;
   for (std::size_t i = 0; i + (arePoints ? 0 : 1) < indices.size(); i += step)
     list.insert(list.end(), {indices[i], indices[arePoints ? i : i + 1]});
-  if (mode == TINYGLTF_MODE_LINE_LOOP && indices.size() > 2)
+  if (mode == kLineLoop && indices.size() > 2)
     list.insert(list.end(), {indices.back(), indices.front()});
   return list;
 }
 
 /// Triangle or segment indices of a primitive; without indices in the file they are 0, 1, 2, ...
-Result<std::vector<std::uint32_t>> readElements(const tinygltf::Model& model,
-                                                const tinygltf::Primitive& source,
-                                                std::size_t vertexCount) {
+std::vector<std::uint32_t> readElements(SceneFile& file, const SourcePrimitive& source) {
   std::vector<std::uint32_t> indices;
-  if (source.indices >= 0) {
-    Result<std::vector<std::uint32_t>> stored = readIndices(model, source.indices, vertexCount);
-    if (!stored)
-      return stored.error();
-    indices = std::move(stored).value();
+  if (const std::optional<Place> stored = source.place.find("indices")) {
+    indices = file.indices(*stored, source.vertices);
   } else {
-    indices.resize(vertexCount);
+    indices.resize(source.vertices);
     std::iota(indices.begin(), indices.end(), 0u);
   }
   return isThin(source.mode) ? asSegmentList(indices, source.mode)
-                             : asTriangleList(indices, source.mode);
+                             : asTriangleList(std::move(indices), source.mode);
 }
 
 /// The largest absolute coordinate, including vertices without an index: tangents and thin solids
@@ -124,136 +100,131 @@ void matchUndeformed(Primitive& primitive, bool isFlat) {
   }
 }
 
-/// Copies attribute `name` into the vertices with `assign(vertex, pointer to its components,
-/// component count)`. Returns whether the attribute exists.
-template <class Assign>
-Result<bool> readAttribute(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                           const std::string& name, Primitive& target, Assign assign) {
-  const auto found = source.attributes.find(name);
-  if (found == source.attributes.end())
-    return false;
-  Result<std::vector<float>> values = readAccessor(model, found->second);
-  if (!values)
-    return values.error();
-  const std::size_t components = values.value().size() / target.vertices.size();
-  for (std::size_t i = 0; i < target.vertices.size(); ++i)
-    assign(target.vertices[i], values.value().data() + i * components, components);
-  return true;
-}
-
 /// Reads all attributes of the vertices. Returns whether they include normals.
-Result<bool> readVertices(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                          const Material& material, Primitive& target) {
-  const auto vec3 = [](const float* p) { return glm::vec3(p[0], p[1], p[2]); };
-  const auto read = [&](const std::string& name, auto assign) {
-    return readAttribute(model, source, name, target, assign);
+bool readVertices(SceneFile& file, const SourcePrimitive& source, const Material& material,
+                  std::vector<Vertex>& vertices) {
+  /// Calls `assign(vertex, its components)`, unless the attribute is absent.
+  const auto read = [&]<std::size_t kComponents>(const std::string& name, const auto& assign,
+                                                 auto... types) {
+    const std::optional<Place> found = source.attributes.find(name.c_str());
+    if (!found)
+      return false;
+    const auto values = file.vectors<kComponents>(*found, vertices.size(), types...);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      assign(vertices[i], values[i]);
+    return true;
   };
-  const std::string mixColors =
-      material.mixColorSet ? "COLOR_" + std::to_string(*material.mixColorSet) : std::string();
-  const std::array<Result<bool>, 7> present{
-      read("NORMAL",
-           [&](Vertex& v, const float* p, std::size_t) { v.normal = normalizedOr(vec3(p), kUp); }),
-      read("POSITION", [&](Vertex& v, const float* p, std::size_t) { v.position = vec3(p); }),
-      read("TANGENT",
-           [&](Vertex& v, const float* p, std::size_t) {
-             v.tangent = glm::vec4(normalizedOr(vec3(p), frameAlong(v.normal)[0]),
-                                   p[3] < 0.0f ? -1.0f : 1.0f);
-           }),
-      read("TEXCOORD_0",
-           [](Vertex& v, const float* p, std::size_t) { v.texCoord0 = glm::vec2(p[0], p[1]); }),
-      read("TEXCOORD_1",
-           [](Vertex& v, const float* p, std::size_t) { v.texCoord1 = glm::vec2(p[0], p[1]); }),
-      read("COLOR_0",
-           [&](Vertex& v, const float* p, std::size_t components) {
-             v.color = glm::vec4(vec3(p), components == 4 ? p[3] : 1.0f);
-           }),
-      read(mixColors,
-           [&](Vertex& v, const float* p, std::size_t components) {
-             const auto channel = std::size_t(material.mixChannel);
-             v.mixWeight = channel < components ? p[channel] : 1.0f; // alpha defaults to 1
-           }),
+  /// Colours have three components or four.
+  const auto readColors = [&](const std::string& name, const auto& assign) {
+    const std::optional<Place> found = source.attributes.find(name.c_str());
+    const std::initializer_list<std::uint64_t> types = {kFloat, kUnsignedByte, kUnsignedShort};
+    const auto withAlpha = [&](Vertex& v, const std::array<float, 3>& c) {
+      assign(v, std::array{c[0], c[1], c[2], 1.0f});
+    };
+    if (found && file.typeOf(*found) == "VEC3")
+      read.template operator()<3>(name, withAlpha, types);
+    else
+      read.template operator()<4>(name, assign, types);
   };
-  for (const Result<bool>& result : present)
-    if (!result)
-      return result.error();
-  return present[0].value();
+  read.template operator()<3>("POSITION", [](Vertex& v, const std::array<float, 3>& p) {
+    v.position = glm::make_vec3(p.data());
+  });
+  const bool hasNormals =
+      read.template operator()<3>("NORMAL", [](Vertex& v, const std::array<float, 3>& p) {
+        v.normal = normalizedOr(glm::make_vec3(p.data()), kUp);
+      });
+  read.template operator()<4>("TANGENT", [](Vertex& v, const std::array<float, 4>& p) {
+    v.tangent = glm::vec4(normalizedOr(glm::make_vec3(p.data()), frameAlong(v.normal)[0]),
+                          p[3] < 0.0f ? -1.0f : 1.0f);
+  });
+  read.template operator()<2>("TEXCOORD_0", [](Vertex& v, const std::array<float, 2>& p) {
+    v.texCoord0 = glm::make_vec2(p.data());
+  });
+  read.template operator()<2>("TEXCOORD_1", [](Vertex& v, const std::array<float, 2>& p) {
+    v.texCoord1 = glm::make_vec2(p.data());
+  });
+  readColors("COLOR_0",
+             [](Vertex& v, const std::array<float, 4>& c) { v.color = glm::make_vec4(c.data()); });
+  if (material.mixColorSet)
+    readColors("COLOR_" + std::to_string(*material.mixColorSet),
+               [&](Vertex& v, const std::array<float, 4>& c) {
+                 v.mixWeight = c[std::size_t(material.mixChannel)];
+               });
+  return hasNormals;
 }
 
 /// The texture coordinate set to generate tangents for, or nullopt if none are needed or the file's
 /// own are usable. Tangents of a file belong to its normal texture and are meaningless without its
 /// normals.
-std::optional<int> generatedTangents(const tinygltf::Primitive& source, const Material& material) {
+std::optional<int> generatedTangents(const SourcePrimitive& source, const Material& material) {
   const TextureSlot& texture = material.normalTexture;
   if (!material.noiseNormalTexCoord && !texture.image)
     return std::nullopt;
   const int texCoord = material.noiseNormalTexCoord.value_or(texture.texCoord);
-  const bool inFile = source.attributes.count("NORMAL") != 0 &&
-                      source.attributes.count("TANGENT") != 0 && texCoord == texture.texCoord;
+  const bool inFile = source.attributes.find("NORMAL") && source.attributes.find("TANGENT") &&
+                      texCoord == texture.texCoord;
   return inFile ? std::nullopt : std::optional<int>(texCoord);
 }
 
 } // namespace
 
-std::size_t expandedSize(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                         const Material& material, const RestPose& pose) {
-  const auto position = source.attributes.find("POSITION");
-  if (position == source.attributes.end())
+SourcePrimitive sourcePrimitive(const SceneFile& file, const Place& place) {
+  SourcePrimitive source{place, place.member("attributes"),
+                         place.oneOf("mode", {0, 1, 2, 3, 4, 5, 6}).value_or(kTriangles)};
+  if (const std::optional<Place> position = source.attributes.find("POSITION"))
+    source.vertices = file.countOf(*position);
+  const std::optional<Place> indices = place.find("indices");
+  source.stored = indices ? file.countOf(*indices) : source.vertices;
+  return source;
+}
+
+std::size_t expandedSize(const SourcePrimitive& source, const Material& material,
+                         const RestPose& pose) {
+  if (source.vertices == 0)
     return 0;
-  const std::size_t own = model.accessors[std::size_t(position->second)].count;
-  const std::size_t stored =
-      source.indices >= 0 ? model.accessors[std::size_t(source.indices)].count : own;
   // Deformed vertices keep a copy of the original, because a noise in object space is placed by it.
   const std::size_t copies = deforms(pose) && material.hasNoise ? 2 : 1;
-  const std::size_t vertices = own * (copies + restPosePasses(source, pose));
+  const std::size_t vertices = source.vertices * (copies + restPosePasses(source, pose));
   if (isThin(source.mode))
-    return vertices + stored * (copies * kThinSolidVertices + kThinSolidIndices);
-  const std::size_t indices = isStripOrFan(source.mode) ? 3 * stored : stored;
+    return vertices + source.stored * (copies * kThinSolidVertices + kThinSolidIndices);
+  const std::size_t indices = source.mode == kTriangles ? source.stored : 3 * source.stored;
   // Flat normals need one vertex per index, tangents at most as many.
   const bool splits =
-      source.attributes.count("NORMAL") == 0 || generatedTangents(source, material).has_value();
+      !source.attributes.find("NORMAL") || generatedTangents(source, material).has_value();
   return vertices + indices + (splits ? copies * indices : 0);
 }
 
-Result<std::optional<Primitive>> readPrimitive(const tinygltf::Model& model,
-                                               const tinygltf::Primitive& source,
-                                               const Material& material, const RestPose& pose) {
-  const auto position = source.attributes.find("POSITION");
-  if (position == source.attributes.end())
-    return std::optional<Primitive>();
+std::optional<Primitive> readPrimitive(SceneFile& file, const SourcePrimitive& source,
+                                       const Material& material, const RestPose& pose) {
+  if (source.vertices == 0)
+    return std::nullopt;
   Primitive target;
   Vertex blank;
   blank.normal = kUp;
-  target.vertices.assign(model.accessors[std::size_t(position->second)].count, blank);
+  target.vertices.assign(source.vertices, blank);
   for (std::size_t i = 0; i < target.vertices.size(); ++i)
     target.vertices[i].stored = std::uint32_t(i);
-  Result<std::vector<std::uint32_t>> elements = readElements(model, source, target.vertices.size());
-  if (!elements)
-    return elements.error();
-  target.indices = std::move(elements).value();
+  target.indices = readElements(file, source);
   if (target.indices.empty())
-    return std::optional<Primitive>();
-  const Result<bool> hasNormals = readVertices(model, source, material, target);
-  if (!hasNormals)
-    return hasNormals.error();
+    return std::nullopt;
+  const bool hasNormals = readVertices(file, source, material, target.vertices);
   if (deforms(pose)) {
     if (material.hasNoise)
       target.undeformed = target.vertices;
-    if (Result<void> posed = applyRestPose(model, source, pose, target); !posed)
-      return posed.error();
+    applyRestPose(file, source, pose, target);
   }
   if (const float reach = reachOf(target.vertices); reach >= kMaxSceneReach)
-    return Error{ErrorKind::badInput,
-                 fmt::format("/accessors/{}: a vertex is {:.3g} units from its mesh's origin; the "
-                             "limit is {:.0e}",
-                             position->second, reach, kMaxSceneReach)};
+    source.attributes.fail(
+        fmt::format("a vertex is {:.3g} units from its mesh's origin; the limit is {:.0e}", reach,
+                    kMaxSceneReach));
   if (isThin(source.mode))
     makeThinSolids(target);
-  else if (!hasNormals.value())
+  else if (!hasNormals)
     makeFlat(target);
   if (const std::optional<int> texCoord = generatedTangents(source, material))
     makeTangents(target, *texCoord == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1);
-  matchUndeformed(target, !isThin(source.mode) && !hasNormals.value());
-  return std::optional<Primitive>(std::move(target));
+  matchUndeformed(target, !isThin(source.mode) && !hasNormals);
+  return target;
 }
 
 } // namespace lichen::renderer

@@ -5,7 +5,6 @@
 #include "printable.h"
 
 #include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace lichen::renderer {
@@ -24,10 +23,9 @@ std::string describe(double value) {
 }
 
 std::string range(double low, double high) {
-  const double largest = std::numeric_limits<float>::max();
-  if (low <= -largest && high >= largest)
+  if (low <= -kLargest && high >= kLargest)
     return "a finite number";
-  if (high >= largest)
+  if (high >= kLargest)
     return "a number of at least " + describe(low);
   return "a number in [" + describe(low) + ", " + describe(high) + "]";
 }
@@ -67,7 +65,11 @@ void Place::each(const char* key,
     array->fail(std::to_string(array->value_->size()) + " elements are too many; the limit is " +
                 std::to_string(kMaxElements));
   for (std::size_t i = 0; i < array->value_->size(); ++i)
-    visit(Place((*array->value_)[i], array->pointer_ + "/" + std::to_string(i)), i);
+    visit(array->at(i), i);
+}
+
+Place Place::at(std::size_t index) const {
+  return {(*value_)[index], pointer_ + "/" + std::to_string(index)};
 }
 
 std::size_t Place::countOf(const char* key) const {
@@ -120,27 +122,15 @@ std::optional<std::uint64_t> Place::oneOf(const char* key,
 }
 
 double Place::asNumber(double low, double high) const {
-  const double largest = std::numeric_limits<float>::max();
   const double value = value_->is_number() ? value_->get<double>() : 0.0;
-  if (!value_->is_number() || value < low || value > high || std::abs(value) > largest)
+  if (!value_->is_number() || value < low || value > high || std::abs(value) > kLargest)
     fail(describe(*value_) + " is invalid; expected " + range(low, high));
   return value;
 }
 
-double Place::number(const char* key, double low, double high, double absent) const {
+double Place::number(const char* key, double absent, double low, double high) const {
   const std::optional<Place> found = find(key);
   return found ? found->asNumber(low, high) : absent;
-}
-
-void Place::numbers(const char* key, std::size_t count, double low, double high) const {
-  const std::optional<Place> found = find(key);
-  if (!found)
-    return;
-  const nlohmann::json& array = *found->value_;
-  if (!array.is_array() || array.size() != count)
-    found->fail("expected an array of " + std::to_string(count) + " numbers");
-  for (std::size_t i = 0; i < count; ++i)
-    (void)Place(array[i], found->pointer_ + "/" + std::to_string(i)).asNumber(low, high);
 }
 
 std::optional<std::string> Place::string(const char* key) const {
@@ -152,18 +142,31 @@ std::optional<std::string> Place::string(const char* key) const {
   return found->value_->get<std::string>();
 }
 
-void Place::boolean(const char* key) const {
+std::string Place::oneOf(const char* key, std::initializer_list<const char*> accepted) const {
+  const std::string value = string(key).value_or(*accepted.begin());
+  std::string list;
+  for (const char* each : accepted) {
+    if (value == each)
+      return value;
+    list += (list.empty() ? "" : ", ") + std::string(each);
+  }
+  fail(std::string(key) + " " + printable(value) + " is invalid; expected one of " + list);
+}
+
+bool Place::boolean(const char* key) const {
   const std::optional<Place> found = find(key);
   if (found && !found->value_->is_boolean())
     found->fail(describe(*found->value_) + " is invalid; expected true or false");
+  return found && found->value_->get<bool>();
+}
+
+std::optional<Place> Place::findExtension(const char* name) const {
+  const std::optional<Place> extensions = find("extensions");
+  return extensions ? extensions->find(name) : std::nullopt;
 }
 
 Place Place::extension(const char* name) const {
-  const std::optional<Place> extensions = find("extensions");
-  if (!extensions)
-    return Place(kEmptyObject, pointer_);
-  const std::optional<Place> found = extensions->find(name);
-  return found ? *found : Place(kEmptyObject, pointer_);
+  return findExtension(name).value_or(Place(kEmptyObject, pointer_));
 }
 
 } // namespace lichen::renderer

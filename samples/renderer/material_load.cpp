@@ -5,220 +5,199 @@
 
 #include "printable.h"
 
-#include <lichen/bundle.h>
 #include <lichen/image_io.h>
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <object_reader.h>
 
 namespace lichen::renderer {
 namespace {
 
-constexpr float kByteMax = 255.0f;
+using nlohmann::json;
 
-Sampler readSampler(const tinygltf::Model& model, int index) {
+constexpr float kByteMax = 255.0f;
+// Filters and wraps of a sampler [glTF 2.0, section 5.26].
+constexpr std::uint64_t kNearest = 9728, kLinear = 9729, kNearestMipNearest = 9984,
+                        kLinearMipNearest = 9985, kNearestMipLinear = 9986, kLinearMipLinear = 9987;
+constexpr std::uint64_t kRepeat = 10497, kClampToEdge = 33071, kMirroredRepeat = 33648;
+
+Sampler readSampler(const Place& source) {
   Sampler result;
-  if (index < 0)
-    return result;
-  const tinygltf::Sampler& source = model.samplers[std::size_t(index)];
-  const auto wrap = [](int value) {
-    if (value == TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE)
+  const auto wrap = [&](const char* key) {
+    const auto value = source.oneOf(key, {kRepeat, kClampToEdge, kMirroredRepeat});
+    if (value == kClampToEdge)
       return Wrap::clampToEdge;
-    return value == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT ? Wrap::mirroredRepeat : Wrap::repeat;
+    return value == kMirroredRepeat ? Wrap::mirroredRepeat : Wrap::repeat;
   };
-  const int minify = source.minFilter;
-  result.wrapU = wrap(source.wrapS);
-  result.wrapV = wrap(source.wrapT);
-  if (source.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST)
+  result.wrapU = wrap("wrapS");
+  result.wrapV = wrap("wrapT");
+  if (source.oneOf("magFilter", {kNearest, kLinear}) == kNearest)
     result.magnification = Filter::nearest;
-  result.mipmapped =
-      minify != TINYGLTF_TEXTURE_FILTER_NEAREST && minify != TINYGLTF_TEXTURE_FILTER_LINEAR;
-  if (minify == TINYGLTF_TEXTURE_FILTER_NEAREST ||
-      minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
-      minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR)
+  const auto minify =
+      source.oneOf("minFilter", {kNearest, kLinear, kNearestMipNearest, kLinearMipNearest,
+                                 kNearestMipLinear, kLinearMipLinear});
+  result.mipmapped = minify != kNearest && minify != kLinear;
+  if (minify == kNearest || minify == kNearestMipNearest || minify == kNearestMipLinear)
     result.minification = Filter::nearest;
-  if (minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
-      minify == TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST)
+  if (minify == kNearestMipNearest || minify == kLinearMipNearest)
     result.mip = Filter::nearest;
   return result;
 }
 
-const tinygltf::Value* extension(const tinygltf::ExtensionMap& extensions, const char* name) {
-  const auto found = extensions.find(name);
-  return found == extensions.end() || !found->second.IsObject() ? nullptr : &found->second;
+/// Sets the image and the sampler of a slot. The image index refers to the file's images;
+/// readMaterials() replaces it.
+void setTexture(const SceneFile& file, const Place& texture, TextureSlot& slot) {
+  slot.image = file.index(texture, "source", "images");
+  if (const std::optional<Place> sampler = file.follow(texture, "sampler", "samplers"))
+    slot.sampler = readSampler(*sampler);
 }
 
-float numberIn(const tinygltf::Value& object, const char* key, float absent) {
-  return object.Has(key) ? float(object.Get(key).GetNumberAsDouble()) : absent;
+/// Reads the coordinates of a textureInfo and their transform.
+void readTransform(const Place& info, TextureSlot& slot) {
+  const Place transform = info.extension("KHR_texture_transform");
+  slot.texCoord = int(transform.integer("texCoord", 0, 1, info.integer("texCoord", 0, 1, 0)));
+  slot.offset = transform.vector("offset", slot.offset);
+  slot.scale = transform.vector("scale", slot.scale);
+  slot.rotation = float(transform.number("rotation", 0.0));
 }
 
-glm::vec2 pairIn(const tinygltf::Value& object, const char* key, glm::vec2 absent) {
-  if (!object.Has(key))
-    return absent;
-  const tinygltf::Value& pair = object.Get(key);
-  return {float(pair.Get(0).GetNumberAsDouble()), float(pair.Get(1).GetNumberAsDouble())};
+TextureSlot readSlot(const SceneFile& file, const std::optional<Place>& info) {
+  TextureSlot slot;
+  if (!info)
+    return slot;
+  (void)info->member("index");
+  setTexture(file, *file.follow(*info, "index", "textures"), slot);
+  readTransform(*info, slot);
+  return slot;
 }
+
+// The plugin validates the noise extension later; until then, this file treats its faults and
+// unknown methods or revisions as absence.
 
 /// A member or an element of a value of any type; a null value if it does not exist.
-const tinygltf::Value& at(const tinygltf::Value& value, const char* key) {
-  static const tinygltf::Value kNull;
-  return value.Has(key) ? value.Get(key) : kNull;
+const json& at(const json& value, const char* key) {
+  static const json kNull;
+  const json* member = memberOf(&value, key);
+  return member != nullptr ? *member : kNull;
 }
-const tinygltf::Value& at(const tinygltf::Value& value, int index) {
-  static const tinygltf::Value kNull;
-  return index >= 0 && std::size_t(index) < value.ArrayLen() ? value.Get(index) : kNull;
+const json& at(const json& value, std::optional<std::size_t> index) {
+  static const json kNull;
+  return value.is_array() && index && *index < value.size() ? value[*index] : kNull;
 }
 
-/// The noise that a material uses. The plugin validates the extension later; until then, this file
-/// treats faults and unknown methods or revisions as absence.
-const tinygltf::Value& noiseOf(const tinygltf::Model& model, const tinygltf::Value& use) {
-  static const tinygltf::Value kNull;
-  const tinygltf::Value* root = extension(model.extensions, kExtensionName.data());
-  const tinygltf::Value& index = at(use, "noise");
-  if (root == nullptr || !index.IsInt())
-    return kNull;
-  const tinygltf::Value& noise = at(at(*root, "noises"), index.GetNumberAsInt());
-  const tinygltf::Value& method = at(noise, "method");
-  const tinygltf::Value& revision = at(noise, "revision");
-  const std::optional<Method> known =
-      method.IsString() ? methodFrom(method.Get<std::string>()) : std::nullopt;
-  const bool isRead = known && revision.IsInt() && revision.GetNumberAsInt() <= revisionOf(*known);
+std::optional<std::size_t> indexIn(const json& value) {
+  return value.is_number_unsigned() ? std::optional(value.get<std::size_t>()) : std::nullopt;
+}
+
+/// An integer from 0 to `most`, or 0.
+int smallInteger(const json& value, std::size_t most) {
+  const std::size_t number = indexIn(value).value_or(0);
+  return number <= most ? int(number) : 0;
+}
+
+bool isText(const json& value, std::string_view expected) {
+  return value.is_string() && value.get_ref<const std::string&>() == expected;
+}
+
+/// The noise that a material uses.
+const json& noiseOf(const SceneFile& file, const json& use) {
+  static const json kNull;
+  const json& root = at(at(file.root().json(), "extensions"), kExtensionName.data());
+  const json& noise = at(at(root, "noises"), indexIn(at(use, "noise")));
+  const std::string* name = stringMember(noise, "method");
+  const std::optional<Method> method = name != nullptr ? methodFrom(*name) : std::nullopt;
+  const std::optional<std::size_t> revision = indexIn(at(noise, "revision"));
+  const bool isRead = method && revision && *revision <= std::size_t(revisionOf(*method));
   return isRead ? noise : kNull;
 }
 
-/// Whether a material states this mapping; not meant for uv, the default.
-bool hasMapping(const tinygltf::Value& use, Mapping expected) {
-  const tinygltf::Value& mapping = at(use, "mapping");
-  return mapping.IsString() && mapping.Get<std::string>() == nameOf(expected);
-}
-
 /// Reads the source of a mix's weight, if that is a texture or vertex colours.
-void readMix(const tinygltf::Model& model, const tinygltf::Value& use, Material& result) {
-  const tinygltf::Value& mix = at(use, "mix");
-  const tinygltf::Value& source = at(mix, "source");
-  const auto integer = [](const tinygltf::Value& value, int most) {
-    const int number = value.IsInt() ? value.GetNumberAsInt() : 0;
-    return number >= 0 && number <= most ? number : 0;
-  };
+void readMix(const SceneFile& file, const Place& use, Material& result) {
+  const std::optional<Place> mix = use.find("mix");
+  if (!mix || !mix->json().is_object())
+    return;
+  const json& source = at(mix->json(), "source");
   constexpr int kAlpha = 3;
   constexpr int kLastColorSet = 15;
-  if (!source.IsString())
+  if (source.is_string())
+    result.mixChannel = smallInteger(at(mix->json(), "channel"), kAlpha);
+  if (isText(source, nameOf(MixSource::vertexColor)))
+    result.mixColorSet = smallInteger(at(mix->json(), "set"), kLastColorSet);
+  const std::optional<Place> info = mix->find("texture");
+  if (!info || !info->json().is_object())
     return;
-  result.mixChannel = integer(at(mix, "channel"), kAlpha);
-  if (source.Get<std::string>() == nameOf(MixSource::vertexColor))
-    result.mixColorSet = integer(at(mix, "set"), kLastColorSet);
-  if (source.Get<std::string>() != nameOf(MixSource::texture))
+  TextureSlot mask;
+  readTransform(*info, mask);
+  const std::optional<std::size_t> index = indexIn(at(info->json(), "index"));
+  if (!isText(source, nameOf(MixSource::texture)) || !index ||
+      *index >= file.root().countOf("textures"))
     return;
-  const tinygltf::Value& info = at(mix, "texture");
-  const tinygltf::Value& index = at(info, "index");
-  if (!index.IsInt() || index.GetNumberAsInt() < 0 ||
-      std::size_t(index.GetNumberAsInt()) >= model.textures.size())
-    return;
-  const tinygltf::Texture& texture = model.textures[std::size_t(index.GetNumberAsInt())];
-  if (texture.source < 0)
-    return;
-  TextureSlot& slot = result.mixTexture;
-  slot.image = std::size_t(texture.source);
-  slot.sampler = readSampler(model, texture.sampler);
-  const tinygltf::Value& transform = at(at(info, "extensions"), "KHR_texture_transform");
-  const auto pair = [&](const char* key, glm::vec2 absent) {
-    const tinygltf::Value& values = at(transform, key);
-    const bool isPair = values.IsArray() && values.ArrayLen() == 2;
-    return isPair ? glm::vec2(at(values, 0).GetNumberAsDouble(), at(values, 1).GetNumberAsDouble())
-                  : absent;
-  };
-  slot.offset = pair("offset", slot.offset);
-  slot.scale = pair("scale", slot.scale);
-  slot.rotation = float(at(transform, "rotation").GetNumberAsDouble());
-  const tinygltf::Value& other = at(transform, "texCoord");
-  slot.texCoord = integer(other.IsInt() ? other : at(info, "texCoord"), 1);
+  setTexture(file, file.element("textures", *index), mask);
+  if (mask.image)
+    result.mixTexture = mask;
 }
 
 /// Whether a noise has these channels of a target, so that no core texture of them is drawn.
-bool brings(const tinygltf::Value& noise, MapTarget target,
-            std::initializer_list<MapChannel> channels) {
-  const tinygltf::Value& maps = at(noise, "maps");
-  for (int m = 0; m < int(maps.ArrayLen()); ++m) {
-    const tinygltf::Value& map = at(maps, m);
-    const tinygltf::Value& name = at(map, "target");
-    if (!name.IsString() || name.Get<std::string>() != nameOf(target))
+bool brings(const json& noise, MapTarget target, std::initializer_list<MapChannel> channels) {
+  for (const json& map : at(noise, "maps")) {
+    if (!isText(at(map, "target"), nameOf(target)))
       continue;
-    const tinygltf::Value& list = at(map, "channels");
-    const auto has = [&](MapChannel channel) {
-      for (int c = 0; c < int(list.ArrayLen()); ++c)
-        if (at(list, c).IsString() && at(list, c).Get<std::string>() == nameOf(channel))
-          return true;
-      return false;
-    };
-    return std::all_of(channels.begin(), channels.end(), has);
+    const json& list = at(map, "channels");
+    return std::all_of(channels.begin(), channels.end(), [&](MapChannel channel) {
+      return std::any_of(list.begin(), list.end(),
+                         [&](const json& name) { return isText(name, nameOf(channel)); });
+    });
   }
   return false;
 }
 
-/// Info is one of tinygltf's three textureInfo structs. The image index refers to the file's
-/// images; readMaterials() replaces it.
-template <class Info>
-TextureSlot readSlot(const tinygltf::Model& model, const Info& info) {
-  TextureSlot slot;
-  if (info.index < 0)
-    return slot;
-  const tinygltf::Texture& texture = model.textures[std::size_t(info.index)];
-  if (texture.source < 0)
-    return slot; // only an unsupported extension names the image
-  slot.image = std::size_t(texture.source);
-  slot.sampler = readSampler(model, texture.sampler);
-  slot.texCoord = info.texCoord;
-  if (const tinygltf::Value* transform = extension(info.extensions, "KHR_texture_transform")) {
-    slot.offset = pairIn(*transform, "offset", slot.offset);
-    slot.scale = pairIn(*transform, "scale", slot.scale);
-    slot.rotation = numberIn(*transform, "rotation", 0.0f);
-    slot.texCoord = int(numberIn(*transform, "texCoord", float(slot.texCoord)));
+void readNoiseUse(const SceneFile& file, const Place& use, Material& result) {
+  result.hasNoise = true;
+  const json& noise = noiseOf(file, use.json());
+  result.noiseHasHeight = brings(noise, MapTarget::height, {MapChannel::height});
+  const json& mapping = at(use.json(), "mapping");
+  if (isText(mapping, nameOf(Mapping::surface))) {
+    result.noiseNeedsTangents = noise.is_object();
+  } else if (!isText(mapping, nameOf(Mapping::triplanar)) &&
+             !isText(mapping, nameOf(Mapping::solid))) {
+    // The slopes of those are 3-D gradients.
+    result.noiseTexCoord = smallInteger(at(use.json(), "texCoord"), 1);
+    if (brings(noise, MapTarget::normal, {}))
+      result.noiseNormalTexCoord = result.noiseTexCoord;
   }
-  return slot;
+  readMix(file, use, result);
 }
 
-Material readMaterial(const tinygltf::Model& model, const tinygltf::Material& source) {
+Material readMaterial(const SceneFile& file, const Place& source) {
   Material result;
-  const tinygltf::PbrMetallicRoughness& pbr = source.pbrMetallicRoughness;
-  result.name = source.name;
-  for (int c = 0; c < 4; ++c)
-    result.baseColor[c] = float(pbr.baseColorFactor[std::size_t(c)]);
-  result.metallic = float(pbr.metallicFactor);
-  result.roughness = float(pbr.roughnessFactor);
-  float strength = 1.0f;
-  if (const tinygltf::Value* e = extension(source.extensions, "KHR_materials_emissive_strength"))
-    strength = numberIn(*e, "emissiveStrength", 1.0f);
-  for (int c = 0; c < 3; ++c)
-    result.emissive[c] = float(source.emissiveFactor[std::size_t(c)]) * strength;
-  result.normalScale = float(source.normalTexture.scale);
-  result.occlusionStrength = float(source.occlusionTexture.strength);
-  if (source.alphaMode == "MASK")
-    result.alphaMode = AlphaMode::mask;
-  else if (source.alphaMode == "BLEND")
-    result.alphaMode = AlphaMode::blend;
-  result.alphaCutoff = float(source.alphaCutoff);
-  result.doubleSided = source.doubleSided;
-  result.baseColorTexture = readSlot(model, pbr.baseColorTexture);
-  result.metallicRoughnessTexture = readSlot(model, pbr.metallicRoughnessTexture);
-  result.normalTexture = readSlot(model, source.normalTexture);
-  result.occlusionTexture = readSlot(model, source.occlusionTexture);
-  result.emissiveTexture = readSlot(model, source.emissiveTexture);
-  if (const tinygltf::Value* use = extension(source.extensions, kExtensionName.data())) {
-    result.hasNoise = true;
-    const tinygltf::Value& noise = noiseOf(model, *use);
-    result.noiseHasHeight = brings(noise, MapTarget::height, {MapChannel::height});
-    if (hasMapping(*use, Mapping::surface)) {
-      result.noiseNeedsTangents = noise.IsObject();
-    } else if (!hasMapping(*use, Mapping::triplanar) && !hasMapping(*use, Mapping::solid)) {
-      // The slopes of those are 3-D gradients.
-      const tinygltf::Value& texCoord = at(*use, "texCoord");
-      result.noiseTexCoord = texCoord.IsInt() ? texCoord.GetNumberAsInt() : 0;
-      if (brings(noise, MapTarget::normal, {}))
-        result.noiseNormalTexCoord = result.noiseTexCoord;
-    }
-    readMix(model, *use, result);
+  result.name = source.string("name").value_or("");
+  if (const std::optional<Place> pbr = source.find("pbrMetallicRoughness")) {
+    result.baseColor = pbr->vector("baseColorFactor", result.baseColor, 0, 1);
+    result.metallic = float(pbr->number("metallicFactor", 1, 0, 1));
+    result.roughness = float(pbr->number("roughnessFactor", 1, 0, 1));
+    result.baseColorTexture = readSlot(file, pbr->find("baseColorTexture"));
+    result.metallicRoughnessTexture = readSlot(file, pbr->find("metallicRoughnessTexture"));
   }
+  result.emissive =
+      source.vector("emissiveFactor", result.emissive, 0, 1) *
+      float(source.extension("KHR_materials_emissive_strength").number("emissiveStrength", 1, 0));
+  if (const std::optional<Place> normals = source.find("normalTexture")) {
+    result.normalTexture = readSlot(file, normals);
+    result.normalScale = float(normals->number("scale", 1));
+  }
+  if (const std::optional<Place> occlusion = source.find("occlusionTexture")) {
+    result.occlusionTexture = readSlot(file, occlusion);
+    result.occlusionStrength = float(occlusion->number("strength", 1, 0, 1));
+  }
+  result.emissiveTexture = readSlot(file, source.find("emissiveTexture"));
+  const std::string alphaMode = source.oneOf("alphaMode", {"OPAQUE", "MASK", "BLEND"});
+  if (alphaMode != "OPAQUE")
+    result.alphaMode = alphaMode == "MASK" ? AlphaMode::mask : AlphaMode::blend;
+  result.alphaCutoff = float(source.number("alphaCutoff", 0.5, 0));
+  result.doubleSided = source.boolean("doubleSided");
+  if (const std::optional<Place> use = source.findExtension(kExtensionName.data()))
+    readNoiseUse(file, *use, result);
   return result;
 }
 
@@ -243,13 +222,9 @@ TextureImage asBytes(const SrgbImage& image) {
 }
 
 /// The slots of a material whose place its noise takes.
-std::vector<const TextureSlot*> replacedSlots(const tinygltf::Model& model,
-                                              const tinygltf::Material& source,
+std::vector<const TextureSlot*> replacedSlots(const SceneFile& file, const Place& source,
                                               const Material& material) {
-  const tinygltf::Value* use = extension(source.extensions, kExtensionName.data());
-  if (use == nullptr)
-    return {};
-  const tinygltf::Value& noise = noiseOf(model, *use);
+  const json& noise = noiseOf(file, source.extension(kExtensionName.data()).json());
   const auto orm = MapTarget::occlusionRoughnessMetallic;
   std::vector<const TextureSlot*> slots;
   const auto add = [&](const TextureSlot& slot, bool isReplaced) {
@@ -267,81 +242,111 @@ std::vector<const TextureSlot*> replacedSlots(const tinygltf::Model& model,
   return slots;
 }
 
-/// The encoded file of an image: in a bufferView, or loaded by tinygltf.
-std::span<const std::byte> fileOf(const tinygltf::Model& model, const tinygltf::Image& image) {
-  if (image.bufferView < 0)
-    return std::as_bytes(std::span(image.image));
-  const tinygltf::BufferView& view = model.bufferViews[std::size_t(image.bufferView)];
-  return std::as_bytes(std::span(model.buffers[std::size_t(view.buffer)].data))
-      .subspan(view.byteOffset, view.byteLength);
-}
+class MaterialReader {
+public:
+  MaterialReader(SceneFile& file, Scene& scene)
+      : file_(file), scene_(scene), indexOf_(file.root().countOf("images")) {}
 
-/// For a message.
-std::string absenceOf(const tinygltf::Model& model, std::size_t image) {
-  const std::string& uri = model.images[image].uri;
-  return "/images/" + std::to_string(image) + ": its file" +
-         (uri.empty() ? "" : " \"" + printable(uri) + "\"") + " cannot be read";
-}
+  void run() {
+    checkImageBytes();
+    file_.root().each("materials", [&](const Place& source, std::size_t) {
+      scene_.materials.push_back(readMaterial(file_, source));
+      Material& material = scene_.materials.back();
+      const std::vector<const TextureSlot*> replaced = replacedSlots(file_, source, material);
+      for (TextureSlot* slot :
+           {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+            &material.occlusionTexture, &material.emissiveTexture, &material.mixTexture})
+        if (slot->image)
+          load(*slot, std::find(replaced.begin(), replaced.end(), slot) != replaced.end(),
+               source.pointer());
+    });
+    scene_.materials.push_back(Material());
+  }
 
-Result<TextureImage> decode(const tinygltf::Model& model, std::size_t index) {
-  const std::span<const std::byte> bytes = fileOf(model, model.images[index]);
-  const std::string name = "/images/" + std::to_string(index);
-  if (bytes.empty())
-    return Error{ErrorKind::badInput, absenceOf(model, index) + "; a PNG or JPEG inside the "
-                                                                "scene's folder"};
-  Result<ImageFile> file = decodeImage(bytes, name);
-  if (!file)
-    return file.error();
-  const auto* pixels = std::get_if<SrgbImage>(&file.value().pixels);
-  if (pixels == nullptr)
-    return Error{ErrorKind::badInput, name + ": is an EXR; expected a PNG or JPEG"};
-  return asBytes(*pixels);
-}
+private:
+  /// Throws a Fault if the files and data URIs of all images, used or not, are too large.
+  void checkImageBytes() const {
+    std::uintmax_t total = 0;
+    file_.root().each("images", [&](const Place& image, std::size_t) {
+      const std::string uri = image.string("uri").value_or("");
+      const Result<std::filesystem::path> path = file_.gltf().pathOf(uri);
+      std::error_code absent;
+      const std::uintmax_t size =
+          path ? std::filesystem::file_size(path.value(), absent) : uri.size() / 4 * 3;
+      total += absent ? 0 : size;
+      if (total > kMaxImageBytes)
+        throw Fault{"/images: more than " + std::to_string(kMaxImageBytes) +
+                        " bytes of image files in total; use smaller images",
+                    ErrorKind::resources};
+    });
+  }
+
+  /// Each image of the file at most once. One that is absent is a note if a noise takes its place.
+  void load(TextureSlot& slot, bool isReplaced, const std::string& material) {
+    std::optional<std::size_t>& index = indexOf_[*slot.image];
+    if (index) {
+      slot.image = index;
+      return;
+    }
+    const Place image = file_.element("images", *slot.image);
+    std::vector<std::byte> loaded;
+    const std::span<const std::byte> bytes = fileOf(image, loaded);
+    if (bytes.empty()) {
+      const std::string name = image.string("uri").value_or("");
+      const std::string absence = image.pointer() + ": its file" +
+                                  (name.empty() ? "" : " \"" + printable(name) + "\"") +
+                                  " cannot be read";
+      if (!isReplaced)
+        throw Fault{absence + "; expected a PNG or JPEG inside the scene's folder"};
+      scene_.notes.push_back(absence + "; the noise of " + material + " takes its place");
+      slot.image.reset();
+      return;
+    }
+    slot.image = index = scene_.images.size();
+    scene_.images.push_back(decode(bytes, image.pointer()));
+  }
+
+  /// The encoded file of an image, in a bufferView or read into `loaded`; empty if it is absent.
+  std::span<const std::byte> fileOf(const Place& image, std::vector<std::byte>& loaded) {
+    const std::optional<Place> view = image.find("bufferView");
+    const std::optional<std::string> uri = image.string("uri");
+    if (view.has_value() == uri.has_value())
+      image.fail("expected exactly one of uri and bufferView");
+    if (view)
+      return file_.view(*view);
+    Result<std::vector<std::byte>> read = file_.gltf().readUri(*uri);
+    if (!read) {
+      if (read.error().kind == ErrorKind::resources)
+        throw Fault{image.pointer() + ": " + read.error().message, ErrorKind::resources};
+      return {};
+    }
+    loaded = std::move(read).value();
+    return loaded;
+  }
+
+  TextureImage decode(std::span<const std::byte> bytes, const std::string& name) {
+    const Result<ImageFile> file = decodeImage(bytes, name);
+    if (!file)
+      throw Fault{file.error().message, file.error().kind};
+    const auto* pixels = std::get_if<SrgbImage>(&file.value().pixels);
+    if (pixels == nullptr)
+      throw Fault{name + ": is an EXR; expected a PNG or JPEG"};
+    texels_ += pixels->pixelCount();
+    if (texels_ > kMaxSceneTexels)
+      throw Fault{"/images: more than " + std::to_string(kMaxSceneTexels) +
+                      " texels in total; use smaller images",
+                  ErrorKind::resources};
+    return asBytes(*pixels);
+  }
+
+  SceneFile& file_;
+  Scene& scene_;
+  std::vector<std::optional<std::size_t>> indexOf_; ///< into scene_.images, by image of the file
+  std::size_t texels_ = 0;
+};
 
 } // namespace
 
-Result<void> readMaterials(const tinygltf::Model& model, Scene& scene) {
-  for (const tinygltf::Material& material : model.materials)
-    scene.materials.push_back(readMaterial(model, material));
-  scene.materials.push_back(Material());
-
-  // Decode only images that a material uses, each once.
-  std::vector<std::optional<std::size_t>> indexOf(model.images.size());
-  std::size_t texels = 0;
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    Material& material = scene.materials[m];
-    const std::vector<const TextureSlot*> replaced =
-        m < model.materials.size() ? replacedSlots(model, model.materials[m], material)
-                                   : std::vector<const TextureSlot*>();
-    for (TextureSlot* slot :
-         {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-          &material.occlusionTexture, &material.emissiveTexture, &material.mixTexture}) {
-      if (!slot->image)
-        continue;
-      if (fileOf(model, model.images[*slot->image]).empty() &&
-          std::find(replaced.begin(), replaced.end(), slot) != replaced.end()) {
-        scene.notes.push_back(absenceOf(model, *slot->image) + "; the noise of /materials/" +
-                              std::to_string(m) + " takes its place");
-        slot->image.reset();
-        continue;
-      }
-      std::optional<std::size_t>& index = indexOf[*slot->image];
-      if (!index) {
-        Result<TextureImage> image = decode(model, *slot->image);
-        if (!image)
-          return image.error();
-        texels += std::size_t(image.value().width) * std::size_t(image.value().height);
-        if (texels > kMaxSceneTexels)
-          return Error{ErrorKind::resources, "/images: more than " +
-                                                 std::to_string(kMaxSceneTexels) +
-                                                 " texels in total; use smaller images"};
-        index = scene.images.size();
-        scene.images.push_back(std::move(image).value());
-      }
-      slot->image = index;
-    }
-  }
-  return {};
-}
+void readMaterials(SceneFile& file, Scene& scene) { MaterialReader(file, scene).run(); }
 
 } // namespace lichen::renderer

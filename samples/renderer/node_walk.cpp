@@ -3,45 +3,31 @@
 // KHR_lights_punctual.
 #include "node_walk.h"
 
-#include "accessor.h"
 #include "camera_load.h"
+#include "directions.h"
 #include "geometry.h"
-#include "orthonormal_frame.h"
 #include "printable.h"
 #include "relative_to.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
-#include <limits>
-#include <optional>
-#include <span>
+#include <set>
 
 namespace lichen::renderer {
 namespace {
 
-constexpr std::size_t kMatrix = 16; // numbers in a 4 x 4 matrix
-constexpr double kLargest = std::numeric_limits<float>::max();
-
-glm::dmat4 localMatrix(const tinygltf::Node& node) {
-  if (node.matrix.size() == kMatrix) {
-    return glm::make_mat4(node.matrix.data());
-  }
-  const auto vec3 = [](const std::vector<double>& v, glm::dvec3 absent) {
-    return v.size() == 3 ? glm::dvec3(v[0], v[1], v[2]) : absent;
-  };
-  const glm::dvec3 scale = vec3(node.scale, glm::dvec3(1.0));
-  glm::dmat4 matrix(1.0);
-  if (node.rotation.size() == 4) {
-    const glm::dquat q{node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]};
-    if (glm::length(q) > 0.0)
-      matrix = glm::mat4_cast(glm::normalize(q));
-  }
+glm::dmat4 localMatrix(const Place& node) {
+  if (node.find("matrix"))
+    return node.vector("matrix", glm::dmat4(1.0));
+  const auto scale = node.vector("scale", glm::dvec3(1.0));
+  const auto rotation = node.vector("rotation", glm::dvec4(0, 0, 0, 1), -1, 1);
+  const glm::dquat q{rotation.w, rotation.x, rotation.y, rotation.z};
+  glm::dmat4 matrix = glm::length(q) > 0.0 ? glm::mat4_cast(glm::normalize(q)) : glm::dmat4(1.0);
   for (int i = 0; i < 3; ++i)
     matrix[i] *= scale[i];
-  matrix[3] = glm::dvec4(vec3(node.translation, glm::dvec3(0.0)), 1.0);
+  matrix[3] = glm::dvec4(node.vector("translation", glm::dvec3(0.0)), 1.0);
   return matrix;
 }
 
@@ -55,107 +41,151 @@ glm::dmat4 rigid(const glm::dmat4& m) {
   return glm::dmat4(glm::dvec4(glm::cross(y, z), 0), glm::dvec4(y, 0), glm::dvec4(z, 0), m[3]);
 }
 
-Light readLight(const tinygltf::Light& source, const glm::dmat4& world) {
+Light readLight(const Place& source, const glm::dmat4& world) {
   Light light;
   const glm::dmat4 frame = rigid(world);
-  if (source.type == "point")
-    light.kind = LightKind::point;
-  else if (source.type == "spot")
-    light.kind = LightKind::spot;
-  if (source.color.size() == 3)
-    light.color = glm::vec3(source.color[0], source.color[1], source.color[2]);
-  light.intensity = float(source.intensity);
-  light.range = float(source.range);
+  (void)source.member("type");
+  const std::string type = source.oneOf("type", {"directional", "point", "spot"});
+  if (type != "directional")
+    light.kind = type == "point" ? LightKind::point : LightKind::spot;
+  light.color = source.vector("color", light.color, 0);
+  light.intensity = float(source.number("intensity", 1, 0));
+  light.range = float(source.number("range", 0, 0));
   light.position = glm::dvec3(frame[3]);
   light.direction = -glm::vec3(frame[2]);
-  light.innerConeCosine = float(std::cos(source.spot.innerConeAngle));
-  light.outerConeCosine = float(std::cos(source.spot.outerConeAngle));
+  const double right = glm::half_pi<double>();
+  double outer = right / 2, inner = 0;
+  if (const std::optional<Place> spot = source.find("spot")) {
+    outer = spot->number("outerConeAngle", outer, 0, std::nextafter(float(right), 2.0f));
+    inner = spot->number("innerConeAngle", inner, 0, outer);
+  }
+  light.innerConeCosine = float(std::cos(inner));
+  light.outerConeCosine = float(std::cos(outer));
   return light;
+}
+
+std::vector<double> weightsOf(const Place& place) {
+  std::vector<double> weights;
+  place.each("weights",
+             [&](const Place& weight, std::size_t) { weights.push_back(weight.asNumber()); });
+  return weights;
+}
+
+/// Throws a Fault unless the nodes form trees, which scenes list by their roots.
+void checkHierarchy(const SceneFile& file) {
+  const std::size_t count = file.root().countOf("nodes");
+  std::vector<std::size_t> parents(count, count);
+  file.root().each("nodes", [&](const Place& node, std::size_t index) {
+    node.each("children", [&](const Place& child, std::size_t) {
+      const std::size_t c = child.asIndex(count);
+      if (parents[c] != count)
+        child.fail("node " + std::to_string(c) + " is already a child of node " +
+                   std::to_string(parents[c]) + "; a node may have only one parent");
+      parents[c] = index;
+    });
+  });
+  // Each node has at most one parent, so a cycle is a chain of parents without end.
+  std::vector<bool> reachesRoot(count, false);
+  for (std::size_t start = 0; start < count; ++start) {
+    std::vector<std::size_t> chain;
+    for (std::size_t at = start; at != count && !reachesRoot[at]; at = parents[at]) {
+      if (chain.size() == count)
+        file.root().member("nodes").fail("node " + std::to_string(start) +
+                                         " is its own ancestor; nodes must not form cycles");
+      chain.push_back(at);
+    }
+    for (const std::size_t done : chain)
+      reachesRoot[done] = true;
+  }
+  file.root().each("scenes", [&](const Place& scene, std::size_t) {
+    std::set<std::size_t> listed;
+    scene.each("nodes", [&](const Place& entry, std::size_t) {
+      const std::size_t node = entry.asIndex(count);
+      if (parents[node] != count)
+        entry.fail("node " + std::to_string(node) + " is a child of node " +
+                   std::to_string(parents[node]) + "; scenes may list only root nodes");
+      if (!listed.insert(node).second)
+        entry.fail("node " + std::to_string(node) + " appears twice");
+    });
+  });
 }
 
 /// Walks the default scene's nodes with an explicit stack, so that deep hierarchies cannot overflow
 /// the call stack.
 class NodeWalk {
 public:
-  NodeWalk(const tinygltf::Model& model, Scene& scene)
-      : model_(model), scene_(scene), primitivesOfMesh_(model.meshes.size()),
-        worldOfNode_(model.nodes.size()), jointsOfSkin_(model.skins.size()) {}
+  NodeWalk(SceneFile& file, Scene& scene)
+      : file_(file), scene_(scene), lights_(file.root().extension("KHR_lights_punctual")),
+        primitivesOfMesh_(file.root().countOf("meshes")),
+        worldOfNode_(file.root().countOf("nodes")), jointsOfSkin_(file.root().countOf("skins")) {}
 
-  Result<void> run() {
-    if (model_.scenes.empty())
-      return Error{ErrorKind::badInput, "has no scene; add a scene with a mesh"};
-    const int chosen = model_.defaultScene >= 0 ? model_.defaultScene : 0;
-    push(model_.scenes[std::size_t(chosen)].nodes, glm::dmat4(1.0));
+  void run() {
+    checkHierarchy(file_);
+    const std::optional<Place> chosen = file_.follow(file_.root(), "scene", "scenes");
+    if (file_.root().countOf("scenes") == 0)
+      throw Fault{"has no scene; add a scene with a mesh"};
+    push(chosen ? *chosen : file_.element("scenes", 0), "nodes", glm::dmat4(1.0));
     while (!pending_.empty()) {
       const auto [index, parent] = pending_.back();
       pending_.pop_back();
-      if (Result<void> visited = visit(std::size_t(index), parent); !visited)
-        return visited;
+      visit(index, parent);
     }
     for (const std::size_t node : skinnedNodes_) // after the transforms of all joints are known
-      if (Result<void> added = addSkinned(model_.nodes[node]); !added)
-        return added;
+      addSkinned(file_.element("nodes", node));
     if (scene_.instances.empty())
-      return Error{ErrorKind::badInput,
-                   "its scene has nothing to draw; add a mesh with triangles, lines or points"};
-    return {};
+      throw Fault{"its scene has nothing to draw; add a mesh with triangles, lines or points"};
   }
 
 private:
-  Result<void> visit(std::size_t index, const glm::dmat4& parent) {
-    const tinygltf::Node& node = model_.nodes[index];
+  void visit(std::size_t index, const glm::dmat4& parent) {
+    const Place node = file_.element("nodes", index);
     const glm::dmat4 world = parent * localMatrix(node);
     for (int column = 0; column < 4; ++column)
       for (int row = 0; row < 4; ++row)
         if (!(std::abs(world[column][row]) <= kLargest)) // also true for NaN
-          return Error{ErrorKind::badInput, "/nodes: the transform of node \"" +
-                                                printable(node.name) + "\" is not finite"};
-    if (node.camera >= 0)
-      addCamera(node, world);
-    if (const auto light = node.extensions.find("KHR_lights_punctual");
-        light != node.extensions.end() && light->second.Has("light"))
-      scene_.lights.push_back(readLight(
-          model_.lights[std::size_t(light->second.Get("light").GetNumberAsInt())], world));
+          throw Fault{"/nodes: the transform of node \"" +
+                      printable(node.string("name").value_or("")) + "\" is not finite"};
+    if (const std::optional<Place> camera = file_.follow(node, "camera", "cameras")) {
+      scene_.cameras.push_back(readCamera(*camera, rigid(world), scene_.notes));
+      scene_.cameras.back().nodeName = node.string("name").value_or("");
+    }
+    const std::optional<std::size_t> light =
+        node.extension("KHR_lights_punctual").index("light", lights_.countOf("lights"));
+    if (light)
+      scene_.lights.push_back(readLight(lights_.member("lights").at(*light), world));
     worldOfNode_[index] = world;
-    if (node.mesh >= 0 && node.skin >= 0)
+    const std::optional<std::size_t> mesh = file_.index(node, "mesh", "meshes");
+    if (mesh && file_.index(node, "skin", "skins"))
       skinnedNodes_.push_back(index);
-    else if (node.mesh >= 0)
-      if (Result<void> added = addMesh(node, world, restPose(node)); !added)
-        return added;
-    push(node.children, world);
-    return {};
+    else if (mesh)
+      addMesh(*mesh, world, restPose(node, *mesh));
+    push(node, "children", world);
   }
 
   /// The pose of a node's morph targets, without a skin.
-  [[nodiscard]] RestPose restPose(const tinygltf::Node& node) const {
-    const std::vector<double>& ofMesh = model_.meshes[std::size_t(node.mesh)].weights;
-    return {node.weights.empty() ? std::span(ofMesh) : std::span(node.weights), {}};
+  [[nodiscard]] RestPose restPose(const Place& node, std::size_t mesh) const {
+    std::vector<double> weights = weightsOf(node);
+    return {weights.empty() ? weightsOf(file_.element("meshes", mesh)) : std::move(weights), {}};
   }
 
   /// Pushes nodes so that the first one is visited next.
-  void push(const std::vector<int>& nodes, const glm::dmat4& parent) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-      pending_.push_back({*node, parent});
-  }
-
-  void addCamera(const tinygltf::Node& node, const glm::dmat4& world) {
-    Camera camera = readCamera(model_, std::size_t(node.camera), rigid(world));
-    camera.nodeName = node.name;
-    scene_.cameras.push_back(std::move(camera));
+  void push(const Place& owner, const char* key, const glm::dmat4& parent) {
+    const std::size_t first = pending_.size();
+    owner.each(key, [&](const Place& node, std::size_t) {
+      pending_.push_back({node.asIndex(worldOfNode_.size()), parent});
+    });
+    std::reverse(pending_.begin() + std::ptrdiff_t(first), pending_.end());
   }
 
   /// A skinned mesh follows its joints and ignores its own node's transform.
-  Result<void> addSkinned(const tinygltf::Node& node) {
-    const auto skin = std::size_t(node.skin);
-    if (!jointsOfSkin_[skin]) {
-      Result<Joints> joints = loadJoints(skin);
-      if (!joints)
-        return joints.error();
-      jointsOfSkin_[skin] = std::move(joints).value();
-    }
-    RestPose pose = restPose(node);
-    pose.jointMatrices = jointsOfSkin_[skin]->matrices;
-    return addMesh(node, glm::translate(glm::dmat4(1.0), jointsOfSkin_[skin]->origin), pose);
+  void addSkinned(const Place& node) {
+    const std::size_t mesh = *file_.index(node, "mesh", "meshes");
+    std::optional<Joints>& joints = jointsOfSkin_[*file_.index(node, "skin", "skins")];
+    if (!joints)
+      joints = loadJoints(*file_.follow(node, "skin", "skins"));
+    RestPose pose = restPose(node, mesh);
+    pose.jointMatrices = joints->matrices;
+    addMesh(mesh, glm::translate(glm::dmat4(1.0), joints->origin), pose);
   }
 
   /// Joint matrices of a skin, from the bind pose to the rest pose, relative to `origin` in the
@@ -165,28 +195,28 @@ private:
     std::vector<glm::mat4> matrices;
   };
 
-  Result<Joints> loadJoints(std::size_t index) const {
-    const tinygltf::Skin& skin = model_.skins[index];
-    std::vector<float> inverseBind;
-    if (skin.inverseBindMatrices >= 0) {
-      Result<std::vector<float>> values = readAccessor(model_, skin.inverseBindMatrices);
-      if (!values)
-        return values.error();
-      inverseBind = std::move(values).value();
+  [[nodiscard]] Joints loadJoints(const Place& skin) const {
+    (void)skin.member("joints");
+    const std::size_t count = skin.countOf("joints");
+    std::vector<std::array<float, 16>> inverseBind;
+    if (const std::optional<Place> accessor = skin.find("inverseBindMatrices")) {
+      const std::size_t stated = file_.countOf(*accessor);
+      if (stated < count)
+        accessor->fail("has " + std::to_string(stated) +
+                       " matrices; expected one for each of the " + std::to_string(count) +
+                       " joints");
+      inverseBind = file_.vectors<16>(*accessor, stated, {kFloat});
     }
     std::vector<glm::dmat4> joints;
-    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
-      const std::optional<glm::dmat4>& joint = worldOfNode_[std::size_t(skin.joints[j])];
-      if (!joint)
-        return Error{ErrorKind::badInput,
-                     "/skins/" + std::to_string(index) + "/joints/" + std::to_string(j) +
-                         ": node " + std::to_string(skin.joints[j]) +
-                         " is not in the scene to draw; joints must be in the same scene as their "
-                         "mesh"};
+    skin.each("joints", [&](const Place& place, std::size_t j) {
+      const std::size_t node = place.asIndex(worldOfNode_.size());
+      if (!worldOfNode_[node])
+        place.fail("node " + std::to_string(node) +
+                   " is not in the scene to draw; joints must be in the same scene as their mesh");
       const glm::mat4 bind =
-          inverseBind.empty() ? glm::mat4(1.0f) : glm::make_mat4(&inverseBind[kMatrix * j]);
-      joints.push_back(*joint * glm::dmat4(bind));
-    }
+          inverseBind.empty() ? glm::mat4(1.0f) : glm::make_mat4(inverseBind[j].data());
+      joints.push_back(*worldOfNode_[node] * glm::dmat4(bind));
+    });
     return relativeJoints(glm::dvec3(joints.front()[3]), joints);
   }
 
@@ -201,95 +231,91 @@ private:
   }
 
   /// Nodes share the primitives of a mesh, except nodes whose pose deforms it.
-  Result<void> addMesh(const tinygltf::Node& node, const glm::dmat4& world, const RestPose& pose) {
-    const auto mesh = std::size_t(node.mesh);
-    if (deforms(pose)) {
-      Result<std::vector<std::size_t>> own = loadMesh(mesh, pose);
-      return own ? addInstances(own.value(), world) : own.error();
-    }
-    if (!primitivesOfMesh_[mesh]) {
-      Result<std::vector<std::size_t>> shared = loadMesh(mesh, pose);
-      if (!shared)
-        return shared.error();
-      primitivesOfMesh_[mesh] = std::move(shared).value();
-    }
-    return addInstances(*primitivesOfMesh_[mesh], world);
+  void addMesh(std::size_t mesh, const glm::dmat4& world, const RestPose& pose) {
+    if (deforms(pose))
+      return addInstances(loadMesh(mesh, pose), world);
+    if (!primitivesOfMesh_[mesh])
+      primitivesOfMesh_[mesh] = loadMesh(mesh, pose);
+    addInstances(*primitivesOfMesh_[mesh], world);
   }
 
-  static Error tooManyInstances() {
-    return Error{ErrorKind::resources, "/nodes: the scene draws more than " +
-                                           std::to_string(kMaxSceneInstances) + " primitives, or " +
-                                           std::to_string(kMaxDrawnVertices) +
-                                           " vertices and indices; use a smaller scene"};
+  [[noreturn]] static void failTooManyInstances() {
+    throw Fault{"/nodes: the scene draws more than " + std::to_string(kMaxSceneInstances) +
+                    " primitives, or " + std::to_string(kMaxDrawnVertices) +
+                    " vertices and indices; use a smaller scene",
+                ErrorKind::resources};
   }
 
-  Result<void> addInstances(const std::vector<std::size_t>& primitives, const glm::dmat4& world) {
+  void addInstances(const std::vector<std::size_t>& primitives, const glm::dmat4& world) {
     for (const std::size_t primitive : primitives) {
       const Primitive& p = scene_.primitives[primitive];
       drawn_ += p.vertices.size() + p.indices.size();
       if (scene_.instances.size() == kMaxSceneInstances || drawn_ > kMaxDrawnVertices)
-        return tooManyInstances();
+        failTooManyInstances();
       scene_.instances.push_back({primitive, world});
     }
-    return {};
   }
 
   /// Appends a mesh's primitives to the scene and returns their indices.
-  Result<std::vector<std::size_t>> loadMesh(std::size_t mesh, const RestPose& pose) {
+  std::vector<std::size_t> loadMesh(std::size_t index, const RestPose& pose) {
+    const Place mesh = file_.element("meshes", index);
+    (void)mesh.member("primitives");
     std::vector<std::size_t> primitives;
-    for (const tinygltf::Primitive& source : model_.meshes[mesh].primitives) {
+    mesh.each("primitives", [&](const Place& place, std::size_t) {
       if (++loaded_ > kMaxSceneInstances)
-        return tooManyInstances();
-      Result<std::optional<Primitive>> primitive = loadPrimitive(source, pose);
-      if (!primitive)
-        return primitive.error();
-      if (!primitive.value()) {
-        scene_.notes.push_back("a primitive of mesh " + std::to_string(mesh) +
+        failTooManyInstances();
+      const SourcePrimitive source = sourcePrimitive(file_, place);
+      std::optional<Primitive> primitive = loadPrimitive(source, pose);
+      if (!primitive) {
+        scene_.notes.push_back("a primitive of mesh " + std::to_string(index) +
                                " without triangles is ignored");
-        continue;
+        return;
       }
-      noteMissingTangents(mesh, source, scene_.materials[primitive.value()->material]);
+      noteMissingTangents(mesh, source, scene_.materials[primitive->material]);
       primitives.push_back(scene_.primitives.size());
-      scene_.primitives.push_back(std::move(*primitive.value()));
-    }
+      scene_.primitives.push_back(std::move(*primitive));
+    });
     return primitives;
   }
 
-  void noteMissingTangents(std::size_t mesh, const tinygltf::Primitive& source,
+  void noteMissingTangents(const Place& mesh, const SourcePrimitive& source,
                            const Material& material) {
     // tangents can be generated for this texture
     const TextureSlot& normals = material.normalTexture;
-    const bool makesTangents =
-        normals.image && source.attributes.contains("TEXCOORD_" + std::to_string(normals.texCoord));
-    if (material.noiseNeedsTangents && !makesTangents && !source.attributes.contains("TANGENT"))
+    const auto has = [&](const std::string& name) {
+      return source.attributes.find(name.c_str()).has_value();
+    };
+    const bool makesTangents = normals.image && has("TEXCOORD_" + std::to_string(normals.texCoord));
+    if (material.noiseNeedsTangents && !makesTangents && !has("TANGENT"))
       scene_.notes.push_back(
-          "/meshes/" + std::to_string(mesh) + " \"" + printable(model_.meshes[mesh].name) +
+          mesh.pointer() + " \"" + printable(mesh.string("name").value_or("")) +
           "\" has no TANGENT attribute, which the noise of its material \"" +
           printable(material.name) +
           "\" follows; an arbitrary direction is used; add tangents with lichen apply");
   }
 
-  Result<std::optional<Primitive>> loadPrimitive(const tinygltf::Primitive& source,
-                                                 const RestPose& pose) {
+  std::optional<Primitive> loadPrimitive(const SourcePrimitive& source, const RestPose& pose) {
     const std::size_t material =
-        source.material >= 0 ? std::size_t(source.material) : scene_.materials.size() - 1;
-    vertices_ += expandedSize(model_, source, scene_.materials[material], pose);
+        file_.index(source.place, "material", "materials").value_or(scene_.materials.size() - 1);
+    vertices_ += expandedSize(source, scene_.materials[material], pose);
     if (vertices_ > kMaxSceneVertices)
-      return Error{ErrorKind::resources, "/meshes: more than " + std::to_string(kMaxSceneVertices) +
-                                             " vertices and indices; use a smaller scene"};
-    Result<std::optional<Primitive>> primitive =
-        readPrimitive(model_, source, scene_.materials[material], pose);
-    if (primitive && primitive.value())
-      primitive.value()->material = material;
+      throw Fault{"/meshes: more than " + std::to_string(kMaxSceneVertices) +
+                      " vertices and indices; use a smaller scene",
+                  ErrorKind::resources};
+    std::optional<Primitive> primitive =
+        readPrimitive(file_, source, scene_.materials[material], pose);
+    if (primitive)
+      primitive->material = material;
     return primitive;
   }
 
   struct Pending {
-    int node;
+    std::size_t node;
     glm::dmat4 parent;
   };
-  const tinygltf::Model& model_;
+  SceneFile& file_;
   Scene& scene_;
+  Place lights_; ///< the extension's object
   /// not deformed by a pose
   std::vector<std::optional<std::vector<std::size_t>>> primitivesOfMesh_;
   std::vector<std::optional<glm::dmat4>> worldOfNode_; ///< only for nodes of the scene
@@ -303,8 +329,6 @@ private:
 
 } // namespace
 
-Result<void> walkNodes(const tinygltf::Model& model, Scene& scene) {
-  return NodeWalk(model, scene).run();
-}
+void walkNodes(SceneFile& file, Scene& scene) { NodeWalk(file, scene).run(); }
 
 } // namespace lichen::renderer

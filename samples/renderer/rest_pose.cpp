@@ -2,58 +2,37 @@
 // Linear blending of morph targets and joints [glTF 2.0, sections 3.7.2.2 and 3.7.3].
 #include "rest_pose.h"
 
-#include "accessor.h"
-#include "orthonormal_frame.h"
-#include "unit_vector.h"
+#include "directions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace lichen::renderer {
 namespace {
 
-using Attributes = std::map<std::string, int>;
-
-/// Calls `add(vertex, delta)` for each vertex with the weighted delta of a morph target's
-/// attribute; does nothing if the target lacks the attribute.
-template <class Add>
-Result<void> addDeltas(const tinygltf::Model& model, const Attributes& morphTarget,
-                       const char* name, float weight, std::vector<Vertex>& vertices, Add add) {
-  const auto found = morphTarget.find(name);
-  if (found == morphTarget.end())
-    return {};
-  const Result<std::vector<float>> deltas = readAccessor(model, found->second);
-  if (!deltas)
-    return deltas.error();
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const float* delta = deltas.value().data() + 3 * i;
-    add(vertices[i], weight * glm::vec3(delta[0], delta[1], delta[2]));
-  }
-  return {};
+/// Number of targets with a weight that the primitive has.
+std::size_t targetCount(const SourcePrimitive& source, const RestPose& pose) {
+  return std::min(pose.morphWeights.size(), source.place.countOf("targets"));
 }
 
-Result<void> applyMorphs(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                         std::span<const double> weights, std::vector<Vertex>& vertices) {
-  for (std::size_t t = 0; t < std::min(weights.size(), source.targets.size()); ++t) {
-    if (weights[t] == 0.0)
+void applyMorphs(SceneFile& file, const SourcePrimitive& source, const RestPose& pose,
+                 std::vector<Vertex>& vertices) {
+  for (std::size_t t = 0; t < targetCount(source, pose); ++t) {
+    const auto weight = float(pose.morphWeights[t]);
+    if (pose.morphWeights[t] == 0.0)
       continue;
-    const auto add = [&](const char* name, auto assign) {
-      return addDeltas(model, source.targets[t], name, float(weights[t]), vertices, assign);
+    const Place morphTarget = source.place.member("targets").at(t);
+    const auto add = [&](const char* name, const auto& assign) {
+      if (const std::optional<Place> deltas = morphTarget.find(name)) {
+        const auto values = file.vectors<3>(*deltas, vertices.size());
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+          assign(vertices[i], weight * glm::make_vec3(values[i].data()));
+      }
     };
-    const std::array added{
-        add("POSITION", [](Vertex& v, glm::vec3 delta) { v.position += delta; }),
-        add("NORMAL", [](Vertex& v, glm::vec3 delta) { v.normal += delta; }),
-        add("TANGENT", [](Vertex& v, glm::vec3 delta) { v.tangent += glm::vec4(delta, 0.0f); })};
-    for (const Result<void>& result : added)
-      if (!result)
-        return result;
+    add("POSITION", [](Vertex& v, glm::vec3 delta) { v.position += delta; });
+    add("NORMAL", [](Vertex& v, glm::vec3 delta) { v.normal += delta; });
+    add("TANGENT", [](Vertex& v, glm::vec3 delta) { v.tangent += glm::vec4(delta, 0.0f); });
   }
-  return {};
 }
 
 /// Weighted sum of joint matrices per vertex.
@@ -62,48 +41,38 @@ struct BlendedJoints {
   std::vector<float> weights; ///< sum of the weights
 };
 
-/// Adds one attribute set: four joints per vertex.
-Result<void> addJoints(const tinygltf::Model& model, int jointsAccessor, int weightsAccessor,
-                       std::span<const glm::mat4> joints, BlendedJoints& blended) {
-  const Result<std::vector<float>> indices = readAccessor(model, jointsAccessor);
-  if (!indices)
-    return indices.error();
-  const Result<std::vector<float>> weights = readAccessor(model, weightsAccessor);
-  if (!weights)
-    return weights.error();
-  for (std::size_t k = 0; k < indices.value().size(); ++k) {
-    const float weight = weights.value()[k];
-    if (weight == 0.0f)
-      continue;
-    const auto joint = std::size_t(indices.value()[k]); // 8 or 16 bits, exact as a float
-    if (joint >= joints.size())
-      return Error{ErrorKind::badInput, "/accessors/" + std::to_string(jointsAccessor) +
-                                            ": joint " + std::to_string(joint) +
-                                            " is not in the skin; expected 0 to " +
-                                            std::to_string(joints.size() - 1)};
-    blended.sums[k / 4] += weight * joints[joint];
-    blended.weights[k / 4] += weight;
-  }
-  return {};
-}
-
 /// Accessors of one attribute set: joints and their weights.
-std::optional<std::pair<int, int>> jointSet(const tinygltf::Primitive& source, std::size_t set) {
-  const auto joints = source.attributes.find("JOINTS_" + std::to_string(set));
-  const auto weights = source.attributes.find("WEIGHTS_" + std::to_string(set));
-  if (joints == source.attributes.end() || weights == source.attributes.end())
-    return std::nullopt;
-  return std::make_pair(joints->second, weights->second);
+std::optional<std::pair<Place, Place>> jointSet(const SourcePrimitive& source, std::size_t set) {
+  const auto joints = source.attributes.find(("JOINTS_" + std::to_string(set)).c_str());
+  const auto weights = source.attributes.find(("WEIGHTS_" + std::to_string(set)).c_str());
+  return joints && weights ? std::optional(std::pair(*joints, *weights)) : std::nullopt;
 }
 
-Result<BlendedJoints> blendJoints(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                                  std::span<const glm::mat4> joints, std::size_t vertexCount) {
+/// Adds one attribute set: four joints per vertex.
+void addJoints(SceneFile& file, const std::pair<Place, Place>& set,
+               std::span<const glm::mat4> matrices, BlendedJoints& blended) {
+  const std::size_t count = blended.sums.size();
+  const auto joints = file.vectors<4>(set.first, count, {kUnsignedByte, kUnsignedShort});
+  const auto weights = file.vectors<4>(set.second, count);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto joint = std::size_t(joints[i][k]); // 8 or 16 bits, exact as a float
+      if (weights[i][k] == 0.0f)
+        continue;
+      if (joint >= matrices.size())
+        set.first.fail("joint " + std::to_string(joint) + " is not in the skin; expected 0 to " +
+                       std::to_string(matrices.size() - 1));
+      blended.sums[i] += weights[i][k] * matrices[joint];
+      blended.weights[i] += weights[i][k];
+    }
+}
+
+BlendedJoints blendJoints(SceneFile& file, const SourcePrimitive& source,
+                          std::span<const glm::mat4> joints, std::size_t vertexCount) {
   BlendedJoints blended{std::vector<glm::mat4>(vertexCount, glm::mat4(0.0f)),
                         std::vector<float>(vertexCount, 0.0f)};
   for (std::size_t set = 0; const auto accessors = jointSet(source, set); ++set)
-    if (Result<void> added = addJoints(model, accessors->first, accessors->second, joints, blended);
-        !added)
-      return added.error();
+    addJoints(file, *accessors, joints, blended);
   // Normalise the weights to a sum of 1. Vertices without weights follow the first joint.
   for (std::size_t i = 0; i < vertexCount; ++i)
     blended.sums[i] =
@@ -134,20 +103,17 @@ bool transformVertex(Vertex& v, const glm::mat4& matrix) {
   return mirrors;
 }
 
-Result<void> applySkin(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                       std::span<const glm::mat4> joints, Primitive& target) {
-  const Result<BlendedJoints> blended = blendJoints(model, source, joints, target.vertices.size());
-  if (!blended)
-    return blended.error();
+void applySkin(SceneFile& file, const SourcePrimitive& source, std::span<const glm::mat4> joints,
+               Primitive& target) {
+  const BlendedJoints blended = blendJoints(file, source, joints, target.vertices.size());
   for (std::size_t i = 0; i < target.undeformed.size(); ++i)
-    target.undeformed[i].normal *= stretchAlong(target.vertices[i].normal, blended.value().sums[i]);
+    target.undeformed[i].normal *= stretchAlong(target.vertices[i].normal, blended.sums[i]);
   std::vector<bool> mirrored(target.vertices.size());
   for (std::size_t i = 0; i < target.vertices.size(); ++i)
-    mirrored[i] = transformVertex(target.vertices[i], blended.value().sums[i]);
+    mirrored[i] = transformVertex(target.vertices[i], blended.sums[i]);
   for (std::size_t i = 0; i < target.indices.size(); i += 3)
     if (mirrored[target.indices[i]])
       std::swap(target.indices[i + 1], target.indices[i + 2]);
-  return {};
 }
 
 } // namespace
@@ -158,9 +124,9 @@ bool deforms(const RestPose& pose) {
                      [](double weight) { return weight != 0.0; });
 }
 
-std::size_t restPosePasses(const tinygltf::Primitive& source, const RestPose& pose) {
+std::size_t restPosePasses(const SourcePrimitive& source, const RestPose& pose) {
   std::size_t passes = 0;
-  for (std::size_t t = 0; t < std::min(pose.morphWeights.size(), source.targets.size()); ++t)
+  for (std::size_t t = 0; t < targetCount(source, pose); ++t)
     if (pose.morphWeights[t] != 0.0)
       ++passes;
   if (!pose.jointMatrices.empty())
@@ -169,23 +135,18 @@ std::size_t restPosePasses(const tinygltf::Primitive& source, const RestPose& po
   return passes;
 }
 
-Result<void> applyRestPose(const tinygltf::Model& model, const tinygltf::Primitive& source,
-                           const RestPose& pose, Primitive& target) {
-  if (Result<void> morphed = applyMorphs(model, source, pose.morphWeights, target.vertices);
-      !morphed)
-    return morphed;
+void applyRestPose(SceneFile& file, const SourcePrimitive& source, const RestPose& pose,
+                   Primitive& target) {
+  applyMorphs(file, source, pose, target.vertices);
   if (!pose.jointMatrices.empty())
-    if (Result<void> skinned = applySkin(model, source, pose.jointMatrices, target); !skinned)
-      return skinned;
+    applySkin(file, source, pose.jointMatrices, target);
   for (Vertex& v : target.vertices) {
     v.normal = normalizedOr(v.normal, glm::vec3(0.0f, 1.0f, 0.0f));
     v.tangent = glm::vec4(normalizedOr(glm::vec3(v.tangent), frameAlong(v.normal)[0]), v.tangent.w);
     if (!std::isfinite(v.position.x) || !std::isfinite(v.position.y) ||
         !std::isfinite(v.position.z))
-      return Error{ErrorKind::badInput,
-                   "/meshes: the rest pose moves a vertex beyond what a float can hold"};
+      throw Fault{"/meshes: the rest pose moves a vertex beyond what a float can hold"};
   }
-  return {};
 }
 
 } // namespace lichen::renderer

@@ -13,8 +13,7 @@
 // down; this code flips v, so the fourth component is glTF's.
 #include "tangents.h"
 
-#include "orthonormal_frame.h"
-#include "unit_vector.h"
+#include "directions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,7 @@
 // Segments -> rods; see thin_solids.h. glTF does not define the width of points and lines.
 #include "thin_solids.h"
 
-#include "orthonormal_frame.h"
-#include "unit_vector.h"
+#include "directions.h"
 
 #include <array>
 
