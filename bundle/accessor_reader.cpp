@@ -17,9 +17,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uint64_t kMostBytes = std::uint64_t(1) << 32;
-/// Maximum number of elements of an accessor without a buffer view, whose elements are zero: 12 MiB
-/// of vectors.
-constexpr std::size_t kMostZeros = std::size_t(1) << 20;
+/// Maximum number of elements of an accessor without a buffer view, whose elements are zero: 48 MiB
+/// of vectors that no byte of the file backs.
+constexpr std::size_t kMostZeros = std::size_t(1) << 22;
 
 std::size_t componentBytes(std::uint64_t type) {
   switch (type) {
@@ -97,10 +97,10 @@ public:
     componentType_ = componentType(reader_, types);
     elementBytes_ = components * componentBytes(componentType_);
     const auto name = reader_.text("type");
-    if (!name || *name != type) {
-      reader_.error(kAccessorType, "type", std::string("not ") + type);
+    if (name && *name != type)
+      reader_.error(kAccessorType, "type", quoted(*name) + "; expected " + type);
+    if (!name || *name != type)
       throw Unreadable{};
-    }
     if (count_ == 0)
       fail("count", "0; expected at least 1");
     if (const json* normalized = reader_.optional("normalized"); normalized != nullptr) {
@@ -230,7 +230,7 @@ private:
   }
 
   void refuseCompressed(std::size_t view) {
-    const std::optional<std::string> name = compressionOfView(file_.document(), view);
+    const std::optional<std::string> name = file_.compressionOf(view);
     if (!name)
       return;
     findings_.error("compressed", "/bufferViews/" + std::to_string(view),
@@ -250,14 +250,6 @@ private:
 };
 
 } // namespace
-
-std::optional<std::string> compressionOfView(const json& document, std::size_t view) {
-  for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
-    if (document.contains(
-            json::json_pointer("/bufferViews/" + std::to_string(view) + "/extensions/" + name)))
-      return name;
-  return std::nullopt;
-}
 
 template <std::size_t kComponents>
 std::optional<std::vector<std::array<float, kComponents>>>

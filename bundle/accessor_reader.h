@@ -11,10 +11,6 @@ namespace lichen {
 /// a strip, which becomes a triangle.
 inline constexpr std::size_t kMostElements = std::size_t(1) << 25;
 
-/// The name of the extension that compresses a buffer view, or nothing.
-[[nodiscard]] std::optional<std::string> compressionOfView(const nlohmann::json& document,
-                                                           std::size_t view);
-
 /// Code of the finding for an accessor of another type or component type than its use needs.
 inline constexpr char kAccessorType[] = "accessor-type";
 

@@ -8,6 +8,8 @@
 #include <lichen/counted.h>
 #include <lichen/files.h>
 
+#include <algorithm>
+
 namespace lichen {
 namespace {
 
@@ -83,6 +85,10 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
     }
     gltf.buffers_.resize(list->size());
   }
+  if (const auto list = document.find("extensionsRequired"); list != document.end())
+    for (const char* name : {"EXT_meshopt_compression", "KHR_meshopt_compression"})
+      if (std::find(list->begin(), list->end(), name) != list->end())
+        gltf.compressions_.emplace_back(name);
   return gltf;
 }
 
@@ -174,12 +180,15 @@ std::optional<GltfFile::StridedView> GltfFile::stridedView(std::size_t index,
     findings.error("buffer-view", pointer + "/buffer", "not the index of a buffer");
     return std::nullopt;
   }
-  if (!offset || !length || *length == 0 || !stride || *stride > kMaxStride ||
-      *stride % kStrideStep != 0) {
+  if (!offset || !length || *length == 0) {
     findings.error("buffer-view", pointer,
-                   "byteOffset, byteLength and byteStride must be integers, the length positive, "
-                   "the stride a multiple of 4, at most " +
-                       std::to_string(kMaxStride));
+                   "byteOffset and byteLength must be integers, and the length positive");
+    return std::nullopt;
+  }
+  if (!stride || *stride > kMaxStride || *stride % kStrideStep != 0) {
+    findings.error("buffer-view", pointer + "/byteStride",
+                   (stride ? std::to_string(*stride) : "not an integer") +
+                       "; expected a multiple of 4, at most " + std::to_string(kMaxStride));
     return std::nullopt;
   }
   const std::optional<std::span<const std::byte>> source =
@@ -208,6 +217,14 @@ std::optional<std::span<const std::byte>> GltfFile::wholeBuffer(std::size_t inde
     return std::nullopt;
   }
   return source.bytes;
+}
+
+std::optional<std::string> GltfFile::compressionOf(std::size_t view) const {
+  for (const std::string& name : compressions_)
+    if (document().contains(
+            json::json_pointer("/bufferViews/" + std::to_string(view) + "/extensions/" + name)))
+      return name;
+  return std::nullopt;
 }
 
 std::size_t GltfFile::loadedBytes() const {

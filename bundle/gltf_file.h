@@ -31,6 +31,10 @@ public:
     std::size_t stride = 0; ///< bytes between element starts; 0 if tightly packed
   };
   [[nodiscard]] std::optional<StridedView> stridedView(std::size_t index, FindingList& findings);
+  /// The required extension that compresses a buffer view, or nothing. If a file does not require
+  /// the extension, the view's bytes are not compressed [EXT_meshopt_compression, fallback
+  /// buffers].
+  [[nodiscard]] std::optional<std::string> compressionOf(std::size_t view) const;
   /// The bytes of a buffer. Records faults as bufferView() does.
   [[nodiscard]] std::optional<std::span<const std::byte>> wholeBuffer(std::size_t index,
                                                                       FindingList& findings);
@@ -57,7 +61,8 @@ private:
   std::filesystem::path folder_;
   GltfContainer container_;
   std::vector<Buffer> buffers_;
-  std::size_t storedBytes_ = 0; ///< bytes of all buffers from files and data URIs
+  std::vector<std::string> compressions_; ///< of buffer views, required
+  std::size_t storedBytes_ = 0;           ///< bytes of all buffers from files and data URIs
 };
 
 } // namespace lichen

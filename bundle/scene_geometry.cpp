@@ -117,17 +117,17 @@ private:
 };
 
 /// The name of the extension that compresses a primitive's accessors, or nothing.
-std::optional<std::string> compressionOf(const json& document, const json& primitive) {
+std::optional<std::string> compressionOf(const GltfFile& file, const json& primitive) {
   if (hasDraco(primitive))
     return kDraco;
   const auto ofAccessor = [&](const json& index) -> std::optional<std::string> {
-    const json& accessor = document["accessors"][index.get<std::size_t>()];
+    const json& accessor = file.document()["accessors"][index.get<std::size_t>()];
     for (const char* place :
          {"/bufferView", "/sparse/indices/bufferView", "/sparse/values/bufferView"}) {
       const json::json_pointer view(place);
       if (!accessor.contains(view) || !accessor[view].is_number_unsigned())
         continue;
-      if (auto name = compressionOfView(document, accessor[view].get<std::size_t>()))
+      if (auto name = file.compressionOf(accessor[view].get<std::size_t>()))
         return name;
     }
     return std::nullopt;
@@ -180,7 +180,7 @@ Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place
       findings.error("mode", "",
                      "mode " + std::to_string(mode) + "; expected 0 to " +
                          std::to_string(kTriangleFan));
-    else if (compression = compressionOf(document(), primitive);
+    else if (compression = compressionOf(*state_->file, primitive);
              !compression && primitive["attributes"].contains("POSITION")) // or nothing is drawn
       VertexCheck(*state_->file, state_->soundAccessors, findings).run(primitive);
     return compression;
@@ -207,7 +207,7 @@ Result<std::optional<GltfScene::Range2>> GltfScene::rangeOf(PrimitivePlace place
   const json& primitive = state_->primitive(place);
   return readFrom(*this, primitiveTitle(place), [&](FindingList& findings) {
     std::optional<Range2> range;
-    if (compressionOf(document(), primitive))
+    if (compressionOf(*state_->file, primitive))
       return range;
     const auto values = readVectors<2>(
         *state_->file, primitive["attributes"][attribute].get<std::size_t>(), findings);

@@ -185,6 +185,7 @@ TEST_CASE("compressed meshes get the noise, with a note") {
   meshopt.scene.json["bufferViews"][values]["extensions"]["EXT_meshopt_compression"] = {
       {"buffer", 0}};
   meshopt.scene.json["accessors"][position]["sparse"]["values"]["bufferView"] = values;
+  meshopt.scene.json["extensionsRequired"] = {"EXT_meshopt_compression"};
   noted(meshopt, "EXT_meshopt_compression");
 }
 

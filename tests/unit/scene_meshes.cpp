@@ -129,6 +129,7 @@ TEST_CASE("the error for a mesh that cannot be read names it") {
              }),
              Contains("KHR_draco_mesh_compression"));
   CHECK_THAT(broken([](auto& s, auto&) {
+               s.json["extensionsRequired"] = {"EXT_meshopt_compression"};
                s.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
              }),
              Contains("EXT_meshopt_compression"));
@@ -151,7 +152,11 @@ TEST_CASE("the error for a mesh that cannot be read names it") {
   CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["byteStride"] = 8; }),
              Contains("one every 8"));
   CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["byteStride"] = 256; }),
-             Contains("stride"));
+             Contains("/bufferViews/0/byteStride: 256; expected a multiple of 4, at most 252"));
+  CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["byteStride"] = 14; }),
+             Contains("/bufferViews/0/byteStride: 14; expected a multiple of 4"));
+  CHECK_THAT(broken([](auto& s, auto&) { s.json["accessors"][0]["type"] = "VEC2"; }),
+             Contains("/accessors/0/type: \"VEC2\"; expected VEC3"));
   CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["byteLength"] = 1u << 20; }),
              Contains("; the buffer has"));
   CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["buffer"] = 1; }),
@@ -233,5 +238,5 @@ TEST_CASE("an accessor with more elements than bytes is an error before memory i
                s.json["accessors"][p["attributes"]["POSITION"].template get<std::size_t>()] = {
                    {"componentType", 5126}, {"count", kMost}, {"type", "VEC3"}};
              }),
-             Contains("33554432 without a bufferView; expected 1 to 1048576"));
+             Contains("33554432 without a bufferView; expected 1 to 4194304"));
 }
