@@ -195,7 +195,7 @@ private:
     std::vector<glm::mat4> matrices;
   };
 
-  [[nodiscard]] Joints loadJoints(const Place& skin) const {
+  [[nodiscard]] Joints loadJoints(const Place& skin) {
     (void)skin.member("joints");
     const std::size_t count = skin.countOf("joints");
     std::vector<std::array<float, 16>> inverseBind;
@@ -205,6 +205,7 @@ private:
         accessor->fail("has " + std::to_string(stated) +
                        " matrices; expected one for each of the " + std::to_string(count) +
                        " joints");
+      charge(stated);
       inverseBind = file_.vectors<16>(*accessor, stated, {kFloat});
     }
     std::vector<glm::dmat4> joints;
@@ -294,14 +295,19 @@ private:
           "\" follows; an arbitrary direction is used; add tangents with lichen apply");
   }
 
-  std::optional<Primitive> loadPrimitive(const SourcePrimitive& source, const RestPose& pose) {
-    const std::size_t material =
-        file_.index(source.place, "material", "materials").value_or(scene_.materials.size() - 1);
-    vertices_ += expandedSize(source, scene_.materials[material], pose);
+  /// Counts vertices, indices and matrices of joints before they are read.
+  void charge(std::size_t count) {
+    vertices_ += count;
     if (vertices_ > kMaxSceneVertices)
       throw Fault{"/meshes: more than " + std::to_string(kMaxSceneVertices) +
                       " vertices and indices; use a smaller scene",
                   ErrorKind::resources};
+  }
+
+  std::optional<Primitive> loadPrimitive(const SourcePrimitive& source, const RestPose& pose) {
+    const std::size_t material =
+        file_.index(source.place, "material", "materials").value_or(scene_.materials.size() - 1);
+    charge(expandedSize(source, scene_.materials[material], pose));
     std::optional<Primitive> primitive =
         readPrimitive(file_, source, scene_.materials[material], pose);
     if (primitive)
@@ -323,7 +329,7 @@ private:
   std::vector<std::optional<Joints>> jointsOfSkin_;
   std::size_t loaded_ = 0; ///< loaded primitives, once more for each node that deforms them
   std::vector<Pending> pending_;
-  std::size_t vertices_ = 0; ///< vertices and indices of the primitives loaded so far
+  std::size_t vertices_ = 0; ///< charged so far
   std::size_t drawn_ = 0;    ///< vertices and indices of the instances so far
 };
 

@@ -44,11 +44,12 @@ void SceneFile::loadBuffer(const Place& buffer, std::size_t index) {
     const Result<std::filesystem::path> path = gltf_->pathOf(*uri);
     std::error_code ignored;
     if (!path || !std::filesystem::is_regular_file(path.value(), ignored))
-      throw Fault{"names the file \"" + printable(*uri) + "\", which is not in the scene's folder"};
+      buffer.fail("its file \"" + printable(pathOfUri(*uri).value_or(*uri)) +
+                  "\" is not in the scene's folder; copy it there, or export a .glb");
   }
   FindingList findings;
   if (!gltf_->wholeBuffer(index, findings))
-    fail(*findings.firstError(), "cannot load the scene");
+    fail(*findings.firstError(), "");
 }
 
 void SceneFile::checkView(const Place& view, std::size_t index) {

@@ -99,7 +99,8 @@ TEST_CASE("the error for a missing buffer file names it in one line") {
   const std::string path = writeInto(folder, "s.gltf", std::as_bytes(std::span(text))).string();
   checkRefused(path + " --size 8 -o " + (folder.path() / "o.png").string(), 3,
                "lichen-render: " + path +
-                   ": names the file \"gone .bin\", which is not in the scene's folder\n");
+                   ": /buffers/0: its file \"gone .bin\" is not in the scene's folder; copy it "
+                   "there, or export a .glb\n");
 }
 
 TEST_CASE("a fault in a noise is bad input, and the error states its JSON pointer") {

@@ -221,6 +221,28 @@ const std::vector<OddScene> kOddScenes{
        s.json["scene"] = 1;
      },
      kBall, Known::asPlain},
+    {"faults in what the scene does not draw",
+     [](GltfScene& s) {
+       s.addMesh({{"POSITION", 99}}, 98, 97, {{"scale", "large"}});
+       json& nodes = s.json["scenes"][0]["nodes"];
+       const json other = {{"nodes", {nodes.back()}}};
+       nodes.erase(nodes.size() - 1);
+       s.json["scenes"].push_back(other);
+       attributesOf(s)["_UNKNOWN"] = 99;
+       s.json["accessors"].push_back({{"type", "VEC5"}});
+       s.json["cameras"].push_back({{"type", "fisheye"}});
+       s.json["images"].push_back({{"uri", "absent.png"}});
+       s.json["textures"].push_back({{"source", 99}});
+       s.json["skins"] = {json::object()};
+       s.json["animations"] = 3;
+     },
+     kBall, Known::asPlain},
+    {"vertices that meshoptimizer compressed for readers that know it",
+     [](GltfScene& s) {
+       s.json["extensionsUsed"] = {"EXT_meshopt_compression"};
+       s.json["bufferViews"][0]["extensions"]["EXT_meshopt_compression"] = {{"buffer", 0}};
+     },
+     kBall, Known::asPlain},
 };
 
 /// The sky of a scene, by a triangle that is not seen: a scene without triangles is refused.

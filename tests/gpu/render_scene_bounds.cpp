@@ -71,6 +71,19 @@ TEST_CASE("a small file with excessive draws or deformation is an error") {
                renderer::kMaxSceneInstances);
 }
 
+TEST_CASE("many skins of matrices that take no bytes in the file are an error") {
+  constexpr std::size_t kZeros = std::size_t(1) << 22;
+  GltfScene scene = triangleScene();
+  scene.json["accessors"].push_back({{"componentType", 5126}, {"type", "MAT4"}, {"count", kZeros}});
+  const std::size_t skins = renderer::kMaxSceneVertices / kZeros + 1;
+  const json skin{{"joints", {0}}, {"inverseBindMatrices", scene.json["accessors"].size() - 1}};
+  scene.json["skins"] = json(std::vector<json>(skins, skin));
+  scene = placed(scene, skins);
+  for (std::size_t i = 0; i < skins; ++i)
+    scene.json["nodes"][i]["skin"] = i;
+  checkExceeds(readGltf(scene), renderer::kMaxSceneVertices);
+}
+
 TEST_CASE("buffers that exceed the size of a GLB in total are an error before they are read") {
   GltfScene scene = triangleScene();
   for (int i = 0; i < 2; ++i)
