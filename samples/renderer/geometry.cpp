@@ -3,8 +3,6 @@
 #include "geometry.h"
 
 #include "directions.h"
-#include "tangents.h"
-#include "thin_solids.h"
 
 #include <fmt/format.h>
 
@@ -17,27 +15,8 @@ namespace {
 
 constexpr glm::vec3 kUp{0.0f, 1.0f, 0.0f}; // default normal
 
-// [glTF 2.0, section 5.24]
-constexpr std::uint64_t kPoints = 0, kLines = 1, kLineLoop = 2;
-
-bool isThin(std::uint64_t mode) { return mode < kTriangles; }
-
-/// Converts points, lines, strips and loops to a list of segments; a point becomes a segment from a
-/// vertex to itself.
-std::vector<std::uint32_t> asSegmentList(const std::vector<std::uint32_t>& indices,
-                                         std::uint64_t mode) {
-  const bool arePoints = mode == kPoints;
-  const std::size_t step = mode == kLines ? 2 : 1;
-  std::vector<std::uint32_t> list;
-  for (std::size_t i = 0; i + (arePoints ? 0 : 1) < indices.size(); i += step)
-    list.insert(list.end(), {indices[i], indices[arePoints ? i : i + 1]});
-  if (mode == kLineLoop && indices.size() > 2)
-    list.insert(list.end(), {indices.back(), indices.front()});
-  return list;
-}
-
-/// Triangle or segment indices of a primitive; without indices in the file they are 0, 1, 2, ...
-std::vector<std::uint32_t> readElements(SceneFile& file, const SourcePrimitive& source) {
+/// Triangle indices of a primitive; without indices in the file they are 0, 1, 2, ...
+std::vector<std::uint32_t> readTriangles(SceneFile& file, const SourcePrimitive& source) {
   std::vector<std::uint32_t> indices;
   if (const std::optional<Place> stored = source.place.find("indices")) {
     indices = file.indices(*stored, source.vertices);
@@ -45,12 +24,10 @@ std::vector<std::uint32_t> readElements(SceneFile& file, const SourcePrimitive& 
     indices.resize(source.vertices);
     std::iota(indices.begin(), indices.end(), 0u);
   }
-  return isThin(source.mode) ? asSegmentList(indices, source.mode)
-                             : asTriangleList(std::move(indices), source.mode);
+  return asTriangleList(std::move(indices), source.mode);
 }
 
-/// The largest absolute coordinate, including vertices without an index: tangents and thin solids
-/// are computed for them as well.
+/// The largest absolute coordinate.
 float reachOf(const std::vector<Vertex>& vertices) {
   float reach = 0.0f;
   for (const Vertex& v : vertices)
@@ -75,29 +52,6 @@ void makeFlat(Primitive& primitive) {
     }
   }
   primitive.vertices = std::move(vertices);
-}
-
-/// Reorders the undeformed vertices, still in the file's order, to match the final vertices.
-void matchUndeformed(Primitive& primitive, bool isFlat) {
-  if (primitive.undeformed.empty())
-    return;
-  std::vector<Vertex> undeformed;
-  undeformed.reserve(primitive.vertices.size());
-  for (const Vertex& v : primitive.vertices)
-    undeformed.push_back(primitive.undeformed[v.stored]);
-  primitive.undeformed = std::move(undeformed);
-  if (!isFlat)
-    return;
-  for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
-    const auto at = [&](std::size_t k) -> Vertex& {
-      return primitive.undeformed[primitive.indices[i + k]];
-    };
-    const glm::vec3 across =
-        glm::cross(at(1).position - at(0).position, at(2).position - at(0).position);
-    const glm::vec3 normal = normalizedOr(across, kUp);
-    for (std::size_t k = 0; k < 3; ++k)
-      at(k).normal = glm::length(at(k).normal) * normal;
-  }
 }
 
 /// Reads all attributes of the vertices. Returns whether they include normals.
@@ -153,17 +107,11 @@ bool readVertices(SceneFile& file, const SourcePrimitive& source, const Material
   return hasNormals;
 }
 
-/// The texture coordinate set to generate tangents for, or nullopt if none are needed or the file's
-/// own are usable. Tangents of a file belong to its normal texture and are meaningless without its
-/// normals.
-std::optional<int> generatedTangents(const SourcePrimitive& source, const Material& material) {
-  const TextureSlot& texture = material.normalTexture;
-  if (!material.noiseNormalTexCoord && !texture.image)
-    return std::nullopt;
-  const int texCoord = material.noiseNormalTexCoord.value_or(texture.texCoord);
-  const bool inFile = source.attributes.find("NORMAL") && source.attributes.find("TANGENT") &&
-                      texCoord == texture.texCoord;
-  return inFile ? std::nullopt : std::optional<int>(texCoord);
+/// Whether the file's tangents are of use: they belong to its normal texture and are meaningless
+/// without its normals. Without them the shader takes the directions of the texture coordinates.
+bool hasUsableTangents(const SourcePrimitive& source, const Material& material) {
+  const int texCoord = material.noiseNormalTexCoord.value_or(material.normalTexture.texCoord);
+  return source.attributes.find("NORMAL") && texCoord == material.normalTexture.texCoord;
 }
 
 } // namespace
@@ -178,52 +126,35 @@ SourcePrimitive sourcePrimitive(const SceneFile& file, const Place& place) {
   return source;
 }
 
-std::size_t expandedSize(const SourcePrimitive& source, const Material& material,
-                         const RestPose& pose) {
-  if (source.vertices == 0)
+std::size_t expandedSize(const SourcePrimitive& source) {
+  if (source.vertices == 0 || source.mode < kTriangles)
     return 0;
-  // Deformed vertices keep a copy of the original, because a noise in object space is placed by it.
-  const std::size_t copies = deforms(pose) && material.hasNoise ? 2 : 1;
-  const std::size_t vertices = source.vertices * (copies + restPosePasses(source, pose));
-  if (isThin(source.mode))
-    return vertices + source.stored * (copies * kThinSolidVertices + kThinSolidIndices);
   const std::size_t indices = source.mode == kTriangles ? source.stored : 3 * source.stored;
-  // Flat normals need one vertex per index, tangents at most as many.
-  const bool splits =
-      !source.attributes.find("NORMAL") || generatedTangents(source, material).has_value();
-  return vertices + indices + (splits ? copies * indices : 0);
+  // Flat normals need one vertex per index.
+  return source.vertices + (source.attributes.find("NORMAL") ? 1 : 2) * indices;
 }
 
 std::optional<Primitive> readPrimitive(SceneFile& file, const SourcePrimitive& source,
-                                       const Material& material, const RestPose& pose) {
-  if (source.vertices == 0)
+                                       const Material& material) {
+  if (source.vertices == 0 || source.mode < kTriangles)
     return std::nullopt;
   Primitive target;
   Vertex blank;
   blank.normal = kUp;
   target.vertices.assign(source.vertices, blank);
-  for (std::size_t i = 0; i < target.vertices.size(); ++i)
-    target.vertices[i].stored = std::uint32_t(i);
-  target.indices = readElements(file, source);
+  target.indices = readTriangles(file, source);
   if (target.indices.empty())
     return std::nullopt;
   const bool hasNormals = readVertices(file, source, material, target.vertices);
-  if (deforms(pose)) {
-    if (material.hasNoise)
-      target.undeformed = target.vertices;
-    applyRestPose(file, source, pose, target);
-  }
   if (const float reach = reachOf(target.vertices); reach >= kMaxSceneReach)
     source.attributes.fail(
         fmt::format("a vertex is {:.3g} units from its mesh's origin; the limit is {:.0e}", reach,
                     kMaxSceneReach));
-  if (isThin(source.mode))
-    makeThinSolids(target);
-  else if (!hasNormals)
+  if (!hasNormals)
     makeFlat(target);
-  if (const std::optional<int> texCoord = generatedTangents(source, material))
-    makeTangents(target, *texCoord == 0 ? &Vertex::texCoord0 : &Vertex::texCoord1);
-  matchUndeformed(target, !isThin(source.mode) && !hasNormals);
+  if (!material.noiseNeedsTangents && !hasUsableTangents(source, material))
+    for (Vertex& vertex : target.vertices)
+      vertex.tangent = glm::vec4(0.0f);
   return target;
 }
 

@@ -22,17 +22,15 @@ void uploadGeometry(VulkanDevice& device, const Scene& scene, GpuScene& gpu) {
   std::vector<VertexDisplacement> displacements;
   std::vector<std::uint32_t> indices;
   for (const Primitive& primitive : scene.primitives) {
-    gpu.primitives.push_back(
-        {std::uint32_t(indices.size()), std::uint32_t(primitive.indices.size()),
-         std::int32_t(vertices.size()),
-         primitive.undeformed.empty() ? 0 : primitive.vertices.size() * sizeof(Vertex)});
+    gpu.primitives.push_back({std::uint32_t(indices.size()),
+                              std::uint32_t(primitive.indices.size()),
+                              std::int32_t(vertices.size())});
     if (!primitive.displacement.empty()) { // the same indices select both
       displacements.resize(vertices.size());
       displacements.insert(displacements.end(), primitive.displacement.begin(),
                            primitive.displacement.end());
     }
     vertices.insert(vertices.end(), primitive.vertices.begin(), primitive.vertices.end());
-    vertices.insert(vertices.end(), primitive.undeformed.begin(), primitive.undeformed.end());
     indices.insert(indices.end(), primitive.indices.begin(), primitive.indices.end());
   }
   gpu.vertices =

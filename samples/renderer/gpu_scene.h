@@ -14,9 +14,6 @@ struct GpuPrimitive {
   std::uint32_t firstIndex = 0;
   std::uint32_t indexCount = 0;
   std::int32_t vertexOffset = 0;
-  /// Byte offset from the vertices to the same vertices before morph targets and skinning; 0 if
-  /// they coincide.
-  VkDeviceSize undeformedBytes = 0;
 };
 
 struct GpuScene {

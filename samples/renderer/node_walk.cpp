@@ -7,7 +7,6 @@
 #include "directions.h"
 #include "geometry.h"
 #include "printable.h"
-#include "relative_to.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -64,11 +63,12 @@ Light readLight(const Place& source, const glm::dmat4& world) {
   return light;
 }
 
-std::vector<double> weightsOf(const Place& place) {
-  std::vector<double> weights;
+/// Whether a node or a mesh gives a morph target a weight.
+bool morphs(const Place& place) {
+  bool any = false;
   place.each("weights",
-             [&](const Place& weight, std::size_t) { weights.push_back(weight.asNumber()); });
-  return weights;
+             [&](const Place& weight, std::size_t) { any = any || weight.asNumber() != 0.0; });
+  return any;
 }
 
 /// Throws a Fault unless the nodes form trees, which scenes list by their roots.
@@ -117,7 +117,7 @@ public:
   NodeWalk(SceneFile& file, Scene& scene)
       : file_(file), scene_(scene), lights_(file.root().extension("KHR_lights_punctual")),
         primitivesOfMesh_(file.root().countOf("meshes")),
-        worldOfNode_(file.root().countOf("nodes")), jointsOfSkin_(file.root().countOf("skins")) {}
+        worldOfNode_(file.root().countOf("nodes")) {}
 
   void run() {
     checkHierarchy(file_);
@@ -133,7 +133,9 @@ public:
     for (const std::size_t node : skinnedNodes_) // after the transforms of all joints are known
       addSkinned(file_.element("nodes", node));
     if (scene_.instances.empty())
-      throw Fault{"its scene has nothing to draw; add a mesh with triangles, lines or points"};
+      throw Fault{"its scene has nothing to draw; add a mesh with triangles"};
+    if (morphs_)
+      scene_.notes.push_back("morph targets are ignored; meshes are drawn as they are stored");
   }
 
 private:
@@ -155,17 +157,13 @@ private:
       scene_.lights.push_back(readLight(lights_.member("lights").at(*light), world));
     worldOfNode_[index] = world;
     const std::optional<std::size_t> mesh = file_.index(node, "mesh", "meshes");
+    if (mesh)
+      morphs_ = morphs_ || morphs(node) || morphs(file_.element("meshes", *mesh));
     if (mesh && file_.index(node, "skin", "skins"))
       skinnedNodes_.push_back(index);
     else if (mesh)
-      addMesh(*mesh, world, restPose(node, *mesh));
+      addMesh(*mesh, world);
     push(node, "children", world);
-  }
-
-  /// The pose of a node's morph targets, without a skin.
-  [[nodiscard]] RestPose restPose(const Place& node, std::size_t mesh) const {
-    std::vector<double> weights = weightsOf(node);
-    return {weights.empty() ? weightsOf(file_.element("meshes", mesh)) : std::move(weights), {}};
   }
 
   /// Pushes nodes so that the first one is visited next.
@@ -177,66 +175,30 @@ private:
     std::reverse(pending_.begin() + std::ptrdiff_t(first), pending_.end());
   }
 
-  /// A skinned mesh follows its joints and ignores its own node's transform.
+  /// A skinned mesh ignores its own node's transform and is drawn in its bind pose, in which all of
+  /// its joints move it alike: where its first joint puts it.
   void addSkinned(const Place& node) {
-    const std::size_t mesh = *file_.index(node, "mesh", "meshes");
-    std::optional<Joints>& joints = jointsOfSkin_[*file_.index(node, "skin", "skins")];
-    if (!joints)
-      joints = loadJoints(*file_.follow(node, "skin", "skins"));
-    RestPose pose = restPose(node, mesh);
-    pose.jointMatrices = joints->matrices;
-    addMesh(mesh, glm::translate(glm::dmat4(1.0), joints->origin), pose);
-  }
-
-  /// Joint matrices of a skin, from the bind pose to the rest pose, relative to `origin` in the
-  /// world.
-  struct Joints {
-    glm::dvec3 origin{0.0};
-    std::vector<glm::mat4> matrices;
-  };
-
-  [[nodiscard]] Joints loadJoints(const Place& skin) {
-    (void)skin.member("joints");
-    const std::size_t count = skin.countOf("joints");
-    std::vector<std::array<float, 16>> inverseBind;
+    const Place skin = *file_.follow(node, "skin", "skins");
+    const Place joints = skin.member("joints");
+    if (skin.countOf("joints") == 0)
+      joints.fail("is empty; expected the nodes that move the mesh");
+    const Place joint = joints.at(0);
+    const std::size_t index = joint.asIndex(worldOfNode_.size());
+    if (!worldOfNode_[index])
+      joint.fail("node " + std::to_string(index) +
+                 " is not in the scene to draw; joints must be in the same scene as their mesh");
+    glm::dmat4 fromBind(1.0);
     if (const std::optional<Place> accessor = skin.find("inverseBindMatrices")) {
-      const std::size_t stated = file_.countOf(*accessor);
-      if (stated < count)
-        accessor->fail("has " + std::to_string(stated) +
-                       " matrices; expected one for each of the " + std::to_string(count) +
-                       " joints");
-      charge(stated);
-      inverseBind = file_.vectors<16>(*accessor, stated, {kFloat});
+      const std::size_t count = file_.countOf(*accessor);
+      charge(count);
+      fromBind = glm::make_mat4(file_.vectors<16>(*accessor, count, {kFloat}).at(0).data());
     }
-    std::vector<glm::dmat4> joints;
-    skin.each("joints", [&](const Place& place, std::size_t j) {
-      const std::size_t node = place.asIndex(worldOfNode_.size());
-      if (!worldOfNode_[node])
-        place.fail("node " + std::to_string(node) +
-                   " is not in the scene to draw; joints must be in the same scene as their mesh");
-      const glm::mat4 bind =
-          inverseBind.empty() ? glm::mat4(1.0f) : glm::make_mat4(inverseBind[j].data());
-      joints.push_back(*worldOfNode_[node] * glm::dmat4(bind));
-    });
-    return relativeJoints(glm::dvec3(joints.front()[3]), joints);
+    addMesh(*file_.index(node, "mesh", "meshes"), *worldOfNode_[index] * fromBind);
   }
 
-  /// Places the joints relative to `origin`, so that vertices, which are floats, stay small.
-  static Joints relativeJoints(const glm::dvec3& origin, const std::vector<glm::dmat4>& joints) {
-    Joints result;
-    if (glm::length(origin) < double(kMaxSceneReach)) // the loader rejects anything farther
-      result.origin = origin;
-    for (const glm::dmat4& joint : joints)
-      result.matrices.push_back(relativeTo(result.origin, joint));
-    return result;
-  }
-
-  /// Nodes share the primitives of a mesh, except nodes whose pose deforms it.
-  void addMesh(std::size_t mesh, const glm::dmat4& world, const RestPose& pose) {
-    if (deforms(pose))
-      return addInstances(loadMesh(mesh, pose), world);
+  void addMesh(std::size_t mesh, const glm::dmat4& world) {
     if (!primitivesOfMesh_[mesh])
-      primitivesOfMesh_[mesh] = loadMesh(mesh, pose);
+      primitivesOfMesh_[mesh] = loadMesh(mesh);
     addInstances(*primitivesOfMesh_[mesh], world);
   }
 
@@ -258,7 +220,7 @@ private:
   }
 
   /// Appends a mesh's primitives to the scene and returns their indices.
-  std::vector<std::size_t> loadMesh(std::size_t index, const RestPose& pose) {
+  std::vector<std::size_t> loadMesh(std::size_t index) {
     const Place mesh = file_.element("meshes", index);
     (void)mesh.member("primitives");
     std::vector<std::size_t> primitives;
@@ -266,7 +228,7 @@ private:
       if (++loaded_ > kMaxSceneInstances)
         failTooManyInstances();
       const SourcePrimitive source = sourcePrimitive(file_, place);
-      std::optional<Primitive> primitive = loadPrimitive(source, pose);
+      std::optional<Primitive> primitive = loadPrimitive(source);
       if (!primitive) {
         scene_.notes.push_back("a primitive of mesh " + std::to_string(index) +
                                " without triangles is ignored");
@@ -281,13 +243,7 @@ private:
 
   void noteMissingTangents(const Place& mesh, const SourcePrimitive& source,
                            const Material& material) {
-    // tangents can be generated for this texture
-    const TextureSlot& normals = material.normalTexture;
-    const auto has = [&](const std::string& name) {
-      return source.attributes.find(name.c_str()).has_value();
-    };
-    const bool makesTangents = normals.image && has("TEXCOORD_" + std::to_string(normals.texCoord));
-    if (material.noiseNeedsTangents && !makesTangents && !has("TANGENT"))
+    if (material.noiseNeedsTangents && !source.attributes.find("TANGENT"))
       scene_.notes.push_back(
           mesh.pointer() + " \"" + printable(mesh.string("name").value_or("")) +
           "\" has no TANGENT attribute, which the noise of its material \"" +
@@ -304,12 +260,11 @@ private:
                   ErrorKind::resources};
   }
 
-  std::optional<Primitive> loadPrimitive(const SourcePrimitive& source, const RestPose& pose) {
+  std::optional<Primitive> loadPrimitive(const SourcePrimitive& source) {
     const std::size_t material =
         file_.index(source.place, "material", "materials").value_or(scene_.materials.size() - 1);
-    charge(expandedSize(source, scene_.materials[material], pose));
-    std::optional<Primitive> primitive =
-        readPrimitive(file_, source, scene_.materials[material], pose);
+    charge(expandedSize(source));
+    std::optional<Primitive> primitive = readPrimitive(file_, source, scene_.materials[material]);
     if (primitive)
       primitive->material = material;
     return primitive;
@@ -322,12 +277,11 @@ private:
   SceneFile& file_;
   Scene& scene_;
   Place lights_; ///< the extension's object
-  /// not deformed by a pose
   std::vector<std::optional<std::vector<std::size_t>>> primitivesOfMesh_;
   std::vector<std::optional<glm::dmat4>> worldOfNode_; ///< only for nodes of the scene
   std::vector<std::size_t> skinnedNodes_;
-  std::vector<std::optional<Joints>> jointsOfSkin_;
-  std::size_t loaded_ = 0; ///< loaded primitives, once more for each node that deforms them
+  bool morphs_ = false;
+  std::size_t loaded_ = 0; ///< primitives
   std::vector<Pending> pending_;
   std::size_t vertices_ = 0; ///< charged so far
   std::size_t drawn_ = 0;    ///< vertices and indices of the instances so far

@@ -79,21 +79,15 @@ constexpr VkVertexInputAttributeDescription at(std::uint32_t location, VkFormat 
   return {location, binding, format, std::uint32_t(offset)};
 }
 
-constexpr std::uint32_t kUndeformed = 1; // binding of vertices before morph targets and skinning
+constexpr std::array kAttributes{at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
+                                 at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
+                                 at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)),
+                                 at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
+                                 at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
+                                 at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
+                                 at(6, VK_FORMAT_R32_SFLOAT, offsetof(Vertex, mixWeight))};
 
-constexpr std::array kAttributes{
-    at(0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)),
-    at(1, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)),
-    at(2, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)),
-    at(3, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord0)),
-    at(4, VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, texCoord1)),
-    at(5, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, color)),
-    at(6, VK_FORMAT_R32_SFLOAT, offsetof(Vertex, mixWeight)),
-    at(7, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position), kUndeformed),
-    at(8, VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal), kUndeformed),
-    at(9, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent), kUndeformed)};
-
-constexpr std::uint32_t kDisplacement = 2; // binding of VertexDisplacement
+constexpr std::uint32_t kDisplacement = 1; // binding of VertexDisplacement
 
 /// kAttributes and the attributes of displacement.
 constexpr auto kDisplacedAttributes = [] {
@@ -101,9 +95,9 @@ constexpr auto kDisplacedAttributes = [] {
   std::copy(kAttributes.begin(), kAttributes.end(), all.begin());
   static_assert(offsetof(VertexDisplacement, weight) == sizeof(glm::vec3)); // w of the direction
   all[kAttributes.size()] =
-      at(10, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexDisplacement, direction), kDisplacement);
+      at(7, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(VertexDisplacement, direction), kDisplacement);
   all[kAttributes.size() + 1] =
-      at(11, VK_FORMAT_R32_SFLOAT, offsetof(VertexDisplacement, texCoordsPerUnit), kDisplacement);
+      at(8, VK_FORMAT_R32_SFLOAT, offsetof(VertexDisplacement, texCoordsPerUnit), kDisplacement);
   return all;
 }();
 
@@ -131,7 +125,6 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
     }
   constexpr std::array kBindings{
       VkVertexInputBindingDescription{0, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
-      VkVertexInputBindingDescription{kUndeformed, sizeof(Vertex), VK_VERTEX_INPUT_RATE_VERTEX},
       VkVertexInputBindingDescription{kDisplacement, sizeof(VertexDisplacement),
                                       VK_VERTEX_INPUT_RATE_VERTEX}};
   VkPipelineVertexInputStateCreateInfo input{

@@ -109,7 +109,6 @@ private:
         middles_.try_emplace(std::uint64_t(low) << 32 | high, std::uint32_t(mesh_.vertices.size()));
     if (isNew) {
       append(mesh_.vertices, i, j);
-      append(mesh_.undeformed, i, j);
       append(mesh_.displacement, i, j);
       place(mesh_.vertices.back());
     }

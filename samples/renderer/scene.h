@@ -21,12 +21,12 @@ namespace lichen::renderer {
 struct Vertex {
   glm::vec3 position{0.0f};
   glm::vec3 normal{0.0f};
-  glm::vec4 tangent{0.0f}; ///< xyz unit, w the sign of the bitangent; unset without a normal map
+  glm::vec4 tangent{
+      0.0f}; ///< xyz unit, w the sign of the bitangent; 0 where the file has none of use
   glm::vec2 texCoord0{0.0f};
   glm::vec2 texCoord1{0.0f};
   glm::vec4 color{1.0f};  ///< linear
   float mixWeight = 0.0f; ///< weight of a noise's mix, if its material takes it from vertex colours
-  std::uint32_t stored = 0; ///< index of the vertex in the file's accessors
 };
 
 /// How displacement moves a vertex. Coincident vertices of a primitive have the same values, so
@@ -42,10 +42,6 @@ struct VertexDisplacement {
 /// Triangles of one material. Never empty; every index is below vertices.size().
 struct Primitive {
   std::vector<Vertex> vertices;
-  /// The same vertices before morph targets and skinning; empty unless those move vertices and the
-  /// material has a noise. The length of a normal is the factor by which the skin stretches space
-  /// along it.
-  std::vector<Vertex> undeformed;
   std::vector<VertexDisplacement> displacement; ///< by vertex; empty unless the material displaces
   std::vector<std::uint32_t> indices;           ///< three per triangle
   std::size_t material = 0;                     ///< into Scene::materials

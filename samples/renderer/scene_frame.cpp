@@ -82,13 +82,12 @@ void SceneRenderer::bindGeometry(VkCommandBuffer commands) const {
   const VkDeviceSize zero = 0;
   vkCmdBindVertexBuffers(commands, 0, 1, &gpu_.vertices.handle, &zero);
   if (gpu_.displacements.handle != VK_NULL_HANDLE)
-    vkCmdBindVertexBuffers(commands, 2, 1, &gpu_.displacements.handle, &zero);
+    vkCmdBindVertexBuffers(commands, 1, 1, &gpu_.displacements.handle, &zero);
   vkCmdBindIndexBuffer(commands, gpu_.indices.handle, 0, VK_INDEX_TYPE_UINT32);
 }
 
 void SceneRenderer::drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const {
   const GpuPrimitive& range = gpu_.primitives[primitive];
-  vkCmdBindVertexBuffers(commands, 1, 1, &gpu_.vertices.handle, &range.undeformedBytes);
   std::uint32_t most = range.indexCount; // indices of a draw
   if (tessellates_ && !scene_.primitives[primitive].displacement.empty())
     most = 3 * kPatchesPerDraw;

@@ -19,11 +19,10 @@ constexpr double kMostTilesFromNode = 16384.0;
 // left.
 constexpr double kFewestPixels = 4.0;
 
-/// Largest distance of a vertex from its mesh's origin, among the vertices that place the noise.
-float reachOf(const Primitive& primitive, bool inObjectSpace) {
+/// Largest distance of a vertex from its mesh's origin.
+float reachOf(const Primitive& primitive) {
   float reach = 0.0f;
-  const bool isUndeformed = inObjectSpace && !primitive.undeformed.empty();
-  for (const Vertex& vertex : isUndeformed ? primitive.undeformed : primitive.vertices)
+  for (const Vertex& vertex : primitive.vertices)
     reach = std::max(reach, glm::length(vertex.position));
   return reach;
 }
@@ -49,7 +48,7 @@ void SceneRenderer::noteCoarseVertices(std::vector<std::string>& notes) const {
     const bool inObjectSpace = noises_.use(m).inObjectSpace;
     const auto [entry, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
     if (isNew)
-      entry->second = reachOf(scene_.primitives[instance.primitive], inObjectSpace);
+      entry->second = reachOf(scene_.primitives[instance.primitive]);
     const double scale = inObjectSpace ? 1.0 : scaleOf(instance);
     const double reach = scale * double(entry->second);
     if (reach <= kMostTilesFromNode * side)
@@ -141,7 +140,8 @@ void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
   case DEBUG_IMPACTS:
     return note("impacts", hasTextons, "a noise of the method texton");
   case DEBUG_PLANES:
-    return note("planes", noises_.features().hasMapping(LICHEN_MAPPING_TRIPLANAR), "a noise with triplanar mapping");
+    return note("planes", noises_.features().hasMapping(LICHEN_MAPPING_TRIPLANAR),
+                "a noise with triplanar mapping");
   case DEBUG_MIP_LEVEL:
     return note("mip-level", hasTextons || ((hasTiling || hasQuilting) && hasBaseColor),
                 "a noise of the method texton, or of tiling or quilting with a base colour");

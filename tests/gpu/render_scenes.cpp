@@ -27,8 +27,6 @@ const std::vector<float> kQuad{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
 const std::vector<glm::vec3> kQuadCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
                                           {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
 
-const std::vector<float> kQuadAcrossX{0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1};
-
 GltfScene quadScene(std::size_t indexBytes) {
   GltfScene scene;
   const std::size_t material = scene.addMaterial(nlohmann::json::object());
@@ -109,97 +107,87 @@ TEST_CASE("normalized integers become fractions") {
   CHECK(loaded(scene).primitives[0].vertices[0].color.r == Approx(0.2f));
 }
 
-TEST_CASE("a mesh without normals gets flat normals, and its tangents follow the texture") {
-  GltfScene scene = quadScene(2);
-  scene.json["materials"][0]["normalTexture"] = {
-      {"index", scene.addChecker(1, {0.5f, 0.5f, 1}, {0.5f, 0.5f, 1})}};
-  scene.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
-      scene.addFloats({0, 1, 1, 1, 0, 0, 1, 0}, 2); // u along x, v against y
-  const Scene made = loaded(scene);
-  for (const Vertex& v : made.primitives[0].vertices) {
+TEST_CASE("a mesh without normals gets flat normals") {
+  const Scene scene = loaded(quadScene(2));
+  for (const Vertex& v : scene.primitives[0].vertices)
     CHECK(v.normal == glm::vec3(0, 0, 1));
-    // The bitangent, cross(n, t) w, points up, against v, as in glTF.
-    CHECK(v.tangent == glm::vec4(1, 0, 0, 1));
-  }
 }
 
-namespace {
-
-/// A quad perpendicular to x, with normals. u runs along y in the first texture coordinates, along
-/// z in the second.
-GltfScene quadOfTwoCoordinates() {
+TEST_CASE("tangents of the file are used for its normal texture, with its normals") {
+  const glm::vec4 stored(0, 0.6f, 0.8f, 1.0f), none(0.0f);
   GltfScene scene = quadScene(2);
-  nlohmann::json& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
-  attributes["NORMAL"] = scene.addFloats({1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}, 3);
-  scene.json["accessors"][0]["bufferView"] = scene.addView(std::as_bytes(std::span(kQuadAcrossX)));
-  attributes["TEXCOORD_0"] = scene.addFloats({0, 0, 1, 0, 0, 1, 1, 1}, 2); // u along y
-  attributes["TEXCOORD_1"] = scene.addFloats({0, 0, 0, 1, 1, 0, 1, 1}, 2); // u along z
-  return scene;
-}
-
-glm::vec3 tangentOf(const GltfScene& scene) {
-  return glm::vec3(loaded(scene).primitives[0].vertices[0].tangent);
-}
-
-} // namespace
-
-TEST_CASE("tangents follow the texture coordinates of the normals") {
-  const glm::vec3 alongY(0, 1, 0);
-  const glm::vec3 alongZ(0, 0, 1);
-  GltfScene scene = quadOfTwoCoordinates();
   nlohmann::json& material = scene.json["materials"][0];
-  material["normalTexture"] = {{"index", scene.addChecker(1, {0.5f, 0.5f, 1}, {0.5f, 0.5f, 1})}};
-  CHECK(tangentOf(scene) == alongY);
-  material["normalTexture"]["texCoord"] = 1;
-  CHECK(tangentOf(scene) == alongZ);
-
+  nlohmann::json& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
+  const auto tangent = [&] { return loaded(scene).primitives[0].vertices[0].tangent; };
+  material["normalTexture"] = {{"index", scene.addChecker(1, {0.5f, 0.5f, 1}, {0.5f, 0.5f, 1})},
+                               {"texCoord", 1}};
+  std::vector<float> tangents;
+  for (int v = 0; v < 4; ++v)
+    tangents.insert(tangents.end(), {stored.x, stored.y, stored.z, stored.w});
+  attributes["TANGENT"] = scene.addFloats(tangents, 4);
+  CHECK(tangent() == none);
+  attributes["NORMAL"] = scene.addFloats({1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}, 3);
+  CHECK(tangent() == stored);
   // A noise with normals replaces the texture.
   nlohmann::json& root = scene.json["extensions"]["LICHEN_materials_exemplar_noise"];
   nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
   root["noises"] = {{{"method", "tiling"},
                      {"revision", 1},
                      {"maps", {{{"target", "baseColor"}}, {{"target", "normal"}}}}}};
-  use["noise"] = 0;
-  CHECK(tangentOf(scene) == alongY);
-  use["texCoord"] = 1;
-  material["normalTexture"]["texCoord"] = 0;
-  CHECK(tangentOf(scene) == alongZ);
+  use = {{"noise", 0}, {"texCoord", 1}};
+  CHECK(tangent() == stored);
+  use["texCoord"] = 0;
+  CHECK(tangent() == none);
   root["noises"][0]["revision"] = 2; // an unsupported revision
-  CHECK(tangentOf(scene) == alongY);
+  CHECK(tangent() == stored);
   root["noises"][0]["revision"] = 1;
   root["noises"][0]["maps"].erase(1);
-  CHECK(tangentOf(scene) == alongY);
+  CHECK(tangent() == stored);
   // The loader ignores faults in the extension; the plugin reports them.
   for (const nlohmann::json& fault : {nlohmann::json(7), nlohmann::json(-1), nlohmann::json(0.5),
                                       nlohmann::json("x"), nlohmann::json::array({1})}) {
     use["noise"] = fault;
-    CHECK(tangentOf(scene) == alongY);
+    CHECK(tangent() == stored);
     use["noise"] = 0;
     root["noises"] = fault;
-    CHECK(tangentOf(scene) == alongY);
+    CHECK(tangent() == stored);
     root["noises"] = {{{"method", "tiling"}, {"revision", 1}, {"maps", fault}}};
-    CHECK(tangentOf(scene) == alongY);
+    CHECK(tangent() == stored);
   }
 }
 
-TEST_CASE("tangents of the file are used for its normal texture") {
-  const glm::vec3 stored(0, 0.6f, 0.8f);
-  GltfScene scene = quadOfTwoCoordinates();
-  nlohmann::json& material = scene.json["materials"][0];
-  material["normalTexture"] = {{"index", scene.addChecker(1, {0.5f, 0.5f, 1}, {0.5f, 0.5f, 1})},
-                               {"texCoord", 1}};
-  std::vector<float> tangents;
-  for (int v = 0; v < 4; ++v)
-    tangents.insert(tangents.end(), {stored.x, stored.y, stored.z, 1.0f});
-  scene.json["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] = scene.addFloats(tangents, 4);
-  CHECK(tangentOf(scene) == stored);
-  scene.json["extensions"]["LICHEN_materials_exemplar_noise"]["noises"] = {
-      {{"method", "tiling"}, {"revision", 1}, {"maps", {{{"target", "normal"}}}}}};
-  nlohmann::json& use = material["extensions"]["LICHEN_materials_exemplar_noise"];
-  use = {{"noise", 0}, {"texCoord", 1}};
-  CHECK(tangentOf(scene) == stored);
-  use["texCoord"] = 0;
-  CHECK(tangentOf(scene) == glm::vec3(0, 1, 0));
+TEST_CASE("a skinned mesh is where its first joint puts it, not its node") {
+  GltfScene scene = quadScene(2);
+  scene.json["nodes"][0].update({{"skin", 0}, {"translation", {7, 7, 7}}});
+  scene.json["nodes"].push_back({{"translation", {1e7, 2, 3}}});
+  scene.json["scenes"][0]["nodes"].push_back(1);
+  scene.json["skins"] = {{{"joints", {1, 0}}}};
+  const auto corner = [&] { return glm::dvec3(loaded(scene).instances[0].worldFromObject[3]); };
+  CHECK(corner() == glm::dvec3(1e7, 2, 3));
+  std::vector<float> fromBind(32, 0.0f); // two matrices; the first moves by (-1, 0, 0)
+  fromBind[0] = fromBind[5] = fromBind[10] = fromBind[15] = 1.0f;
+  fromBind[12] = -1.0f;
+  scene.json["skins"][0]["inverseBindMatrices"] = scene.addFloats(fromBind, 4);
+  scene.json["accessors"].back().update({{"type", "MAT4"}, {"count", 2}});
+  CHECK(corner() == glm::dvec3(1e7 - 1, 2, 3));
+}
+
+TEST_CASE("notes say that animations, weights of morph targets, points and lines are ignored") {
+  GltfScene scene = quadScene(2);
+  scene.json["meshes"][0]["weights"] = {0.0};
+  CHECK(loaded(scene).notes.empty());
+  scene.json["nodes"][0]["weights"] = {0.5};
+  CHECK(loaded(scene).notes ==
+        std::vector<std::string>{"morph targets are ignored; meshes are drawn as they are stored"});
+  scene.json["nodes"][0].erase("weights");
+  scene.json["animations"] = nlohmann::json::array();
+  nlohmann::json line = scene.json["meshes"][0]["primitives"][0];
+  line["mode"] = 1;
+  scene.json["meshes"][0]["primitives"].push_back(line);
+  const std::vector<std::string> notes = loaded(scene).notes;
+  REQUIRE(notes.size() == 2);
+  CHECK(notes[0] == "a primitive of mesh 0 without triangles is ignored");
+  CHECK_THAT(notes[1], Catch::StartsWith("animations are ignored"));
 }
 
 TEST_CASE("nodes apply scale, rotation and translation in that order, parents last") {

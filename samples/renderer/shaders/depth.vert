@@ -14,9 +14,6 @@ layout(location = 3) in vec2 texCoord0;
 layout(location = 4) in vec2 texCoord1;
 layout(location = 5) in vec4 color;
 layout(location = 6) in float vertexMixWeight;
-layout(location = 7) in vec3 undeformedPosition;
-layout(location = 8) in vec3 undeformedNormal;
-layout(location = 9) in vec4 undeformedTangent;
 
 // As in scene.vert.
 layout(location = 0) out vec3 worldPosition;
@@ -36,7 +33,7 @@ void main() {
   worldPosition = (draw.worldFromObject * vec4(position, 1.0)).xyz;
   toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);
   vec3 worldOutward; // only needed for slopes, which depth does not use
-  inObject(undeformedPosition, undeformedNormal, undeformedTangent, normal, draw.worldFromObject,
-           objectPosition, objectNormal, objectTangent, worldOutward);
+  inObject(position, normal, tangent, draw.worldFromObject, objectPosition, objectNormal,
+           objectTangent, worldOutward);
   gl_Position = draw.clipFromObject * vec4(position, 1.0);
 }

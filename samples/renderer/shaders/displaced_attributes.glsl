@@ -13,11 +13,8 @@ layout(location = 3) in vec2 texCoord0;
 layout(location = 4) in vec2 texCoord1;
 layout(location = 5) in vec4 color;
 layout(location = 6) in float vertexMixWeight;
-layout(location = 7) in vec3 undeformedPosition;
-layout(location = 8) in vec3 undeformedNormal;
-layout(location = 9) in vec4 undeformedTangent;
-layout(location = 10) in vec4 directionAndWeight;
-layout(location = 11) in float texCoordsPerUnit;
+layout(location = 7) in vec4 directionAndWeight;
+layout(location = 8) in float texCoordsPerUnit;
 
 SurfaceVertex vertexInWorld() {
   mat4 world = worldFromObject();
@@ -30,8 +27,8 @@ SurfaceVertex vertexInWorld() {
   if (length2 > 0.0)
     v.direction *= inversesqrt(length2);
   v.relief = vec2(directionAndWeight.w, texCoordsPerUnit / scaleOfObject());
-  inObject(undeformedPosition, undeformedNormal, undeformedTangent, normal, world,
-           v.objectPosition, v.objectNormal, v.objectTangent, v.worldOutward);
+  inObject(position, normal, tangent, world, v.objectPosition, v.objectNormal, v.objectTangent,
+           v.worldOutward);
   v.texCoords = vec4(texCoord0, texCoord1);
   v.vertexColor = color;
   v.mixWeight = vertexMixWeight;

@@ -37,20 +37,37 @@ vec3 triangleNormal(vec3 n, vec3 view) {
   return normal * (dot(normal, view) < 0.0 ? -inversesqrt(length2) : inversesqrt(length2));
 }
 
+/// The tangent, and in w the sign of the bitangent, which points to lesser v: the file's, or
+/// without it by the derivatives of the texture coordinates of the normals.
+vec4 tangentAt(vec3 n) {
+  if (worldTangent.xyz != vec3(0.0))
+    return worldTangent;
+  bool isOfNoise = kHasNoise && NOISE_HAS(LICHEN_NORMAL);
+  bool isFirstSet = (isOfNoise ? material.flags.w : material.texCoords.z) == 0;
+  vec2 uvX = isFirstSet ? dFdx(texCoords.xy) : dFdx(texCoords.zw);
+  vec2 uvY = isFirstSet ? dFdy(texCoords.xy) : dFdy(texCoords.zw);
+  vec3 x = dFdx(worldPosition), y = dFdy(worldPosition);
+  float turn = uvX.x * uvY.y < uvX.y * uvY.x ? -1.0 : 1.0;
+  vec3 alongU = turn * (x * uvY.y - y * uvX.y), alongV = turn * (y * uvX.x - x * uvY.x);
+  vec3 outward = gl_FrontFacing ? n : -n;
+  return vec4(alongU, dot(cross(outward, alongU), alongV) < 0.0 ? 1.0 : -1.0);
+}
+
 vec3 shadingNormal(vec3 n, vec3 view, Surface surface) {
   if (needsSlopes())
     return triangleNormal(n, view);
-  if (!kHasNormalMap && !kHasNoise)
+  if (!kHasNormalMap && !(kHasNoise && NOISE_HAS(LICHEN_NORMAL)))
     return n;
   if (kHasNoise && surface.gradient != vec3(0.0))
     return lichenNormalFromGradient(n, surface.gradient);
   vec3 tangentNormal = surface.tangentNormal;
-  vec3 t = worldTangent.xyz - n * dot(n, worldTangent.xyz);
+  vec4 tangent = tangentAt(n);
+  vec3 t = tangent.xyz - n * dot(n, tangent.xyz);
   float length2 = dot(t, t);
   if (length2 <= 0.0)
     return n;
   t *= inversesqrt(length2);
-  vec3 b = cross(n, t) * worldTangent.w;
+  vec3 b = cross(n, t) * tangent.w;
   if (!gl_FrontFacing)
     t = -t; // the normal is flipped, so flip the whole frame; the cross product has flipped b
   return normalize(t * tangentNormal.x + b * tangentNormal.y + n * tangentNormal.z);

@@ -15,9 +15,6 @@ layout(location = 3) in vec2 texCoord0;
 layout(location = 4) in vec2 texCoord1;
 layout(location = 5) in vec4 color;
 layout(location = 6) in float vertexMixWeight;
-layout(location = 7) in vec3 undeformedPosition;
-layout(location = 8) in vec3 undeformedNormal;
-layout(location = 9) in vec4 undeformedTangent;
 
 layout(location = 0) out vec3 worldPosition;
 layout(location = 1) out vec3 worldNormal;
@@ -34,8 +31,8 @@ layout(location = 10) out vec3 displacedPosition;
 void main() {
   vec4 world = draw.worldFromObject * vec4(position, 1.0);
   toWorld(draw.worldFromObject, normal, tangent, worldNormal, worldTangent);
-  inObject(undeformedPosition, undeformedNormal, undeformedTangent, normal, draw.worldFromObject,
-           objectPosition, objectNormal, objectTangent, worldOutward);
+  inObject(position, normal, tangent, draw.worldFromObject, objectPosition, objectNormal,
+           objectTangent, worldOutward);
   worldPosition = displacedPosition = world.xyz;
   texCoords = vec4(texCoord0, texCoord1);
   vertexColor = color;

@@ -82,8 +82,7 @@ vec3 ormAt(Footprint f, LICHEN_SHADING_POINT shading) {
 vec3 gradientInWorld(vec3 gradient, Footprint f) {
   vec3 objectNormal = normalize(f.object.normal);
   vec3 along = gradient - dot(gradient, objectNormal) * objectNormal;
-  // Three directions determine the local linear map from object to world, including node, morph
-  // targets and skin: the two screen-space derivatives [Mikkelsen 2010, Bump Mapping Unparametrized
+  // Three directions determine the linear map from object to world: the two screen-space derivatives [Mikkelsen 2010, Bump Mapping Unparametrized
   // Surfaces on the GPU] and the normal. Its inverse transpose transforms the gradient, which has
   // no component along the normal.
   float volume = dot(cross(f.world.dx, f.world.dy), f.worldOutward);

@@ -20,23 +20,19 @@ void toWorld(mat4 worldFromObject, vec3 normal, vec4 tangent, out vec3 worldNorm
   worldTangent = vec4(linear * tangent.xyz, mirror * tangent.w);
 }
 
-/// A vertex in object space before morph targets and skinning, and `worldOutward`, the world-space
-/// result of a unit step along its normal. The length of `undeformedNormal` is the factor by which
-/// the skin stretches space along it. All outputs are 0 if no noise of the scene needs them.
-void inObject(vec3 undeformedPosition, vec3 undeformedNormal, vec4 undeformedTangent, vec3 normal,
-              mat4 worldFromObject, out vec3 objectPosition, out vec3 objectNormal,
-              out vec4 objectTangent, out vec3 worldOutward) {
+/// A vertex in object space, and `worldOutward`, the world-space result of a unit step along its
+/// normal. All outputs are 0 if no noise of the scene needs them.
+void inObject(vec3 position, vec3 normal, vec4 tangent, mat4 worldFromObject,
+              out vec3 objectPosition, out vec3 objectNormal, out vec4 objectTangent,
+              out vec3 worldOutward) {
   objectPosition = objectNormal = worldOutward = vec3(0.0);
   objectTangent = vec4(0.0);
   if (!kObjectSpaces)
     return;
-  float stretch = length(undeformedNormal);
-  objectPosition = undeformedPosition;
-  objectNormal = undeformedNormal;
-  if (stretch > 0.0)
-    objectNormal /= stretch;
-  objectTangent = undeformedTangent;
-  worldOutward = mat3(worldFromObject) * (stretch * normal);
+  objectPosition = position;
+  objectNormal = normal;
+  objectTangent = tangent;
+  worldOutward = mat3(worldFromObject) * normal;
 }
 
 #endif
