@@ -180,7 +180,7 @@ BakeMemory bakeMemoryOf(const BakeOptions& options) {
 Result<NoiseJudgement> judgeNoise(const Bundle& bundle, const MaterialNoise& material,
                                   std::span<const MapExemplar> maps, Periodic borders,
                                   bool bordersWereKept, const Progress& progress) {
-  constexpr double kAssessment = 0.6; // of the progress, by processor time
+  constexpr double kAssessment = 0.6; // share of the processor time, for the progress
   Result<std::vector<std::vector<Risk>>> risks =
       assessNoise(bundle.noises[material.noise], maps, borders, partOf(progress, 0.0, kAssessment));
   if (!risks)

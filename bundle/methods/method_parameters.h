@@ -20,7 +20,8 @@ struct MethodParameters {
   bool isLayerable = true; ///< whether a layered noise may have it as a layer
   /// Whether the noise is a mix. Null: never.
   bool (*isMix)(const Noise& noise) = nullptr;
-  /// Width and height of all maps' exemplars, in texels. Null: those of the image of each.
+  /// Width and height of all maps' exemplars, in texels. Null: each exemplar is as large as its
+  /// image.
   std::array<std::uint32_t, 2> (*texelsPerTile)(const Noise& noise) = nullptr;
   std::size_t (*imageOf)(const NoiseMap& map) = nullptr; ///< null with texelsPerTile
 

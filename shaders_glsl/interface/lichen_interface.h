@@ -3,8 +3,8 @@
 #ifndef LICHEN_INTERFACE_H
 #define LICHEN_INTERFACE_H
 
-// Of the structs, limits and bindings below. lichenParseBundle refuses a host whose SPIR-V was
-// compiled with another (LichenParseInfo::interfaceVersion).
+// The version of the structs, limits and bindings below. lichenParseBundle refuses a host whose
+// SPIR-V was compiled with another (LichenParseInfo::interfaceVersion).
 #define LICHEN_INTERFACE_VERSION 1
 
 // Maps of one noise, one for each role.
@@ -55,7 +55,7 @@
 #define LICHEN_METHOD_MULTIPLE_KERNELS 3
 #define LICHEN_METHOD_QUILTING 4
 
-// Of the list of a quilting noise.
+// The longest list of offsets of a quilting noise.
 #define LICHEN_MAX_OFFSETS 24
 
 // LichenTilingNoise::grain and LichenQuiltingNoise::grain.

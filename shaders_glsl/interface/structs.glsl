@@ -51,8 +51,8 @@ struct LichenTextonMaterial {
   uint pointProcess;       // LICHEN_POINTS_*
   float surfaceCubeTexels; // side of the cubes of surface noise, 0 of noise in a plane
   int cellK;               // of surface noise: the third of cellI and cellJ
-  // Of a mix, weight = mixWeight + mixPerU u + mixPerV v: of a constant or a direction, 0 where a
-  // mask or vertex colours say it.
+  // A mix has the weight mixWeight + mixPerU u + mixPerV v if it is a constant or goes along a
+  // direction; all three are 0 if a mask or vertex colours say it.
   float mixWeight, mixPerU, mixPerV;
 };
 
@@ -62,7 +62,7 @@ struct LichenCosinesMaterial {
   // the lattice is periodic and its period short.
   int firstOctave;
   uint guided; // 1: tiles of the structure have the offsets of its list, if there is one
-  // Of solid noise: the third of cellI and cellJ and of offsetX and offsetY [tile widths].
+  // In solids: what cellI, cellJ and offsetX, offsetY are along z [tile widths].
   uint isSolid; // 0 of noise in a plane
   int cellK;
   float offsetZ;
@@ -132,7 +132,7 @@ struct LichenNoise {
 
 /// The constants of one map of a noise. Fixed by the bundle.
 struct LichenMap {
-  // Of LICHEN_OCCLUSION_ROUGHNESS_METALLIC: which of the three the value's channels are, in this
+  // LICHEN_OCCLUSION_ROUGHNESS_METALLIC: which of the three the value's channels are, in this
   // order. Bit 0 occlusion, 1 roughness, 2 metallic.
   uint ormChannels;
   uint reserved0; // 0
@@ -143,16 +143,16 @@ struct LichenMap {
   uint encoding;                   // LICHEN_ENCODING_*
   uint decoding;                   // LICHEN_DECODING_*
   vec4 mean; // of the decoded values; w is 1. Slopes: z is the variance of a slope
-  // Of textons: amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte
-  // m of sixteen. A channel that is absent or does not vary keeps nothing. Of a structure, in
-  // mipRetained0: the deviation of level m over that of the noise.
+  // Textons: amplitude that mip m keeps of channel 0, 1, 2, sqrt(1 - lost variance): unorm byte m
+  // of sixteen. A channel that is absent or does not vary keeps nothing. A structure, in mipRetained0:
+  // the deviation of level m over the deviation of the noise.
   uvec4 mipRetained0, mipRetained1, mipRetained2;
   // The affine map of Gaussian decoding: channel c is dot(row c, (value, 1)), value the Gaussian
-  // value less its mean. Lower triangular: row0.yz and row1.z are 0. With a table, of slopes of
-  // methods that have solids: the linear part of that, not triangular.
+  // value less its mean. Lower triangular: row0.yz and row1.z are 0. Slopes with a table, in
+  // methods that have solids: the linear part of the table, not triangular.
   vec4 row0, row1, row2;
-  // Of textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix. Of a structure: what its
-  // integers are multiplied with. w unused.
+  // Textons: Gaussian value = 1/2 + sumFactor sum, 1 but inside a mix. A structure: the factor on
+  // its integers. w unused.
   vec4 sumFactor;
 };
 
@@ -161,11 +161,10 @@ struct LichenLayers {
   uint count; // of layers; 0 of a noise that is not layered
   uint nodes; // count - 1
   uint reserved0, reserved1; // 0
-  // Of the node x, y, z: where its upper side begins, and the deviation of the transition, both in
+  // For node 0, 1, 2: where its upper side begins, and the deviation of the transition, both in
   // deviations of the index map.
   vec4 threshold, softness;
-  // Of the layer x, y, z, w: the side on which it lies of node n, bits 2n and 2n + 1: 1 below,
-  // 2 above, 0 neither.
+  // For layer 0 to 3: its side of node n in bits 2n and 2n + 1: 1 below, 2 above, 0 neither.
   uvec4 sides;
 };
 
@@ -178,7 +177,7 @@ struct LichenNoiseConstants {
   LichenNoise layerNoises[LICHEN_MAX_LAYERS - 1]; // `noise` is the first layer
   LichenNoise indexNoises[LICHEN_MAX_LAYER_NODES];
   LichenMap indexMaps[LICHEN_MAX_LAYER_NODES];
-  // Of quilting: where tiles are taken from [65,536ths of a tile], x in the lower 16 bits. 24 words.
+  // Quilting: where tiles are taken from [65,536ths of a tile], x in the lower 16 bits. 24 words.
   uvec4 offsets[LICHEN_MAX_OFFSETS / 4];
 };
 

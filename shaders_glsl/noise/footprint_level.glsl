@@ -43,8 +43,8 @@ float lichenAnisotropicLevel(vec2 texelsX, vec2 texelsY, float maxAnisotropy) {
 /// In magnified views it is 1, because otherwise the texels would show as a mesh; in minified ones
 /// too.
 float lichenLossShare(vec2 texel, vec2 texelsX, vec2 texelsY, float footprintLevel) {
-  // Of a texel and its neighbour with weights 1 - f and f, the loss is in proportion to f (1 - f),
-  // 1/6 on average on each axis.
+  // Between a texel and its neighbour with weights 1 - f and f the loss is in proportion to
+  // f (1 - f), 1/6 on average on each axis.
   vec2 fromCentre = abs(fract(texel) - 0.5);
   float here = 3.0 * dot(fromCentre, 1.0 - fromCentre);
   float squared = min(1.0, max(dot(texelsX, texelsX), dot(texelsY, texelsY)));

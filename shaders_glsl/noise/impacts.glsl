@@ -142,7 +142,7 @@ void lichenSetPoint(LICHEN_OUT(LichenImpacts) impacts, vec2 position, vec2 gradi
 #if LICHEN_HAS_SURFACES
 /// How thick a layer of impacts a point sees. [texels]
 float lichenSurfaceThickness(LichenNoise noise) {
-  // [GLM17] section 6: r, the side of a square texton; of another that of the square of its area.
+  // [GLM17] section 6: r, the side of a square texton, or of the square with the same area.
   vec2 support = lichenTextonCoefficients(noise) + float(int(lichenTextonNoise(noise).order));
   return sqrt(support.x * support.y);
 }

@@ -38,7 +38,7 @@ struct LichenKernelRow {
   vec2 cells;    // columns and rows of its grid in LICHEN_KERNEL_TILES tiles
   mat2 toWindow; // Q: from an offset in tiles to the window's coordinates
   float amplitude;
-  float cubes;             // on surfaces, those of its grid in LICHEN_KERNEL_TILES tile widths
+  float cubes;             // on surfaces, cubes of its grid in LICHEN_KERNEL_TILES tile widths
   float layers, toWindowZ; // in solids, likewise; and Q along z
 };
 
@@ -165,7 +165,7 @@ vec2 lichenKernelPlace(uint word) {
 }
 
 /// The amplitude that a pixel leaves of a kernel. `cycles`: the square of those that it spans of
-/// the wave; the trace and the determinant are those of the matrix of squared cycles that it spans
+/// the wave; trace and determinant belong to the matrix of squared cycles that it spans
 /// of the window's spectrum.
 float lichenKernelRetained(float cycles, float trace, float determinant) {
   // The root of the mean of exp(-|A f|^2) over a normal distribution of frequencies f about that
@@ -181,7 +181,7 @@ float lichenKernelRetained(float cycles, float trace, float determinant) {
 
 /// The mean square frequency of a window along each of its axes. [cycles^2]
 float lichenKernelSpread(uint window) {
-  // Of the kind gabor 21 / (20 pi^2), of the others by quadrature.
+  // 21 / (20 pi^2) for gabor; quadrature gave the values of the other windows.
   if (lichenIsOnDisk(window))
     return 0.106387243;
   return window == uint(LICHEN_WINDOW_SINC) ? 0.297779771 : 0.292652321;

@@ -49,7 +49,7 @@ struct LichenLayerSum {
 
 LichenLayerSum lichenNoLayers() { return LichenLayerSum(vec4(0.0), vec4(0.0), 0.0); }
 
-/// Adds a layer's value. `mean` is that of its map, for slopes 0.
+/// Adds a layer's value. `mean` is the mean of its map, 0 for slopes.
 void lichenAddLayer(LICHEN_INOUT(LichenLayerSum) sum, float weight, vec4 value, vec4 mean) {
   sum.means += weight * mean;
   sum.rest += weight * (value - mean);

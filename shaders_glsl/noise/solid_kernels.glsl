@@ -56,7 +56,7 @@ LichenSolidKernel lichenSolidKernelAt(LichenKernelRow row, LichenKernelsPoint po
   kernel.place = position - corner;
   kernel.layer = uint(int(corner)) + uint(point.group.z) * uint(int(row.layers));
   LichenSolidFootprint axes = point.footprint;
-  // Of the window, and of the wave: rings have all directions.
+  // The axes in the coordinates of the window, and along the wave: rings have all directions.
   vec3 windowA = vec3(row.toWindow * axes.a.xy, row.toWindowZ * axes.a.z);
   vec3 windowB = vec3(row.toWindow * axes.b.xy, row.toWindowZ * axes.b.z);
   vec2 ofPlane = vec2(dot(row.frequency, axes.a.xy), dot(row.frequency, axes.b.xy));

@@ -159,7 +159,7 @@ void lichenAddStructure(LICHEN_INOUT(vec4) sum, LICHEN_INOUT(float) squares, LIC
     }
   }
   sum += vec4(map.sumFactor.rgb * integers, 0.0);
-  // Deviations of the structure over that of the noise, 1/6 in each channel.
+  // Deviations of the structure over the deviation of the noise, 1/6 in each channel.
   float whole = lichenMipRetained(0, map.mipRetained0);
   float retained = mix(lichenMipRetained(finer, map.mipRetained0),
                        lichenMipRetained(finer + 1, map.mipRetained0), coarserShare);

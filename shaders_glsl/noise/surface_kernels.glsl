@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Multiple-kernels noise on a surface: a point in space and the frame of its tangent plane -> for
 // each kernel the sum over impacts around the point, projected onto that plane -> the Gaussian
-// value and the share of its variance that the footprint loses. The image is that of the plane.
+// value and the share of its variance that the footprint loses. The image is the plane's.
 // docs/decisions/010-multiple-kernels.md
 #ifndef LICHEN_SURFACE_KERNELS_GLSL
 #define LICHEN_SURFACE_KERNELS_GLSL

@@ -31,7 +31,7 @@ vec2 lichenMixGradient(LichenMaterial material) {
   return lichenUvToTile(vec2(own.mixPerU, own.mixPerV), material) / dot(row, row);
 }
 
-/// The top of an impact's frame in the image: of a mix, that of its own weight. [texels]
+/// The top of an impact's frame in the image: in a mix, the frame of its own weight. [texels]
 float lichenTextonFrame(vec2 texel, LichenImpacts impacts, LichenNoise noise) {
   if (!lichenIsMix(noise))
     return 0.0;
@@ -55,7 +55,7 @@ float lichenMixStep(LichenImpacts impacts, LichenNoise noise) {
 }
 
 /// The map's constants at the point's weight in a mix, except the amplitudes of mips
-/// (lichenTextonMipRetained). Without a mix, `map` itself. `table` is that of the map's binding.
+/// (lichenTextonMipRetained). Without a mix, `map` itself. `table`: at the map's binding.
 LichenMap lichenMixedMap(LICHEN_IMAGE_3D table, LichenImpacts impacts, LichenNoise noise,
                          LichenMap map) {
   if (!lichenIsMix(noise))

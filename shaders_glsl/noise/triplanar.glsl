@@ -112,7 +112,7 @@ LichenGaussian lichenTriplanarGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D ta
 
 /// The gradient in space of the height that slopes are of, and in w the variance of a slope
 /// lost to filtering. Slopes are decoded plane by plane: a joint table knows them as they lie in
-/// the exemplar, and those of three planes point in other directions.
+/// the exemplar, and slopes of three planes point in other directions.
 vec4 lichenTriplanarSlopes(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenTriplanar at,
                            LichenPoint point, LichenNoise noise, LichenMap map) {
   vec4 sum = vec4(0.0);

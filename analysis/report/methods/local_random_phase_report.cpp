@@ -83,7 +83,7 @@ Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
 
 } // namespace
 
-/// The pictures are those of tiling, with the spectrum in place of the Gaussian image, and a
+/// The same pictures as for tiling, with the spectrum in place of the Gaussian image, and a
 /// Gaussian version as large as the exemplar.
 extern const MethodReport kLocalRandomPhaseReport{
     .assess = assess, .measure = measure, .pictures = pictures, .picturePixels = 9.0};

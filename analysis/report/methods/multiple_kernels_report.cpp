@@ -73,7 +73,7 @@ Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
 
 } // namespace
 
-/// The pictures are those of local random phase.
+/// The same pictures as for local random phase.
 extern const MethodReport kMultipleKernelsReport{
     .assess = assess, .measure = measure, .pictures = pictures, .picturePixels = 9.0};
 

@@ -126,7 +126,7 @@ Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
 
 } // namespace
 
-/// The pictures are those of tiling, with the texton instead of the Gaussian image, and a Gaussian
+/// The same pictures as for tiling, with the texton instead of the Gaussian image, and a Gaussian
 /// version as large as the result.
 extern const MethodReport kTextonReport{.assess = assess,
                                         .measure = measure,

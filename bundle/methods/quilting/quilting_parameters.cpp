@@ -29,7 +29,7 @@ Grain grainOf(const shader::LichenNoise& noise) {
   return Grain(partOf<shader::LichenQuiltingNoise>(noise).grain);
 }
 
-/// Of [0, 1) in 65,536ths.
+/// A share in [0, 1) as a number of 65,536ths.
 shader::uint word16(double share) {
   constexpr double kSteps = 65536.0;
   return shader::uint(std::llround(share * kSteps)) & 0xFFFFu;
