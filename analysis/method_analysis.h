@@ -9,6 +9,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 
 namespace lichen {
 
@@ -41,6 +42,17 @@ template <class Options>
   if constexpr (requires { own.periodic; })
     own.periodic = input.borders;
   return own;
+}
+
+/// What all methods' bakes have: noise and tables, and whether borders were kept.
+template <class Bake>
+[[nodiscard]] MethodBake methodBakeOf(Bake& bake) {
+  MethodBake result;
+  result.noise = std::move(bake.noise);
+  result.tables = std::move(bake.tables);
+  if constexpr (requires { bake.exemplarWasPeriodic; })
+    result.figures.bordersWereKept = bake.exemplarWasPeriodic;
+  return result;
 }
 
 extern const MethodAnalysis kTilingAnalysis, kTextonAnalysis, kLocalRandomPhaseAnalysis,

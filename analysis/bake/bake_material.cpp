@@ -48,10 +48,10 @@ public:
     if (options_.layers) // a part that occurs once may be a layer
       preparing.outliers.keeps = true;
     const bool byStructure = choosesByStructure(options_);
-    const bool findsStructure =
+    const bool findsRegularity =
         byStructure || (!options_.layers && std::holds_alternative<QuiltingOptions>(method_));
     Result<PreparedExemplar> prepared =
-        prepareExemplar(std::move(set), preparing, findsStructure, observer_);
+        prepareExemplar(std::move(set), preparing, findsRegularity, observer_);
     if (!prepared)
       return prepared.error();
     exemplar_ = std::move(prepared).value();
@@ -82,11 +82,11 @@ private:
 
   /// Chooses the method, if the user left that open, and the guide of quilting.
   void choose(bool byStructure) {
-    const Structure& structure = exemplar_.structure;
-    if (byStructure && structure.isClear()) {
+    const Regularity& regularity = exemplar_.regularity;
+    if (byStructure && regularity.isClear()) {
       method_ = QuiltingOptions{};
       const std::string other = observer_.words({"method", "tiling"});
-      note(structure.repeats()
+      note(regularity.repeats()
                ? "the exemplar repeats, so it is baked by quilting, which keeps what repeats; " +
                      other + " scatters it"
                : "outlines hold the exemplar together, so it is baked by quilting, which keeps "
@@ -94,7 +94,7 @@ private:
                      other + " blends it");
     }
     if (auto* quilting = std::get_if<QuiltingOptions>(&method_); quilting && !quilting->guide)
-      quilting->guide = structure.guide();
+      quilting->guide = regularity.guide();
   }
 
   Result<void> bake() {

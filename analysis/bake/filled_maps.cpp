@@ -2,7 +2,7 @@
 // Maps -> maps without outliers, and notes.
 #include "prepared_maps.h"
 
-#include <lichen/outliers.h>
+#include <lichen/exemplar_repair.h>
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Maps -> maps without slow variation, and notes.
 #include "prepared_maps.h"
 
-#include <lichen/flatten.h>
+#include <lichen/exemplar_repair.h>
 
 #include <fmt/format.h>
 

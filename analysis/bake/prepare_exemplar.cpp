@@ -77,7 +77,7 @@ Preparation preparationOf(const ExemplarOptions& options, const MaterialSet& set
 } // namespace
 
 Result<PreparedExemplar> prepareExemplar(MaterialSet set, const ExemplarOptions& options,
-                                         bool findsStructure, const BakeObserver& observer) {
+                                         bool findsRegularity, const BakeObserver& observer) {
   std::vector<MapExemplar>& maps = set.maps;
   if (maps.empty())
     return Error{ErrorKind::usage, "no image to bake; expected at least one"};
@@ -93,11 +93,11 @@ Result<PreparedExemplar> prepareExemplar(MaterialSet set, const ExemplarOptions&
   if (!filled)
     return filled.error();
   Result<RectifiedPart> part = applyRectification(maps, options.rectification, set.periodic,
-                                                  findsStructure, observer.words, set.notes);
+                                                  findsRegularity, observer.words, set.notes);
   if (!part)
     return part.error();
   PreparedExemplar prepared{
-      std::move(set), {}, {}, part.value().structure, part.value().widthShare};
+      std::move(set), {}, {}, part.value().regularity, part.value().widthShare};
   for (std::size_t m = 0; m < prepared.set.maps.size(); ++m)
     prepared.origins.push_back(originOf(m, options, flattened.value(), filled.value().size(),
                                         part.value(), prepared.set, originals));

@@ -30,12 +30,12 @@ applyOutliers(std::vector<MapExemplar>& maps, const OutlierUse& use, Periodic bo
 /// What was made the tile, and what repeats in it.
 struct RectifiedPart {
   std::optional<TileCorners> corners;
-  Structure structure;     ///< if that was to be found
+  Regularity regularity;   ///< if that was to be found
   double widthShare = 1.0; ///< width of the first map over what it was
 };
 [[nodiscard]] Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps,
                                                        const Rectification& use, Periodic periodic,
-                                                       bool findsStructure, SettingWords words,
+                                                       bool findsRegularity, SettingWords words,
                                                        std::vector<std::string>& notes);
 
 } // namespace lichen

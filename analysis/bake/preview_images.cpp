@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bundle -> PNG files for the core texture slots.
 #include <lichen/bake_material.h>
-#include <lichen/core_texture.h>
 #include <lichen/synthesize.h>
 
 #include <map>

@@ -53,8 +53,8 @@ std::string wordsFor(const Distortion& distortion) {
 } // namespace
 
 Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const Rectification& use,
-                                         Periodic periodic, bool findsStructure, SettingWords words,
-                                         std::vector<std::string>& notes) {
+                                         Periodic periodic, bool findsRegularity,
+                                         SettingWords words, std::vector<std::string>& notes) {
   RectifiedPart part;
   const double width = maps.front().width;
   if (use.corners) {
@@ -69,15 +69,15 @@ Result<RectifiedPart> applyRectification(std::vector<MapExemplar>& maps, const R
     part.corners = use.corners;
     part.widthShare = maps.front().width / width;
   }
-  if (!findsStructure)
+  if (!findsRegularity)
     return part;
-  Result<Structure> structure = structureOf(maps, periodic);
-  if (!structure)
-    return structure.error();
-  part.structure = structure.value();
-  if (!use.isAutomatic || !part.structure.wholePeriods)
+  Result<Regularity> regularity = regularityOf(maps, periodic);
+  if (!regularity)
+    return regularity.error();
+  part.regularity = regularity.value();
+  if (!use.isAutomatic || !part.regularity.wholePeriods)
     return part;
-  part.corners = part.structure.wholePeriods;
+  part.corners = part.regularity.wholePeriods;
   if (Result<void> made = rectify(maps, *part.corners); !made)
     return made.error();
   part.widthShare = maps.front().width / width;

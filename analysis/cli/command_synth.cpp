@@ -7,7 +7,6 @@
 #include "progress_line.h"
 
 #include <lichen/apply_noise.h>
-#include <lichen/core_texture.h>
 #include <lichen/files.h>
 #include <lichen/image_io.h>
 #include <lichen/shader_parameters.h>

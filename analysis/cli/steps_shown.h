@@ -5,7 +5,7 @@
 #include "bake_risks.h"
 #include "progress_line.h"
 
-#include <lichen/bake_observer.h>
+#include <lichen/exemplar_preparation.h>
 
 #include <optional>
 #include <string>

@@ -7,7 +7,7 @@
 // more than two faces.
 #include "smoothest.h"
 
-#include "disjoint_sets.h"
+#include "surface.h"
 
 #include <Eigen/Sparse>
 

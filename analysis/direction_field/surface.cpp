@@ -3,8 +3,6 @@
 // surface.h.
 #include "surface.h"
 
-#include "disjoint_sets.h"
-
 #include <algorithm>
 #include <numeric>
 

@@ -6,6 +6,8 @@
 // chapters 5 and 8.
 #pragma once
 
+#include "sampling/texels.h"
+
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -157,6 +159,17 @@ inline mat3 inverse(const mat3& m) {
   const vec3 a = cross(m[1], m[2]), b = cross(m[2], m[0]), c = cross(m[0], m[1]);
   const Float d = 1.0f / dot(m[0], a);
   return mat3(vec3(a.x, b.x, c.x) * d, vec3(a.y, b.y, c.y) * d, vec3(a.z, b.z, c.z) * d);
+}
+
+inline vec4 asVec(const Texel& texel) { return {texel[0], texel[1], texel[2], texel[3]}; }
+inline vec4 sampled(const RepeatingImage& image, const vec2& uv, Float level) {
+  return asVec(image.at(uv.x.v, uv.y.v, level.v));
+}
+inline vec4 sampled(const ClampedVolume& table, const vec3& uvw, Float level) {
+  return asVec(table.at({uvw.x.v, uvw.y.v, uvw.z.v}, level.v));
+}
+inline vec4 fetched(const RepeatingImage& image, const ivec2& texel) {
+  return asVec(image.texel(texel.x, texel.y));
 }
 
 } // namespace lichen::glsl

@@ -5,7 +5,7 @@
 // constants. [PBRT4] compiles one source for CPU and GPU in the same way.
 #pragma once
 
-#include "fetches.h"
+#include "glsl.h"
 
 #include <lichen_interface.h>
 

@@ -95,6 +95,28 @@ ColorSpace colorSpaceOf(const MapExemplar& map) {
   return space;
 }
 
+MapExemplar principalComponent(const MapExemplar& map) {
+  const std::size_t channels = map.channels.size();
+  const Moments moments = momentsOf(map.values, int(channels));
+  const auto solver = transport::principalAxes(moments.covariance);
+  const ChannelVector axis = solver.eigenvectors().rightCols(1); // ascending eigenvalues
+  MapExemplar component;
+  component.target = map.target;
+  component.channels = {map.channels.front()};
+  component.encoding = map.encoding;
+  component.width = map.width;
+  component.height = map.height;
+  component.quantum = map.quantum;
+  component.values.reserve(map.values.size() / channels);
+  for (std::size_t i = 0; i < map.values.size(); i += channels) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < channels; ++c)
+      sum += axis[Eigen::Index(c)] * double(map.values[i + c]);
+    component.values.push_back(float(sum));
+  }
+  return component;
+}
+
 std::vector<Point> transportPoints(const MapExemplar& map, const ColorSpace& space,
                                    float wantedShare) {
   const int channels = int(map.channels.size());

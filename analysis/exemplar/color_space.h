@@ -2,8 +2,7 @@
 // The affine space spanned by an exemplar's values.
 #pragma once
 
-#include "transport/covariance_map.h"
-#include "transport/moments.h"
+#include "transport/covariance.h"
 #include "transport/point.h"
 
 #include <lichen/exemplar.h>
@@ -39,6 +38,10 @@ struct ColorSpace {
   }
 };
 [[nodiscard]] ColorSpace colorSpaceOf(const MapExemplar& map);
+
+/// Projects the map on the eigenvector of its covariance with the largest eigenvalue: one channel.
+/// Throws std::bad_alloc.
+[[nodiscard]] MapExemplar principalComponent(const MapExemplar& map);
 
 /// The middle of the best values for photographs: docs/decisions/004-transport.md.
 inline constexpr float kUsualShare = 0.1f;

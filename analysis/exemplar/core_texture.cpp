@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Values (width * height * channels of the map) -> pixels (width * height * 1 or 3). glTF 2.0,
 // sections 3.9.2 and 3.9.3.
-#include <lichen/core_texture.h>
 #include <lichen/image_io.h>
+#include <lichen/synthesize.h>
 
 #include <cmath>
 #include <utility>

@@ -2,7 +2,7 @@
 // A map -> the axis nearest to its streaks.
 #include "grain.h"
 
-#include "reduced_plane.h"
+#include "planes.h"
 
 #include <lichen/measures.h>
 

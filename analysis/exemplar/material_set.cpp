@@ -3,7 +3,6 @@
 #include "borders.h"
 #include "frame.h"
 #include "invisible_color.h"
-#include "joined_channels.h"
 #include "map_values.h"
 #include "resample.h"
 #include "set_files.h"

@@ -2,7 +2,7 @@
 // Map, corners -> the part between them as a rectangle.
 #include "value_encoding.h"
 
-#include <lichen/structure.h>
+#include <lichen/regularity.h>
 
 #include <algorithm>
 #include <array>

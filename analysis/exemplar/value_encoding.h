@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A map's stored values -> the quantity that averages correctly, and back.
+// A map's stored values -> the quantity that averages correctly, and back; and the conditions that
+// a map must meet before a bake.
 #pragma once
 
 #include <lichen/exemplar.h>
+#include <lichen/result.h>
 
 #include <span>
 #include <vector>
@@ -26,5 +28,11 @@ namespace lichen::exemplar {
 [[nodiscard]] MapExemplar asStored(const MapExemplar& map);
 /// The same for several maps.
 [[nodiscard]] std::vector<MapExemplar> asStored(std::span<const MapExemplar> maps);
+
+/// Checks the ranges that MapExemplar states. On failure returns a usage error that names the
+/// offending value. Throws std::bad_alloc if there is no memory for the message.
+[[nodiscard]] Result<void> checkRanges(const MapExemplar& map);
+/// The same for all of at least one map.
+[[nodiscard]] Result<void> checkRanges(std::span<const MapExemplar> maps);
 
 } // namespace lichen::exemplar

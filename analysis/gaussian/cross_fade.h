@@ -21,4 +21,10 @@ namespace lichen::gaussian {
 [[nodiscard]] std::vector<Point> crossFadeBorders(const std::vector<Point>& image, int width,
                                                   int height, Grain grain = Grain::none);
 
+/// Whether opposite borders match, and along which axis streaks fade if they do not.
+struct BorderTreatment {
+  bool fit = true;
+  Grain grain = Grain::none;
+};
+
 } // namespace lichen::gaussian

@@ -2,7 +2,7 @@
 // count -> count stratified samples of the Gaussian of [HN18].
 #include "gaussian_distribution.h"
 
-#include "transport/covariance_map.h"
+#include "transport/covariance.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // Map (height, width, channels) -> labels (height, width): clusters of smoothed colours, then the
 // majority of each pixel's surroundings.
 #include "color_clusters.h"
-#include "exemplar/box_mean.h"
-#include "exemplar/map_ranges.h"
+#include "exemplar/planes.h"
+#include "exemplar/value_encoding.h"
 #include "label_means.h"
 
 #include <lichen/layers.h>

@@ -4,11 +4,10 @@
 #include "cosine_table.h"
 #include "cosine_vectors.h"
 #include "gaussian/gaussian_distribution.h"
-#include "gaussianization/gaussianized_maps.h"
+#include "gaussian/gaussianized_maps.h"
 #include "octave_lattice.h"
 #include "placement/near_periods.h"
-#include "spectra/given_spectrum.h"
-#include "structure.h"
+#include "random_phase/map_spectrum.h"
 
 #include <lichen/local_random_phase.h>
 
@@ -43,11 +42,6 @@ Result<void> checkOptions(const LocalRandomPhaseOptions& options) {
                  "a structure has the phases of the exemplar; expected none with a "
                  "spectrum of its own"};
   return {};
-}
-
-std::size_t appended(Table table, std::vector<Table>& tables) {
-  tables.push_back(std::move(table));
-  return tables.size() - 1;
 }
 
 /// Takes the frequencies of the structure out of the spectra, and returns them for each map. Sets
@@ -91,22 +85,10 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
   LocalRandomPhaseNoise shared;
   std::vector<MapSpectrum> spectra;
   std::vector<LocalRandomPhaseMap> data;
-  const auto append = [&](gaussianization::GaussianizedMap map) {
-    shared.texelsPerTileX = std::max(shared.texelsPerTileX, map.image.width);
-    shared.texelsPerTileY = std::max(shared.texelsPerTileY, map.image.height);
-    spectra.push_back(spectra::spectrumOf(map));
-    LocalRandomPhaseMap own;
-    own.dimensions = map.image.dimensions;
-    if (map.inverse)
-      own.inverseTable = appended(*std::move(map.inverse), bake.tables);
-    data.push_back(own);
-    bake.noise.maps.push_back(std::move(map.map));
-  };
-  const Result<gaussian::BorderTreatment> borders =
-      gaussianization::gaussianizeMaps(name, maps, options, gaussianization::UsesGrain::no, append);
-  if (!borders)
-    return borders.error();
-  bake.exemplarWasPeriodic = borders.value().fit;
+  if (Result<void> begun =
+          random_phase::beginBake(name, maps, options, bake, shared, spectra, data);
+      !begun)
+    return begun.error();
 
   const std::array<int, 2> cells = cellsOfOctave0(shared.texelsPerTileX, shared.texelsPerTileY);
   shared.columns = cells[0];
@@ -141,7 +123,7 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
     Table table = cosineTable(shared, cosines, vectors, {m, channel, channels}, structures[m]);
     setStructure(data[m], structures[m]);
     table.name = name + "." + std::string(nameOf(bake.noise.maps[m].target)) + ".cosines";
-    data[m].cosines = appended(std::move(table), bake.tables);
+    data[m].cosines = gaussian::appended(std::move(table), bake.tables);
     bake.noise.maps[m].data = data[m];
     channel += channels;
   }
@@ -158,7 +140,7 @@ double automaticStructure(std::span<const MapExemplar> maps) {
 Result<LocalRandomPhaseBake> bakeLocalRandomPhase(std::string name,
                                                   std::span<const MapExemplar> maps,
                                                   const LocalRandomPhaseOptions& options) {
-  return withinMemory([&] { return gaussianization::noMemoryToBake(name, maps); },
+  return withinMemory([&] { return gaussian::noMemoryToBake(name, maps); },
                       [&] { return bakeMaps(name, maps, options); });
 }
 

@@ -6,7 +6,7 @@
 // where the paper gives each stratum its own energy: docs/decisions/009-local-random-phase.md.
 #include "cosine_fit.h"
 
-#include "window_spectrum.h"
+#include "octave_lattice.h"
 
 #include <lichen/fft.h>
 #include <lichen/local_random_phase_map.h>

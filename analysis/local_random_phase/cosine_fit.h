@@ -2,7 +2,7 @@
 // A power spectrum -> the cosines whose noise has it: their frequencies, octaves and energies.
 #pragma once
 
-#include "spectra/power_tree.h"
+#include "random_phase/power_tree.h"
 
 #include <array>
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace lichen::local_random_phase {
 
-using spectra::FrequencyBox;
-using spectra::PowerPlane;
+using random_phase::FrequencyBox;
+using random_phase::PowerPlane;
 
 /// A cosine: at each vertex of its octave's lattice, one frequency of its box.
 struct Cosine {

@@ -9,7 +9,7 @@
 #include "cosine_vectors.h"
 
 #include "gaussian/gaussian_distribution.h"
-#include "transport/covariance_map.h"
+#include "transport/covariance.h"
 
 #include <tbb/parallel_for.h>
 
@@ -37,7 +37,7 @@ MatrixXcd crossSpectra(const std::vector<MapSpectrum>& maps, const FrequencyBox&
     for (int u = box.left; u < box.right; ++u) {
       if (u == 0 && v == 0)
         continue;
-      sum += (u == 0 ? 0.5 : 1.0) * spectra::crossPower(maps, u, v);
+      sum += (u == 0 ? 0.5 : 1.0) * random_phase::crossPower(maps, u, v);
     }
   return sum;
 }
@@ -90,7 +90,7 @@ MatrixXd covarianceOf(const CosineVectors& vectors, Index first, Index channels)
 
 CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
                             const std::vector<Cosine>& cosines) {
-  const std::vector<Index> first = spectra::firstChannels(maps);
+  const std::vector<Index> first = random_phase::firstChannels(maps);
   const Index channels = first.back();
   CosineVectors result;
   result.variants = int(std::bit_ceil(std::uint64_t(std::max<Index>(1, channels))));
@@ -99,7 +99,7 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
   if (channels == 0)
     return result;
 
-  const MatrixXd weights = spectra::powerWeights(maps);
+  const MatrixXd weights = random_phase::powerWeights(maps);
   // The matrix of each box has the energy of its cosine, and together they have the covariance.
   std::vector<MatrixXcd> matrices(cosines.size());
   MatrixXd whole = MatrixXd::Zero(channels, channels); // of the exemplar
@@ -117,7 +117,7 @@ CosineVectors cosineVectors(const std::vector<MapSpectrum>& maps,
   for (std::size_t m = 0; m < maps.size(); ++m)
     for (std::size_t c = 0; c < maps[m].luminance.size(); ++c)
       luminance[first[m] + Index(c)] = maps[m].luminance[c];
-  spectra::setMapCovariances(whole, maps);
+  random_phase::setMapCovariances(whole, maps);
   const MatrixXd correction = transport::covarianceMap(fitted, whole);
   const double deviation = gaussian::kGaussianDeviation;
   tbb::parallel_for(std::size_t(0), cosines.size(), [&](std::size_t j) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "cosine_fit.h"
-#include "spectra/map_spectrum.h"
+#include "random_phase/map_spectrum.h"
 
 #include <Eigen/Dense>
 
@@ -12,7 +12,7 @@
 
 namespace lichen::local_random_phase {
 
-using spectra::MapSpectrum;
+using random_phase::MapSpectrum;
 
 /// Vectors over all channels, map after map. vectors[j](c, v): what variant v of cosine j adds to
 /// the amplitude of channel c, in Gaussian values, and phases[j](m, v) what it adds to the phase of

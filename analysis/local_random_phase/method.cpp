@@ -19,10 +19,7 @@ Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) 
   Result<LocalRandomPhaseBake> baked = bakeLocalRandomPhase(input.name, input.maps, own);
   if (!baked)
     return baked.error();
-  MethodBake result;
-  result.noise = std::move(baked.value().noise);
-  result.tables = std::move(baked.value().tables);
-  result.figures.bordersWereKept = baked.value().exemplarWasPeriodic;
+  MethodBake result = methodBakeOf(baked.value());
   const double structure = baked.value().structure;
   result.figures.structure = structure;
   if (structure > 0.0 && !own.structure)

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace lichen::local_random_phase {
 
@@ -66,5 +67,26 @@ inline constexpr int kPlacementOctave = 2;
 /// Edges of octave 0 along x and 2 / sqrt(3) of its rows' distance along y, in tiles. Both are the
 /// length of an edge where triangles are equilateral.
 [[nodiscard]] std::array<double, 2> edgesOfOctave0(int columns, int rows);
+
+/// The power spectral density of a cosine of frequency 0 and variance 1 under the windows of a
+/// lattice, on average over the lattice, as a summed-area table over frequencies in cycles per
+/// edge.
+class WindowSpectrum {
+public:
+  /// Throws std::bad_alloc. About 10 ms.
+  WindowSpectrum();
+
+  /// The integral of the density over all frequencies below (x, y) along both axes: rises from 0 to
+  /// 1.
+  [[nodiscard]] double below(double x, double y) const;
+
+  /// The autocovariance of that cosine at the lag (x, y) in edges: 1 at (0, 0), 0 where windows do
+  /// not meet.
+  [[nodiscard]] double correlation(double x, double y) const;
+
+private:
+  std::vector<double> sums_;
+  std::vector<float> correlation_;
+};
 
 } // namespace lichen::local_random_phase

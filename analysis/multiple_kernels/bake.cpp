@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Exemplar maps (width * height * channels values each) -> a multiple-kernels noise and its tables.
 #include "gaussian/gaussian_distribution.h"
-#include "gaussianization/gaussianized_maps.h"
+#include "gaussian/gaussianized_maps.h"
 #include "kernel_colors.h"
 #include "kernel_fit.h"
 #include "perturbation.h"
-#include "spectra/given_spectrum.h"
-#include "spectra/map_spectrum.h"
+#include "random_phase/map_spectrum.h"
 
 #include <lichen/multiple_kernels.h>
 #include <lichen/shader_parameters.h>
@@ -155,11 +154,6 @@ std::vector<std::vector<PatternCosine>> scalePattern(const TakenPattern& pattern
   return patterns;
 }
 
-std::size_t appended(Table table, std::vector<Table>& tables) {
-  tables.push_back(std::move(table));
-  return tables.size() - 1;
-}
-
 /// As bakeMultipleKernels(), but throws std::bad_alloc.
 Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
                                      const MultipleKernelsOptions& options) {
@@ -170,26 +164,14 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
   MultipleKernelsNoise shared;
   shared.window = options.window;
   shared.hasGivenSpectrum = options.spectrum.has_value();
-  std::vector<spectra::MapSpectrum> spectra;
+  std::vector<random_phase::MapSpectrum> spectra;
   std::vector<MultipleKernelsMap> data;
-  const auto append = [&](gaussianization::GaussianizedMap map) {
-    shared.texelsPerTileX = std::max(shared.texelsPerTileX, map.image.width);
-    shared.texelsPerTileY = std::max(shared.texelsPerTileY, map.image.height);
-    spectra.push_back(spectra::spectrumOf(map));
-    MultipleKernelsMap own;
-    own.dimensions = map.image.dimensions;
-    if (map.inverse)
-      own.inverseTable = appended(*std::move(map.inverse), bake.tables);
-    data.push_back(own);
-    bake.noise.maps.push_back(std::move(map.map));
-  };
-  const Result<gaussian::BorderTreatment> borders =
-      gaussianization::gaussianizeMaps(name, maps, options, gaussianization::UsesGrain::no, append);
-  if (!borders)
-    return borders.error();
-  bake.exemplarWasPeriodic = borders.value().fit;
+  if (Result<void> begun =
+          random_phase::beginBake(name, maps, options, bake, shared, spectra, data);
+      !begun)
+    return begun.error();
   if (options.spectrum)
-    if (Result<void> replaced = spectra::replaceSpectra(*options.spectrum, spectra); !replaced)
+    if (Result<void> replaced = random_phase::replaceSpectra(*options.spectrum, spectra); !replaced)
       return replaced.error();
 
   TakenPattern pattern;
@@ -198,7 +180,7 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
   shared.cosines = int(pattern.terms.size());
   shared.hasGivenSpectrum |= options.perturbation && !options.perturbation->pattern.empty();
   const WindowSpectrum window(options.window);
-  const spectra::PowerPlane power = spectra::powerPlane(spectra);
+  const random_phase::PowerPlane power = random_phase::powerPlane(spectra);
   std::vector<std::size_t> counts;
   for (const int most : {options.kernels / 4, options.kernels / 2, options.kernels})
     if (most > 0)
@@ -221,8 +203,8 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
   std::vector<Eigen::MatrixXd> colors = kernelColors(spectra, window, kernels);
   std::vector<std::vector<PatternCosine>> patterns(spectra.size());
   if (!pattern.terms.empty())
-    patterns = scalePattern(pattern, options.perturbation->amount, spectra::firstChannels(spectra),
-                            colors);
+    patterns = scalePattern(pattern, options.perturbation->amount,
+                            random_phase::firstChannels(spectra), colors);
   const std::vector<KernelRow> rows = rowsOf(kernels, options.window, options.impacts,
                                              double(shared.texelsPerTileX) / shared.texelsPerTileY);
   Eigen::Index channel = 0;
@@ -236,7 +218,7 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
     channel += Eigen::Index(channels);
     Table table = kernelTable(own, patterns[m]);
     table.name = name + "." + std::string(nameOf(bake.noise.maps[m].target)) + ".kernels";
-    data[m].kernels = appended(std::move(table), bake.tables);
+    data[m].kernels = gaussian::appended(std::move(table), bake.tables);
     bake.noise.maps[m].data = data[m];
   }
   bake.noise.data = shared;
@@ -247,7 +229,7 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
 
 Result<MultipleKernelsBake> bakeMultipleKernels(std::string name, std::span<const MapExemplar> maps,
                                                 const MultipleKernelsOptions& options) {
-  return withinMemory([&] { return gaussianization::noMemoryToBake(name, maps); },
+  return withinMemory([&] { return gaussian::noMemoryToBake(name, maps); },
                       [&] { return bakeMaps(name, maps, options); });
 }
 

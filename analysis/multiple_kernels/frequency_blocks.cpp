@@ -30,7 +30,7 @@ namespace {
 /// Splits a plane.
 class Splitter {
 public:
-  explicit Splitter(const spectra::PowerPlane& power) : power_(power) {
+  explicit Splitter(const random_phase::PowerPlane& power) : power_(power) {
     double sum = 0.0, count = 0.0;
     for (int v = -half(); v <= half(); ++v)
       for (int u = 0; u < power.columns; ++u) {
@@ -57,7 +57,7 @@ private:
   static double weightAt(int u, int v) { return u == 0 && v == 0 ? 0.0 : u == 0 ? 0.5 : 1.0; }
 
   void addSquare(int left, int top, int side) {
-    const spectra::FrequencyBox box{left, std::min(left + side, power_.columns),
+    const random_phase::FrequencyBox box{left, std::min(left + side, power_.columns),
                                     std::max(top, -half()), std::min(top + side, half() + 1)};
     if (box.left >= box.right || box.top >= box.bottom)
       return;
@@ -70,7 +70,7 @@ private:
         addSquare(x, y, side / 2);
   }
 
-  [[nodiscard]] FrequencyBlock blockOf(const spectra::FrequencyBox& box) const {
+  [[nodiscard]] FrequencyBlock blockOf(const random_phase::FrequencyBox& box) const {
     FrequencyBlock block;
     for (int v = box.top; v < box.bottom; ++v)
       for (int u = box.left; u < box.right; ++u) {
@@ -95,12 +95,12 @@ private:
     return part(whole) - part(a) - part(b);
   }
 
-  void addParts(const spectra::FrequencyBox& box) {
+  void addParts(const random_phase::FrequencyBox& box) {
     constexpr double kLeastGain = 8.0; // of many frequencies by chance once in 15,000 times
     const FrequencyBlock whole = blockOf(box);
     double best = kLeastGain;
-    std::array<spectra::FrequencyBox, 2> halves{};
-    const auto consider = [&](const spectra::FrequencyBox& a, const spectra::FrequencyBox& b) {
+    std::array<random_phase::FrequencyBox, 2> halves{};
+    const auto consider = [&](const random_phase::FrequencyBox& a, const random_phase::FrequencyBox& b) {
       if (const double gain = gainOf(whole, blockOf(a), blockOf(b)); gain > best) {
         best = gain;
         halves = {a, b};
@@ -111,20 +111,20 @@ private:
     if (const int middle = box.top + (box.bottom - box.top) / 2; middle > box.top)
       consider({box.left, box.right, box.top, middle}, {box.left, box.right, middle, box.bottom});
     if (best > kLeastGain)
-      for (const spectra::FrequencyBox& part : halves)
+      for (const random_phase::FrequencyBox& part : halves)
         addParts(part);
     else if (whole.count > 0.0)
       blocks_.push_back(whole);
   }
 
-  const spectra::PowerPlane& power_;
+  const random_phase::PowerPlane& power_;
   double least_ = 0.0;
   FrequencyBlocks blocks_;
 };
 
 } // namespace
 
-FrequencyBlocks blocksOf(const spectra::PowerPlane& power) { return Splitter(power).blocks(); }
+FrequencyBlocks blocksOf(const random_phase::PowerPlane& power) { return Splitter(power).blocks(); }
 
 namespace {
 

@@ -2,7 +2,7 @@
 // A power plane in blocks of frequencies, by which models of it are judged.
 #pragma once
 
-#include "spectra/power_tree.h"
+#include "random_phase/power_tree.h"
 
 #include <array>
 #include <vector>
@@ -20,7 +20,7 @@ using FrequencyBlocks = std::vector<FrequencyBlock>;
 
 /// Blocks whose sides are at most an eighth of their distance from the frequency 0, and smaller
 /// where the power varies more than by chance.
-[[nodiscard]] FrequencyBlocks blocksOf(const spectra::PowerPlane& power);
+[[nodiscard]] FrequencyBlocks blocksOf(const random_phase::PowerPlane& power);
 
 /// Blocks of all directions, 24 an octave: `u` is the length of their frequencies.
 [[nodiscard]] FrequencyBlocks radialBlocks(const FrequencyBlocks& blocks);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A kernel of multiple-kernels noise: a window times a wave, thrown at random points with random
-// phases. [MKN12] section 3.
+// A kernel of multiple-kernels noise, a window times a wave, thrown at random points with random
+// phases, and the power spectral density of its noise. [MKN12] section 3.
 #pragma once
 
 #include <lichen/multiple_kernels_map.h>
@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include <array>
+#include <vector>
 
 namespace lichen::multiple_kernels {
 
@@ -46,5 +47,84 @@ struct Kernel {
 /// The integral of the square of a kernel, on average over its signs [tiles^2]: the integral of its
 /// window.
 [[nodiscard]] double squareIntegral(Window window, const Kernel& kernel);
+
+/// The spectrum of a window, normalised to the energy 1: of the Gabor a function of the squared
+/// length of the frequency, of the others a product of functions of its two squares. Frequencies in
+/// cycles per unit of the window's coordinates.
+class WindowSpectrum {
+public:
+  /// The spectrum is 0 beyond this frequency. Less than 1e-4 of a window's energy lies there; of a
+  /// sinc's, more.
+  static constexpr double kFarthest = 12.0;
+
+  /// Throws std::bad_alloc. About 10 ms.
+  explicit WindowSpectrum(Window window);
+
+  [[nodiscard]] Window window() const { return window_; }
+
+  /// The power at frequencies beyond this length is below a millionth of the highest, but for the
+  /// windows on the square.
+  [[nodiscard]] double reach() const { return window_ == Window::gabor ? 3.0 : kFarthest; }
+
+  /// The value at the frequency (x, y), and in `slopes` its derivatives.
+  double at(double x, double y, std::array<double, 2>& slopes) const {
+    if (window_ == Window::gabor) {
+      const auto [value, slope] = ofSquare(x * x + y * y);
+      slopes = {2.0 * x * slope, 2.0 * y * slope};
+      return value;
+    }
+    const Entry across = ofSquare(x * x), down = ofSquare(y * y);
+    slopes = {2.0 * x * across.slope * down.value, 2.0 * y * across.value * down.slope};
+    return across.value * down.value;
+  }
+
+private:
+  static constexpr std::size_t kEntries = 1u << 12; // evenly in the square of the frequency
+  static constexpr double kStep = kFarthest * kFarthest / double(kEntries);
+
+  struct Entry {
+    double value = 0.0, slope = 0.0; ///< by the square
+  };
+
+  /// By Hermite's cubic between the entries.
+  [[nodiscard]] Entry ofSquare(double square) const {
+    const double place = square / kStep;
+    if (!(place < double(kEntries)))
+      return {};
+    const auto entry = std::size_t(int(place)); // signed: the faster conversion
+    const double t = place - double(entry);
+    const auto [value, slope] = table_[entry];
+    const Entry next = table_[entry + 1];
+    const double first = kStep * slope, step = next.value - value;
+    const double square2 = 3.0 * step - 2.0 * first - kStep * next.slope;
+    const double cube = first + kStep * next.slope - 2.0 * step;
+    return {value + t * (first + t * (square2 + t * cube)),
+            (first + t * (2.0 * square2 + 3.0 * t * cube)) / kStep};
+  }
+
+  Window window_;
+  std::vector<Entry> table_;
+};
+
+/// The parameters of a kernel by which densities are differentiated: the logarithm of the energy,
+/// the two frequencies, the logarithms of both stretches, the shear.
+inline constexpr std::size_t kKernelParameters = 6;
+using KernelSlopes = std::array<double, kKernelParameters>;
+
+/// The power at the frequency (u, v) [cycles / tile]: its integral over all frequencies is the
+/// energy. `slopes`, unless null: its derivatives. Not for rings.
+[[nodiscard]] double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u,
+                               double v, KernelSlopes* slopes = nullptr);
+
+/// As densityAt() of a ring, which depends on the length of the frequency only.
+[[nodiscard]] double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
+                                   double frequency);
+
+/// The power at a frequency of the plane where the noise is sampled once in each of `texels` x
+/// `texels` texels of a tile: with the power of the frequencies that are then the same. `slopes`:
+/// not of rings.
+[[nodiscard]] double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
+                                      const std::array<double, 2>& texels, double u, double v,
+                                      KernelSlopes* slopes = nullptr);
 
 } // namespace lichen::multiple_kernels

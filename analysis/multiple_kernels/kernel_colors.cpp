@@ -6,7 +6,7 @@
 #include "kernel_colors.h"
 
 #include "gaussian/gaussian_distribution.h"
-#include "transport/covariance_map.h"
+#include "transport/covariance.h"
 
 #include <tbb/parallel_for.h>
 
@@ -18,14 +18,14 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using spectra::MapSpectrum;
+using random_phase::MapSpectrum;
 
 /// The real part of the sum over frequencies of crossPower() times the kernel's share of the power
 /// there.
 std::vector<MatrixXd> sharedSpectra(const std::vector<MapSpectrum>& maps,
                                     const WindowSpectrum& spectrum,
                                     const std::vector<Kernel>& kernels, Index channels) {
-  const spectra::PowerPlane plane = spectra::powerPlane(maps);
+  const random_phase::PowerPlane plane = random_phase::powerPlane(maps);
   const int half = plane.rows / 2;
   // Rows by themselves and then summed in order, so that threads do not change the result.
   std::vector<std::vector<MatrixXd>> ofRows(std::size_t(plane.rows));
@@ -43,14 +43,14 @@ std::vector<MatrixXd> sharedSpectra(const std::vector<MapSpectrum>& maps,
         continue;
       double all = 0.0;
       for (std::size_t k = 0; k < kernels.size(); ++k) {
-        powers[k] = kernels[k].isRing
-                        ? rings[k][std::size_t(std::lround(std::hypot(u, v)))]
-                        : sampledDensityAt(spectrum, kernels[k], spectra::texelsOf(plane), u, v);
+        powers[k] = kernels[k].isRing ? rings[k][std::size_t(std::lround(std::hypot(u, v)))]
+                                      : sampledDensityAt(spectrum, kernels[k],
+                                                         random_phase::texelsOf(plane), u, v);
         all += powers[k];
       }
       if (!(all > 0.0))
         continue;
-      const MatrixXd own = (u == 0 ? 1.0 : 2.0) * spectra::crossPower(maps, u, v).real();
+      const MatrixXd own = (u == 0 ? 1.0 : 2.0) * random_phase::crossPower(maps, u, v).real();
       for (std::size_t k = 0; k < kernels.size(); ++k)
         sums[k] += powers[k] / all * own;
     }
@@ -81,12 +81,12 @@ MatrixXd strongestAxes(const MatrixXd& covariance) {
 std::vector<MatrixXd> kernelColors(const std::vector<MapSpectrum>& maps,
                                    const WindowSpectrum& spectrum,
                                    const std::vector<Kernel>& kernels) {
-  const std::vector<Index> first = spectra::firstChannels(maps);
+  const std::vector<Index> first = random_phase::firstChannels(maps);
   const Index channels = first.back();
   if (channels == 0)
     return std::vector<MatrixXd>(kernels.size(), MatrixXd(0, kWaves));
   const double deviation = gaussian::kGaussianDeviation;
-  const MatrixXd weights = spectra::powerWeights(maps);
+  const MatrixXd weights = random_phase::powerWeights(maps);
   std::vector<MatrixXd> matrices = sharedSpectra(maps, spectrum, kernels, channels);
   MatrixXd whole = MatrixXd::Zero(channels, channels), fitted = whole;
   for (std::size_t k = 0; k < kernels.size(); ++k) {
@@ -95,7 +95,7 @@ std::vector<MatrixXd> kernelColors(const std::vector<MapSpectrum>& maps,
       matrices[k] *= kernels[k].energy / energy;
     fitted += matrices[k];
   }
-  spectra::setMapCovariances(whole, maps);
+  random_phase::setMapCovariances(whole, maps);
   const MatrixXd correction = transport::covarianceMap(fitted, whole);
   std::vector<MatrixXd> colors;
   for (const MatrixXd& matrix : matrices)

@@ -3,8 +3,8 @@
 // kernel's impacts.
 #pragma once
 
-#include "kernel_spectrum.h"
-#include "spectra/map_spectrum.h"
+#include "kernel.h"
+#include "random_phase/map_spectrum.h"
 
 #include <Eigen/Dense>
 
@@ -21,7 +21,7 @@ inline constexpr int kWaves = 4;
 /// kernels it is exact, while of sets of more than kWaves channels each kernel keeps the strongest
 /// combinations. Phases between channels are lost. Throws std::bad_alloc.
 [[nodiscard]] std::vector<Eigen::MatrixXd>
-kernelColors(const std::vector<spectra::MapSpectrum>& maps, const WindowSpectrum& spectrum,
+kernelColors(const std::vector<random_phase::MapSpectrum>& maps, const WindowSpectrum& spectrum,
              const std::vector<Kernel>& kernels);
 
 } // namespace lichen::multiple_kernels

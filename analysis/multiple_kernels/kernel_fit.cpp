@@ -6,14 +6,15 @@
 #include "kernel_fit.h"
 
 #include "frequency_blocks.h"
-#include "least_squares.h"
-#include "ring_fit.h"
 
+#include <Eigen/Dense>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace lichen::multiple_kernels {
 namespace {
@@ -21,8 +22,59 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using spectra::FrequencyBox;
-using spectra::PowerPlane;
+using random_phase::FrequencyBox;
+using random_phase::PowerPlane;
+
+/// The usual share of the sum of squares that a step has to take away.
+constexpr double kLeastGain = 1e-3;
+
+/// Residuals, and their derivatives by the values: a row for each residual.
+struct Residuals {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd derivatives;
+};
+
+/// Minimises the sum of squares of `residualsAt(values)` from `values` on, until a step takes less
+/// than `leastGain` of it away, by Levenberg and Marquardt's method with steps that
+/// `limited(values, step)` shortens. The damping follows how well the last step was foreseen
+/// [MNT04].
+template <class ResidualsAt, class Limited>
+Eigen::VectorXd minimized(Eigen::VectorXd values, double leastGain, const ResidualsAt& residualsAt,
+                          const Limited& limited) {
+  constexpr int kMostTrials = 100;
+  Residuals here = residualsAt(values);
+  double damping = 1e-2, growth = 2.0;
+  for (int trial = 0; trial < kMostTrials; ++trial) {
+    const double before = here.values.squaredNorm();
+    const Eigen::VectorXd gradient = here.derivatives.transpose() * here.values;
+    Eigen::MatrixXd curvature = Eigen::MatrixXd::Zero(values.size(), values.size());
+    curvature.selfadjointView<Eigen::Lower>().rankUpdate(here.derivatives.transpose());
+    const Eigen::VectorXd diagonal = curvature.diagonal().array() + 1e-9;
+    Eigen::MatrixXd damped = curvature;
+    damped.diagonal() += damping * diagonal;
+    const Eigen::VectorXd step =
+        limited(values, damped.selfadjointView<Eigen::Lower>().ldlt().solve(gradient).eval());
+    Residuals there = residualsAt(values - step);
+    const double after = there.values.squaredNorm();
+    const double foreseen = (here.values - here.derivatives * step).squaredNorm();
+    if (after < before) {
+      const double ratio = (before - after) / std::max(before - foreseen, 1e-300);
+      damping *= std::max(1.0 / 3.0, 1.0 - std::pow(2.0 * ratio - 1.0, 3.0));
+      growth = 2.0;
+      values -= step;
+      here = std::move(there);
+      if (1.0 - after / before < leastGain)
+        break;
+    } else {
+      damping *= growth;
+      growth *= 2.0;
+      constexpr double kMostGrowth = 2048.0; // eleven steps in a row that gain nothing
+      if (growth > kMostGrowth)
+        break;
+    }
+  }
+  return values;
+}
 
 /// Times the width of its rectangle, the stretch of a window on the square: its sinc has two zeros
 /// on each side.
@@ -33,9 +85,9 @@ struct Target {
   FrequencyBlocks blocks;
   std::array<double, 2> texels{}; ///< of the tile
   const WindowSpectrum& spectrum;
-  spectra::PowerPlane numbers; ///< at each frequency the number of the block
-  double energy = 0.0;         ///< of all powers
-  double energyWeight = 0.0;   ///< of its logarithm, in the unit of weightOf()
+  random_phase::PowerPlane numbers; ///< at each frequency the number of the block
+  double energy = 0.0;              ///< of all powers
+  double energyWeight = 0.0;        ///< of its logarithm, in the unit of weightOf()
 
   [[nodiscard]] const FrequencyBlock& blockAt(std::array<double, 2> frequency) const {
     if (frequency[0] < 0.0)
@@ -327,7 +379,7 @@ double spectrumErrorDb(const PowerPlane& power, const WindowSpectrum& spectrum,
 std::vector<KernelFit> fitKernels(const PowerPlane& power, const WindowSpectrum& spectrum,
                                   const std::vector<std::size_t>& counts) {
   const Target target = targetOf(power, spectrum);
-  const PowerPlane smooth = spectra::smoothed(power);
+  const PowerPlane smooth = random_phase::smoothed(power);
   const bool isGabor = spectrum.window() == Window::gabor;
   RingFits rings(target, power);
   std::vector<KernelFit> fits;
@@ -342,8 +394,8 @@ std::vector<KernelFit> fitKernels(const PowerPlane& power, const WindowSpectrum&
          kernelsOfBoxes(left, target, boxesAroundPower(left, most - start.size())))
       start.push_back(more);
     kernels = fitted(target, std::move(start));
-    std::vector<Kernel> other =
-        fitted(target, kernelsOfBoxes(power, target, spectra::boxesOfEqualPower(smooth, most)));
+    std::vector<Kernel> other = fitted(
+        target, kernelsOfBoxes(power, target, random_phase::boxesOfEqualPower(smooth, most)));
     if (kernels.empty() || distanceOf(target, other) < distanceOf(target, kernels))
       kernels = std::move(other);
     std::vector<Kernel> sufficient;
@@ -353,6 +405,92 @@ std::vector<KernelFit> fitKernels(const PowerPlane& power, const WindowSpectrum&
     fits.push_back({best, decibelsOf(target, best)});
   }
   return fits;
+}
+
+// Blocks of frequencies -> rings, by the distance of frequency_blocks.h.
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks,
+                                const random_phase::PowerPlane& power,
+                                const WindowSpectrum& spectrum, std::size_t count) {
+  const FrequencyBlocks radial = radialBlocks(blocks);
+  constexpr std::size_t kFree = 3;
+  if (radial.size() < kFree * count)
+    return {};
+  double energy = 0.0;
+  for (const FrequencyBlock& block : radial)
+    energy += 2.0 * block.count * block.power;
+  if (!(energy > 0.0))
+    return {};
+  // The first block of each part of the energy.
+  VectorXd values(Index(kFree * count));
+  double before = 0.0;
+  std::size_t ring = 0;
+  // A support of two texels: smaller rings would have aliases, which this fit does not model.
+  const double finest = -std::log(double(std::max(power.columns, power.rows / 2)));
+  const double highest = double(std::min(power.columns, power.rows / 2 + 1));
+  for (const FrequencyBlock& block : radial) {
+    before += 2.0 * block.count * block.power;
+    if (ring < count && before >= energy * (double(ring) + 0.5) / double(count)) {
+      const double length = std::clamp(block.u, 1.0, highest);
+      values.segment<Index(kFree)>(Index(kFree * ring)) =
+          Eigen::Vector3d(std::log(energy / double(count)), std::log(length),
+                          -std::log(length)); // about as wide as they are far away
+      ++ring;
+    }
+  }
+  if (ring < count)
+    return {};
+  const auto kernelsOf = [&](const VectorXd& from) {
+    std::vector<Kernel> kernels(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double* own = from.data() + kFree * k;
+      kernels[k].energy = std::exp(std::clamp(own[0], -30.0, 30.0));
+      kernels[k].frequency = {std::clamp(std::exp(own[1]), 1e-3, highest), 0.0};
+      kernels[k].stretch[0] = kernels[k].stretch[1] = std::exp(std::clamp(own[2], finest, 0.0));
+      kernels[k].isRing = true;
+    }
+    return kernels;
+  };
+  const double least = leastPower(radial);
+  const auto residualsAt = [&](const VectorXd& from) {
+    constexpr double kStep = 1e-4;
+    const std::vector<Kernel> kernels = kernelsOf(from);
+    std::array<std::vector<Kernel>, kFree> moved; // along one parameter of each
+    for (std::size_t p = 0; p < kFree; ++p) {
+      VectorXd others = from;
+      for (std::size_t k = 0; k < count; ++k)
+        others[Index(k * kFree + p)] += kStep;
+      moved[p] = kernelsOf(others);
+    }
+    Residuals residuals{VectorXd(Index(radial.size())),
+                        MatrixXd(Index(radial.size()), from.size())};
+    tbb::parallel_for(std::size_t(0), radial.size(), [&](std::size_t b) {
+      const auto densityOf = [&](const Kernel& kernel) {
+        return ringDensityAt(spectrum, kernel, radial[b].u);
+      };
+      double modelled = 0.0;
+      for (std::size_t k = 0; k < count; ++k) {
+        const double own = densityOf(kernels[k]);
+        modelled += own;
+        for (std::size_t p = 0; p < kFree; ++p)
+          residuals.derivatives(Index(b), Index(k * kFree + p)) =
+              (densityOf(moved[p][k]) - own) / kStep;
+      }
+      const auto [residual, slope] = residualOf(radial[b], least, modelled);
+      residuals.values[Index(b)] = residual;
+      residuals.derivatives.row(Index(b)) *= slope;
+    });
+    return residuals;
+  };
+  return kernelsOf(
+      minimized(values, kLeastGain, residualsAt, [](const VectorXd&, const VectorXd& step) {
+        constexpr double kMost = 0.7;
+        return (std::min(1.0, kMost / std::max(step.cwiseAbs().maxCoeff(), 1e-300)) * step).eval();
+      }));
 }
 
 } // namespace lichen::multiple_kernels

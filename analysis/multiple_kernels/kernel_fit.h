@@ -2,8 +2,9 @@
 // A power spectrum -> few kernels whose noise has it.
 #pragma once
 
-#include "kernel_spectrum.h"
-#include "spectra/power_tree.h"
+#include "frequency_blocks.h"
+#include "kernel.h"
+#include "random_phase/power_tree.h"
 
 #include <vector>
 
@@ -21,14 +22,20 @@ struct KernelFit {
 /// all their parameters, from such rectangles and from the fewer kernels of the count before; rings
 /// take their place where few of them have the spectrum nearly as closely.
 /// Deterministic. Throws std::bad_alloc. Without kernels for a plane without power.
-[[nodiscard]] std::vector<KernelFit> fitKernels(const spectra::PowerPlane& power,
+[[nodiscard]] std::vector<KernelFit> fitKernels(const random_phase::PowerPlane& power,
                                                 const WindowSpectrum& spectrum,
                                                 const std::vector<std::size_t>& counts);
 
 /// The root mean square of the difference of a power plane and the kernels' power in decibels, over
 /// blocks of frequencies that grow with the frequency.
-[[nodiscard]] double spectrumErrorDb(const spectra::PowerPlane& power,
+[[nodiscard]] double spectrumErrorDb(const random_phase::PowerPlane& power,
                                      const WindowSpectrum& spectrum,
                                      const std::vector<Kernel>& kernels);
+
+/// `count` rings of equal energy, whose lengths, widths and energies are then fitted to the power
+/// of all directions together. Empty if the plane has too little power, or too few frequencies.
+[[nodiscard]] std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks,
+                                              const random_phase::PowerPlane& power,
+                                              const WindowSpectrum& spectrum, std::size_t count);
 
 } // namespace lichen::multiple_kernels

@@ -27,10 +27,7 @@ Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) 
       input.name, input.maps, optionsFor<MultipleKernelsOptions>(options, input));
   if (!baked)
     return baked.error();
-  MethodBake result;
-  result.noise = std::move(baked.value().noise);
-  result.tables = std::move(baked.value().tables);
-  result.figures.bordersWereKept = baked.value().exemplarWasPeriodic;
+  MethodBake result = methodBakeOf(baked.value());
   result.figures.spectrumErrors = std::move(baked.value().spectrumErrors);
   result.notes.push_back(kernelWords(result.noise.as<MultipleKernelsNoise>()) + ": " +
                          errorWords(result.figures.spectrumErrors));

@@ -2,15 +2,22 @@
 // Transforms of Gaussian channels -> the cosines of a pattern, and scales that keep covariances.
 #include "perturbation.h"
 
-#include "transport/covariance_map.h"
+#include "transport/covariance.h"
+
+#include <lichen/fft.h>
+#include <lichen/multiple_kernels.h>
+#include <lichen/spectrum.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <cstdlib>
+#include <map>
 #include <numbers>
 #include <span>
 #include <tuple>
+#include <utility>
 
 namespace lichen::multiple_kernels {
 namespace {
@@ -19,7 +26,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-using spectra::MapSpectrum;
+using random_phase::MapSpectrum;
 
 VectorXcd channelsAt(std::span<const MapSpectrum> maps, int u, int v) {
   Index channels = 0, row = 0;
@@ -51,7 +58,7 @@ void remove(std::vector<MapSpectrum>& maps, int u, int v) {
 
 /// The frequencies of the largest powers.
 std::vector<PatternTerm> strongest(int cosines, std::vector<MapSpectrum>& maps) {
-  const spectra::PowerPlane plane = spectra::powerPlane(maps);
+  const random_phase::PowerPlane plane = random_phase::powerPlane(maps);
   struct Place {
     double power = 0.0;
     int u = 0, v = 0;
@@ -81,22 +88,22 @@ std::vector<PatternTerm> strongest(int cosines, std::vector<MapSpectrum>& maps) 
 
 /// The covariance of all channels of all maps.
 MatrixXd covarianceOf(const std::vector<MapSpectrum>& maps) {
-  const spectra::PowerPlane plane = spectra::powerPlane(maps);
-  const Index channels = spectra::firstChannels(maps).back();
+  const random_phase::PowerPlane plane = random_phase::powerPlane(maps);
+  const Index channels = random_phase::firstChannels(maps).back();
   MatrixXd covariance = MatrixXd::Zero(channels, channels);
   for (int v = -(plane.rows / 2); v <= plane.rows / 2; ++v)
     for (int u = 0; u < plane.columns; ++u)
       if (u > 0 || v != 0) {
-        covariance += (u == 0 ? 1.0 : 2.0) * spectra::crossPower(maps, u, v).real();
+        covariance += (u == 0 ? 1.0 : 2.0) * random_phase::crossPower(maps, u, v).real();
       }
-  spectra::setMapCovariances(covariance, maps);
+  random_phase::setMapCovariances(covariance, maps);
   return covariance;
 }
 
 /// How all channels follow the luminance of the first map that has one, or else the first map's
 /// values: the covariance with it where it has the variance 1.
 VectorXd luminanceAxis(const MatrixXd& covariance, const std::vector<MapSpectrum>& maps) {
-  const std::vector<Index> first = spectra::firstChannels(maps);
+  const std::vector<Index> first = random_phase::firstChannels(maps);
   VectorXd weights = VectorXd::Zero(first.back());
   std::size_t leading = 0;
   while (leading < maps.size() && maps[leading].luminance.empty())
@@ -138,7 +145,7 @@ std::vector<PatternTerm> given(const Perturbation& perturbation, const VectorXd&
 
 TakenPattern takePattern(const Perturbation& perturbation, std::vector<MapSpectrum>& maps) {
   TakenPattern taken;
-  if (spectra::firstChannels(maps).back() == 0) // nothing varies
+  if (random_phase::firstChannels(maps).back() == 0) // nothing varies
     return taken;
   taken.whole = covarianceOf(maps);
   if (perturbation.pattern.empty()) {
@@ -180,3 +187,67 @@ std::vector<PerturbedScale> perturbedScales(const TakenPattern& pattern, const M
 }
 
 } // namespace lichen::multiple_kernels
+
+// A picture or a spline -> the cosines of its Fourier series.
+
+namespace lichen {
+
+std::vector<PatternWave> strongestWaves(std::span<const PatternWave> waves, int cosines) {
+  std::map<std::pair<int, int>, std::complex<double>> sums;
+  for (const PatternWave& wave : waves) {
+    // The one of two mirrors with u above 0, or with v.
+    const bool isMirror = wave.u < 0 || (wave.u == 0 && wave.v < 0);
+    const double angle = (isMirror ? -2.0 : 2.0) * std::numbers::pi * wave.phase;
+    sums[isMirror ? std::pair(-wave.u, -wave.v) : std::pair(wave.u, wave.v)] +=
+        wave.amplitude * std::complex<double>(std::cos(angle), std::sin(angle));
+  }
+  std::vector<PatternWave> result;
+  for (const auto& [frequency, sum] : sums)
+    result.push_back({frequency.first, frequency.second, std::abs(sum),
+                      std::arg(sum) / (2.0 * std::numbers::pi)});
+  std::stable_sort(result.begin(), result.end(), [](const PatternWave& a, const PatternWave& b) {
+    return a.amplitude > b.amplitude;
+  });
+  result.resize(std::min(result.size(), std::size_t(cosines)));
+  return result;
+}
+
+std::vector<PatternWave> patternOf(const SrgbImage& picture, int repeats, int cosines) {
+  const HalfSpectrum spectrum = forwardFft(luminancePlane(picture), picture.width, picture.height);
+  const double perPixel = 2.0 / (double(picture.width) * picture.height);
+  std::vector<PatternWave> waves;
+  for (int row = 0; row < spectrum.height; ++row) {
+    const int v = spectrum.signedRow(row);
+    for (int u = 0; 2 * u < spectrum.width; ++u) {
+      const bool isMirror = u == 0 && v <= 0;
+      if (isMirror || 2 * std::abs(v) >= spectrum.height)
+        continue;
+      const std::complex<double> value(spectrum.at(u, row));
+      // Texels lie half a texel from the corner.
+      const double corner = 0.5 * (double(u) / picture.width + double(v) / picture.height);
+      waves.push_back({repeats * u, repeats * v, perPixel * std::abs(value),
+                       std::arg(value) / (2.0 * std::numbers::pi) - corner});
+    }
+  }
+  return strongestWaves(waves, cosines);
+}
+
+std::vector<PatternWave> patternOfSpline(int u, int v, std::span<const double> points) {
+  const auto count = double(points.size());
+  std::vector<PatternWave> waves;
+  for (int harmonic = 1; harmonic <= int(points.size()); ++harmonic) {
+    std::complex<double> sum = 0.0;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      sum += points[k] * std::polar(1.0, -2.0 * std::numbers::pi * harmonic * double(k) / count);
+    // The transform of the cubic B-spline between the points.
+    const double x = std::numbers::pi * harmonic / count;
+    const double amplitude = 2.0 / count * std::abs(sum) * std::pow(std::sin(x) / x, 4.0);
+    constexpr double kLeast = 1e-9;
+    if (amplitude > kLeast)
+      waves.push_back(
+          {harmonic * u, harmonic * v, amplitude, std::arg(sum) / (2.0 * std::numbers::pi)});
+  }
+  return waves;
+}
+
+} // namespace lichen

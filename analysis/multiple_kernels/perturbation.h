@@ -2,7 +2,7 @@
 // A regular pattern and what the noise has beside it. [MKN12] section 5.
 #pragma once
 
-#include "spectra/map_spectrum.h"
+#include "random_phase/map_spectrum.h"
 
 #include <lichen/multiple_kernels.h>
 
@@ -33,7 +33,7 @@ struct TakenPattern {
 /// luminance. Takes the power at its frequencies out of `maps`, which are then the noise's. Throws
 /// std::bad_alloc.
 [[nodiscard]] TakenPattern takePattern(const Perturbation& perturbation,
-                                       std::vector<spectra::MapSpectrum>& maps);
+                                       std::vector<random_phase::MapSpectrum>& maps);
 
 /// What the channels of one map are multiplied with.
 struct PerturbedScale {

@@ -2,7 +2,7 @@
 // A picture of a plane seen slightly from a side -> how much narrower its far sides are.
 #pragma once
 
-#include "exemplar/area_average.h"
+#include "exemplar/planes.h"
 
 #include <array>
 #include <functional>

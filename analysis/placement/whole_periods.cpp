@@ -6,11 +6,9 @@
 // docs/decisions/012-quilting.md says how the constants were chosen.
 #include "whole_periods.h"
 
-#include "border_misfit.h"
-#include "exemplar/area_average.h"
-#include "exemplar/box_mean.h"
+#include "exemplar/planes.h"
 #include "perspective.h"
-#include "self_correlation.h"
+#include "self_similarity.h"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Contrast as a function of the distance to the nearest vertex of the tiling lattice, and the score
-// that a stationary image gets by chance.
+// Contrast as a function of the distance to the nearest vertex of the tiling lattice.
 //
 // Image (height, width) and lattice -> one number.
 #include "boundary.h"
 
-#include <lichen/fft.h>
 #include <lichen/quality.h>
 #include <lichen/spectrum.h>
 
@@ -124,48 +122,6 @@ Result<double> latticeVisibility(const SrgbImage& result, const LatticeView& vie
     if (auto error = viewRefusal(result, view))
       return *error;
     return visibility(luminancePlane(result), distanceClasses(result.width, result.height, view));
-  });
-}
-
-Result<double> stationaryLatticeVisibility(const SrgbImage& result, const LatticeView& view,
-                                           int trials, double quantile) {
-  return withinMemory(exhausted, [&]() -> Result<double> {
-    if (auto error = viewRefusal(result, view))
-      return *error;
-    constexpr int kMostTrials = 10000;
-    if (trials < 1 || trials > kMostTrials || !(quantile > 0.0 && quantile <= 1.0))
-      return Error{ErrorKind::usage, std::to_string(trials) + " trials, quantile " +
-                                         std::to_string(quantile) +
-                                         "; expected 1 to 10000 trials and a quantile in (0, 1]"};
-    const auto classes = distanceClasses(result.width, result.height, view);
-    const HalfSpectrum spectrum = forwardFft(luminancePlane(result), result.width, result.height);
-    std::vector<double> scores(std::size_t(trials), 0.0);
-    tbb::parallel_for(0, trials, [&](int trial) {
-      scores[std::size_t(trial)] =
-          visibility(phaseRandomizedPlane(spectrum, std::uint32_t(trial)), classes);
-    });
-    std::sort(scores.begin(), scores.end());
-    const auto rank = std::size_t(std::ceil(quantile * double(trials)));
-    return scores[std::max<std::size_t>(rank, 1) - 1];
-  });
-}
-
-Result<SrgbImage> phaseRandomized(const SrgbImage& image, std::uint32_t seed) {
-  return withinMemory(exhausted, [&]() -> Result<SrgbImage> {
-    if (auto error = refusal(image, "the image", 1))
-      return *error;
-    const int channels = colorChannels(image);
-    SrgbImage randomized(image.width, image.height, channels);
-    std::vector<float> plane(image.pixelCount());
-    for (std::size_t c = 0; c < std::size_t(channels); ++c) {
-      for (std::size_t i = 0; i < plane.size(); ++i)
-        plane[i] = image.values[i * std::size_t(image.channels) + c];
-      const std::vector<float> random =
-          phaseRandomizedPlane(forwardFft(plane, image.width, image.height), seed);
-      for (std::size_t i = 0; i < plane.size(); ++i)
-        randomized.values[i * std::size_t(channels) + c] = random[i];
-    }
-    return randomized;
   });
 }
 

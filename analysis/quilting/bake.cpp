@@ -2,11 +2,10 @@
 // Exemplar maps (width * height * channels values each) -> a quilting noise and its tables.
 #include "cells.h"
 #include "closed_borders.h"
-#include "exemplar/area_average.h"
 #include "exemplar/borders.h"
 #include "exemplar/color_space.h"
 #include "exemplar/grain.h"
-#include "exemplar/map_ranges.h"
+#include "exemplar/planes.h"
 #include "exemplar/value_encoding.h"
 #include "fitting_shifts.h"
 #include "placement/near_periods.h"

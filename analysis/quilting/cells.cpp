@@ -4,7 +4,7 @@
 // docs/decisions/012-quilting.md says how the constants were chosen.
 #include "cells.h"
 
-#include "exemplar/area_average.h"
+#include "exemplar/planes.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>

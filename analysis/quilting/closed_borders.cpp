@@ -3,8 +3,8 @@
 // docs/decisions/012-quilting.md says how the constants were chosen.
 #include "closed_borders.h"
 
-#include "placement/border_misfit.h"
 #include "placement/near_periods.h"
+#include "placement/self_similarity.h"
 #include "placement/whole_periods.h"
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 // Bundle with a quilting noise -> the texels on outlines of its cells -> how much two tiles differ
 // there.
 #include "placement/near_periods.h"
-#include "sampling/repeating_image.h"
+#include "sampling/texels.h"
 
 #include <lichen/lattice.h>
-#include <lichen/quilting_cuts.h>
+#include <lichen/quilting.h>
 
 #include <array>
 #include <cmath>

@@ -12,9 +12,7 @@ Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) 
       bakeQuilting(input.name, input.maps, optionsFor<QuiltingOptions>(options, input));
   if (!baked)
     return baked.error();
-  MethodBake result;
-  result.noise = std::move(baked.value().noise);
-  result.tables = std::move(baked.value().tables);
+  MethodBake result = methodBakeOf(baked.value());
   result.figures.bordersWereKept = !baked.value().bordersWereCut;
   result.figures.strength = baked.value().strength;
   result.borderTreatment = "cuts";

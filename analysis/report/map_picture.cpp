@@ -2,8 +2,8 @@
 // Stored or decoded values of a map -> a picture; see map_picture.h.
 #include "exemplar/value_encoding.h"
 
-#include <lichen/core_texture.h>
 #include <lichen/map_picture.h>
+#include <lichen/synthesize.h>
 
 #include <algorithm>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Risks and measures -> a verdict. Limits: docs/decisions/007-verdicts.md.
-#include "suitability/calibration.h"
 #include "suitability/risk_of.h"
 
 #include <lichen/noise_verdict.h>

@@ -18,32 +18,10 @@ constexpr double kFaded = 0.8;
 
 } // namespace
 
-MapExemplar principalComponent(const MapExemplar& map) {
-  const std::size_t channels = map.channels.size();
-  const exemplar::Moments moments = exemplar::momentsOf(map.values, int(channels));
-  const auto solver = transport::principalAxes(moments.covariance);
-  const exemplar::ChannelVector axis = solver.eigenvectors().rightCols(1); // ascending eigenvalues
-  MapExemplar component;
-  component.target = map.target;
-  component.channels = {map.channels.front()};
-  component.encoding = map.encoding;
-  component.width = map.width;
-  component.height = map.height;
-  component.quantum = map.quantum;
-  component.values.reserve(map.values.size() / channels);
-  for (std::size_t i = 0; i < map.values.size(); i += channels) {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < channels; ++c)
-      sum += axis[Eigen::Index(c)] * double(map.values[i + c]);
-    component.values.push_back(float(sum));
-  }
-  return component;
-}
-
 std::optional<GaussianPlane>
 gaussianPlane(const MapExemplar& map, gaussian::BorderTreatment borders, ProgressPart progress) {
   progress.reach(0.0);
-  const MapExemplar component = principalComponent(map);
+  const MapExemplar component = exemplar::principalComponent(map);
   progress.reach(kProjected);
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(component);
   if (space.dimensions() == 0)

@@ -2,7 +2,7 @@
 // The plane that random blending blends, in one channel and without the bake's transport.
 #pragma once
 
-#include "gaussian/border_treatment.h"
+#include "gaussian/cross_fade.h"
 #include "progress_part.h"
 
 #include <lichen/exemplar.h>
@@ -18,10 +18,6 @@ struct GaussianPlane {
   int height = 0;
   std::vector<float> values;
 };
-
-/// Projects the map on the eigenvector of its covariance with the largest eigenvalue: one channel.
-/// Throws std::bad_alloc.
-[[nodiscard]] MapExemplar principalComponent(const MapExemplar& map);
 
 /// The principal component of the map, Gaussianized by rank. Borders that do not fit are
 /// cross-faded as in the bake of a noise with this grain. Nothing if the map varies by no more than

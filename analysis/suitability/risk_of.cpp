@@ -2,8 +2,6 @@
 // Describes a risk in words, from its score and measure.
 #include "risk_of.h"
 
-#include "calibration.h"
-
 #include <fmt/format.h>
 
 #include <cmath>

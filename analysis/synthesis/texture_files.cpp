@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Blender's add-on Node Wrangler finds its slots by the words of a name. Unreal and Godot pack
 // occlusion, roughness and metallic as glTF does; Unity's mask map follows its HDRP.
-#include <lichen/core_texture.h>
 #include <lichen/image_io.h>
+#include <lichen/synthesize.h>
 #include <lichen/texture_files.h>
 
 #include <algorithm>

@@ -2,15 +2,12 @@
 // Maps of an exemplar -> a texton noise: one joint fit, colour correction, and tables with mips.
 //
 // Sources: [GLM17] section 4, [GLM14]. The contrast of the noise: docs/decisions/008-textons.md.
-#include "color_correction.h"
-#include "exemplar/map_ranges.h"
+#include "coefficients.h"
+#include "exemplar/value_encoding.h"
 #include "fit.h"
-#include "flatness.h"
-#include "gaussian/model_covariance.h"
+#include "gaussian_model.h"
 #include "joint_exemplar.h"
-#include "option_ranges.h"
 #include "progress_part.h"
-#include "texton_maps.h"
 #include "texton_table.h"
 
 #include <lichen/spectrum.h>
@@ -28,9 +25,8 @@ namespace {
 using namespace texton;
 using Eigen::MatrixXd;
 
-// Shares of the progress, from the processor time for 512 x 512 pixels with their held-out half.
-constexpr double kHeldOutOfProgress = 0.37;
-constexpr double kFitOfProgress = 0.97;
+/// Share of the progress, from the processor time for 512 x 512 pixels.
+constexpr double kFitOfProgress = 0.95;
 
 /// Returns weights for all channels: the first map's as the eye sees them, 0 for the others.
 std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channels) {
@@ -39,9 +35,9 @@ std::vector<float> firstMapWeights(const MapExemplar& first, std::size_t channel
   return weights;
 }
 
-/// Fits coefficients to a part of the exemplar and corrects them to the covariance of its own
+/// Fits coefficients to the exemplar and corrects them to the covariance of its own
 /// model.
-TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOptions& options,
+TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& options,
                           ProgressPart progress) {
   FitOptions fit;
   fit.width = std::clamp(options.support - options.order, 1, model.width());
@@ -51,35 +47,8 @@ TextonCoefficients fitted(const gaussian::GaussianModel& model, const TextonOpti
   fit.progress = progress;
   TextonCoefficients coefficients = fitCoefficients(model, fit, FitMethod::transportDistance);
   // If the model's range is not the texton's, the covariance stays uncorrected.
-  (void)correctCovariance(coefficients, options.order, gaussian::modelCovariance(model));
+  (void)correctCovariance(coefficients, options.order, modelCovariance(model));
   return coefficients;
-}
-
-/// Returns the model of the first or second half of the exemplar along its longer side.
-gaussian::GaussianModel halfModel(const JointExemplar& joint, bool isFirst) {
-  const auto channels = std::size_t(joint.channels());
-  const bool isWide = joint.width >= joint.height;
-  const int width = isWide ? joint.width / 2 : joint.width;
-  const int height = isWide ? joint.height : joint.height / 2;
-  const int x0 = isWide && !isFirst ? joint.width - width : 0;
-  const int y0 = !isWide && !isFirst ? joint.height - height : 0;
-  std::vector<float> values;
-  values.reserve(std::size_t(width) * std::size_t(height) * channels);
-  for (int y = y0; y < y0 + height; ++y) {
-    const std::size_t pixel = std::size_t(y) * std::size_t(joint.width) + std::size_t(x0);
-    const auto row = joint.values.begin() + std::ptrdiff_t(pixel * channels);
-    values.insert(values.end(), row, row + std::ptrdiff_t(std::size_t(width) * channels));
-  }
-  return gaussian::gaussianModel(values, width, height, joint.channels());
-}
-
-std::optional<double> heldOutError(const JointExemplar& joint, const TextonOptions& options,
-                                   ProgressPart progress) {
-  const int halfSide = std::max(joint.width, joint.height) / 2;
-  if (std::min({joint.width, joint.height, halfSide}) < options.support)
-    return std::nullopt;
-  const TextonCoefficients coefficients = fitted(halfModel(joint, true), options, progress);
-  return relativeModelError(halfModel(joint, false), coefficients, options.order);
 }
 
 Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& options) {
@@ -126,20 +95,17 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
                          const TextonOptions& options, ProgressPart progress) {
   TextonBake bake;
   JointExemplar joint = joinedMaps(maps);
-  bake.quality.heldOutError = heldOutError(joint, options, progress.part(0.0, kHeldOutOfProgress));
-  progress.reach(kHeldOutOfProgress);
-  const gaussian::GaussianModel model =
-      gaussian::gaussianModel(joint.values, joint.width, joint.height, joint.channels());
+  const GaussianModel model =
+      gaussianModel(joint.values, joint.width, joint.height, joint.channels());
   joint.values = {}; // frees as much memory as the model takes
-  const MatrixXd modelled = gaussian::modelCovariance(model);
+  const MatrixXd modelled = modelCovariance(model);
   const MatrixXd wanted =
       options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
-  if (!gaussian::isModelled(modelled, wanted))
+  if (!isModelled(modelled, wanted))
     return Error{ErrorKind::badInput, "the exemplar varies only from one border to the other, "
                                       "which no texton can reproduce; use a photograph with "
                                       "detail, or another method"};
-  TextonCoefficients coefficients =
-      fitted(model, options, progress.part(kHeldOutOfProgress, kFitOfProgress));
+  TextonCoefficients coefficients = fitted(model, options, progress.part(0.0, kFitOfProgress));
   ModelErrors errors = modelErrors(model, coefficients, options.order);
   bake.quality.modelError = errors.all;
   bake.quality.channelErrors = std::move(errors.channels);

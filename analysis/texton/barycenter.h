@@ -5,11 +5,12 @@
 #include "fit.h"
 
 #include <span>
+#include <vector>
 
 namespace lichen::texton {
 
 struct Barycenter {
-  gaussian::GaussianModel model;
+  GaussianModel model;
   /// Transport distance between the model and the exact barycentre, over the standard deviation of
   /// that barycentre: what one kernel per channel cannot express. With up to three textures or with
   /// one channel, only rounding and the few frequencies that are their own mirror contribute.
@@ -24,18 +25,25 @@ struct Barycenter {
 /// textures on, the result is the best that one kernel can do (docs/decisions/008-textons.md). The
 /// bytes do not depend on the number of threads. With three or more textures the cost is up to 200
 /// (n + 2) products of small matrices per frequency. Throws std::bad_alloc.
-[[nodiscard]] Barycenter barycenter(std::span<const gaussian::GaussianModel> models,
+[[nodiscard]] Barycenter barycenter(std::span<const GaussianModel> models,
                                     std::span<const double> weights);
 
 /// Returns the same textures with their phases aligned: the cross-spectrum of neighbours, summed
 /// over the channels, is nowhere negative. Then (1 - rho) [k] + rho [k + 1] is the barycentre of
 /// models k and k + 1. The last model does not change. [GLM17] section 7.
-[[nodiscard]] std::vector<gaussian::GaussianModel>
-alignedModels(std::span<const gaussian::GaussianModel> models);
+[[nodiscard]] std::vector<GaussianModel> alignedModels(std::span<const GaussianModel> models);
 
 /// Returns (1 - rho) first + rho second at each frequency. Both have one size and number of
 /// channels.
-[[nodiscard]] gaussian::GaussianModel between(const gaussian::GaussianModel& first,
-                                              const gaussian::GaussianModel& second, double rho);
+[[nodiscard]] GaussianModel between(const GaussianModel& first, const GaussianModel& second,
+                                    double rho);
+
+/// Returns the same textures sampled at the texels of one tile. The tile is as wide as the widest
+/// model, and as high as the highest model at that width. Every exemplar spans the tile's width, as
+/// in a bundle: its number of pixels says how fine it is, not how large.
+/// Covariances do not change. Where the aspect ratios agree, neither do powers and cross-spectra;
+/// for a taller tile these are interpolated. A model that already has the size does not change.
+/// Takes at least one model; all have one number of channels.
+[[nodiscard]] std::vector<GaussianModel> onOneGrid(std::span<const GaussianModel> models);
 
 } // namespace lichen::texton

@@ -10,7 +10,7 @@
 // Reasons and measurements: docs/decisions/008-textons.md.
 #include "border_penalty.h"
 
-#include "transport/covariance_map.h"
+#include "transport/covariance.h"
 
 #include <Eigen/SparseCholesky>
 #include <tbb/parallel_for.h>

@@ -19,8 +19,8 @@
 #include "fit.h"
 
 #include "border_penalty.h"
-#include "interpolation.h"
-#include "model_distance.h"
+#include "coefficients.h"
+#include "gaussian_model.h"
 
 #include <lichen/spectrum.h>
 
@@ -96,7 +96,7 @@ private:
 };
 
 /// Returns spectra with the model's power and random phases.
-Spectra randomPhases(const gaussian::GaussianModel& model, std::uint32_t seed) {
+Spectra randomPhases(const GaussianModel& model, std::uint32_t seed) {
   Spectra spectra;
   for (const HalfSpectrum& channel : model.channels)
     spectra.push_back(
@@ -106,7 +106,7 @@ Spectra randomPhases(const gaussian::GaussianModel& model, std::uint32_t seed) {
 
 class Fit {
 public:
-  Fit(const gaussian::GaussianModel& model, int width, int height, int order)
+  Fit(const GaussianModel& model, int width, int height, int order)
       : model_(model), kernelX_(kernelAmplitudes(order, model.width())),
         kernelY_(kernelAmplitudes(order, model.height())),
         solverX_(normalMatrix(width, model.width(), order)),
@@ -257,7 +257,7 @@ private:
           coefficients_.values[c * patchSize() + i] *= highest / size;
   }
 
-  const gaussian::GaussianModel& model_;
+  const GaussianModel& model_;
   std::vector<float> kernelX_;
   std::vector<float> kernelY_;
   NormalSolver solverX_;
@@ -297,15 +297,14 @@ void descendWithMomentum(Fit& fit, const ProgressPart& progress) {
 }
 
 /// [GLM14] eq. 5: 0 for a model without variance.
-double relativeDistance(const gaussian::GaussianModel& model,
-                        const gaussian::GaussianModel& noise) {
+double relativeDistance(const GaussianModel& model, const GaussianModel& noise) {
   const double variance = modelVariance(model);
   return variance > 0.0 ? std::sqrt(squaredTransportDistance(model, noise) / variance) : 0.0;
 }
 
 } // namespace
 
-TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const FitOptions& options,
+TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions& options,
                                    FitMethod method) {
   assert(options.width >= 1 && options.width <= model.width());
   assert(options.height >= 1 && options.height <= model.height());
@@ -333,15 +332,14 @@ TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model, const F
   return fit.coefficients();
 }
 
-double relativeModelError(const gaussian::GaussianModel& model,
-                          const TextonCoefficients& coefficients, int order) {
+double relativeModelError(const GaussianModel& model, const TextonCoefficients& coefficients,
+                          int order) {
   return relativeDistance(model, noiseModel(coefficients, order, model.width(), model.height()));
 }
 
-ModelErrors modelErrors(const gaussian::GaussianModel& model,
-                        const TextonCoefficients& coefficients, int order) {
-  const gaussian::GaussianModel noise =
-      noiseModel(coefficients, order, model.width(), model.height());
+ModelErrors modelErrors(const GaussianModel& model, const TextonCoefficients& coefficients,
+                        int order) {
+  const GaussianModel noise = noiseModel(coefficients, order, model.width(), model.height());
   ModelErrors errors{relativeDistance(model, noise), {}};
   for (std::size_t c = 0; c < model.channels.size(); ++c)
     errors.channels.push_back(relativeDistance({{model.channels[c]}}, {{noise.channels[c]}}));

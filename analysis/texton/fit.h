@@ -2,17 +2,13 @@
 // Fits the coefficients of a texton to a given noise spectrum.
 #pragma once
 
-#include "gaussian/gaussian_model.h"
-#include "gaussian/spot.h"
+#include "gaussian_model.h"
 #include "progress_part.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace lichen::texton {
-
-/// The B-spline coefficients of a texton, `width` x `height` per channel.
-using TextonCoefficients = gaussian::Spot;
 
 struct FitOptions {
   int width = 0;  ///< coefficients, [1, the model's width]
@@ -33,12 +29,12 @@ enum class FitMethod {
 /// border does not show and no coefficient stands out (docs/decisions/008-textons.md).
 /// The bytes do not depend on the number of threads. Time: 100 transforms of a plane per channel.
 /// Throws std::bad_alloc, and Interrupted where the caller stops the fit.
-[[nodiscard]] TextonCoefficients fitCoefficients(const gaussian::GaussianModel& model,
+[[nodiscard]] TextonCoefficients fitCoefficients(const GaussianModel& model,
                                                  const FitOptions& options, FitMethod method);
 
 /// [GLM14] eq. 5: the transport distance between the two Gaussian textures over the model's
 /// standard deviation, without frequency 0. 0 for equal power spectra, 1 for a texton of zeros.
-[[nodiscard]] double relativeModelError(const gaussian::GaussianModel& model,
+[[nodiscard]] double relativeModelError(const GaussianModel& model,
                                         const TextonCoefficients& coefficients, int order);
 
 struct ModelErrors {
@@ -46,7 +42,7 @@ struct ModelErrors {
   std::vector<double> channels; ///< the same of each channel alone
 };
 
-[[nodiscard]] ModelErrors modelErrors(const gaussian::GaussianModel& model,
+[[nodiscard]] ModelErrors modelErrors(const GaussianModel& model,
                                       const TextonCoefficients& coefficients, int order);
 
 } // namespace lichen::texton

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <lichen/exemplar.h>
+#include <lichen/texton.h>
 
 #include <Eigen/Dense>
 
@@ -29,5 +30,8 @@ struct JointExemplar {
 
 /// Takes at least one map, each within the ranges of MapExemplar. Throws std::bad_alloc.
 [[nodiscard]] JointExemplar joinedMaps(std::span<const MapExemplar> maps);
+
+/// Returns a usage error that names the option outside its range.
+[[nodiscard]] Result<void> checkTextonOptions(const TextonOptions& options);
 
 } // namespace lichen::texton

@@ -2,17 +2,17 @@
 // A stored texton and its exemplar -> its error and flatness, and the exemplar's Gaussian texture.
 //
 // Sources: [GLM14] section 4 and eq. 5.
-#include "color_correction.h"
+#include "coefficients.h"
 #include "exemplar/resample.h"
 #include "exemplar/value_encoding.h"
-#include "flatness.h"
-#include "gaussian/gaussian_texture.h"
-#include "gaussian/model_covariance.h"
-#include "transport/covariance_map.h"
+#include "gaussian_model.h"
+#include "transport/covariance.h"
 
-#include <lichen/texton_judgement.h>
+#include <lichen/spectrum.h>
+#include <lichen/texton.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lichen {
@@ -23,9 +23,9 @@ using Eigen::MatrixXd;
 
 Error usage(std::string message) { return {ErrorKind::usage, std::move(message)}; }
 
-gaussian::GaussianModel modelOf(const MapExemplar& exemplar) {
-  return gaussian::gaussianModel(exemplar.values, exemplar.width, exemplar.height,
-                                 int(exemplar.channels.size()));
+GaussianModel modelOf(const MapExemplar& exemplar) {
+  return gaussianModel(exemplar.values, exemplar.width, exemplar.height,
+                       int(exemplar.channels.size()));
 }
 
 /// Returns the coefficients in the frame of a step.
@@ -47,13 +47,13 @@ TextonJudgement judged(const Bundle& bundle, const Noise& noise, const NoiseMap&
                        const MapExemplar& exemplar, std::size_t step) {
   const auto [width, height] = exemplarSize(bundle, noise, map);
   const bool fits = exemplar.width == int(width) && exemplar.height == int(height);
-  const gaussian::GaussianModel model =
+  const GaussianModel model =
       modelOf(fits ? exemplar : exemplar::resampled(exemplar, int(width), int(height), false));
   const auto& shape = noise.as<TextonShape>();
   TextonCoefficients texton =
       storedCoefficients(bundle.tables[map.as<TextonMap>().image], shape, map, step);
   // A texton that cannot have this covariance is judged unchanged.
-  (void)correctCovariance(texton, shape.order, gaussian::modelCovariance(model));
+  (void)correctCovariance(texton, shape.order, modelCovariance(model));
   return {relativeModelError(model, texton, shape.order),
           flatness(interpolatedSpot(texton, shape.order), seenWeights(map.channels))};
 }
@@ -71,25 +71,26 @@ std::pair<float, float> shownRange(ValueEncoding encoding) {
   }
 }
 
+/// [GGM11]: every channel with the same random phases.
 MapExemplar gaussianTextureOf(const NoiseMap& map, const MapExemplar& exemplar,
                               std::uint64_t seed) {
   MapExemplar result = exemplar::asStored(exemplar);
-  const gaussian::GaussianModel model = modelOf(result);
-  result.width = 2 * exemplar.width;
-  result.height = 2 * exemplar.height;
-  const gaussian::NoisePlanes noise =
-      gaussian::gaussianTexture(model, {0, 0, result.width, result.height, true}, seed);
+  const GaussianModel model = modelOf(result);
+  std::vector<std::vector<float>> planes;
+  for (const HalfSpectrum& channel : model.channels)
+    planes.push_back(phaseRandomizedPlane(channel, std::uint32_t(seed)));
+  // The kernels of a model are divided by the root of the number of pixels.
+  const std::size_t pixels = planes.front().size();
   const auto n = Eigen::Index(map.channels.size());
   const MatrixXd wanted = Eigen::Map<const MatrixXd>(map.covariance.data(), n, n);
-  const MatrixXd correction = transport::covarianceMap(gaussian::modelCovariance(model), wanted);
+  const MatrixXd correction =
+      std::sqrt(double(pixels)) * transport::covarianceMap(modelCovariance(model), wanted);
   const auto [least, most] = shownRange(map.encoding);
-  const std::size_t pixels = noise.values.size() / std::size_t(n);
-  result.values.resize(noise.values.size());
   for (std::size_t i = 0; i < pixels; ++i)
     for (Eigen::Index c = 0; c < n; ++c) {
       double value = map.mean[std::size_t(c)];
       for (Eigen::Index d = 0; d < n; ++d)
-        value += correction(c, d) * double(noise.values[std::size_t(d) * pixels + i]);
+        value += correction(c, d) * double(planes[std::size_t(d)][i]);
       result.values[i * std::size_t(n) + std::size_t(c)] = std::clamp(float(value), least, most);
     }
   return result;

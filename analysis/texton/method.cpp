@@ -95,9 +95,7 @@ Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) 
   Result<TextonBake> baked = bakeTexton(input.name, input.maps, own);
   if (!baked)
     return baked.error();
-  MethodBake result;
-  result.noise = std::move(baked.value().noise);
-  result.tables = std::move(baked.value().tables);
+  MethodBake result = methodBakeOf(baked.value());
   result.figures.quality = std::move(baked.value().quality);
   if (std::optional<std::string> line =
           supportNote(own.support, result.noise.as<TextonShape>(), input.words))

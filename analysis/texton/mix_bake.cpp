@@ -4,12 +4,11 @@
 // The unit of each quantity is its standard deviation and the same in all exemplars. So the joint
 // fit neglects none of a set's maps, and contrasts between exemplars do not change.
 // Sources: [GLM17] section 7; docs/decisions/008-textons.md.
-#include "exemplar/map_ranges.h"
-#include "gaussian/model_covariance.h"
+#include "exemplar/value_encoding.h"
+#include "gaussian_model.h"
 #include "joint_exemplar.h"
 #include "mixing.h"
-#include "option_ranges.h"
-#include "texton_maps.h"
+#include "texton_table.h"
 
 #include <lichen/texton_mix.h>
 
@@ -165,12 +164,12 @@ MixExemplar modelled(const std::string& name, JointExemplar exemplar, const Eige
   const auto channels = std::size_t(exemplar.channels());
   for (std::size_t i = 0; i < exemplar.values.size(); ++i)
     exemplar.values[i] *= float(ratios[Eigen::Index(i % channels)]);
-  MixExemplar result{name,
-                     gaussian::gaussianModel(exemplar.values, exemplar.width, exemplar.height,
-                                             exemplar.channels()),
-                     {}};
+  MixExemplar result{
+      name,
+      gaussianModel(exemplar.values, exemplar.width, exemplar.height, exemplar.channels()),
+      {}};
   result.covariance = variance == TextonVariance::periodic
-                          ? gaussian::modelCovariance(result.model)
+                          ? modelCovariance(result.model)
                           : ratios.asDiagonal() * exemplar.covariance * ratios.asDiagonal();
   return result;
 }

@@ -10,12 +10,10 @@
 #include "mixing.h"
 
 #include "barycenter.h"
-#include "color_correction.h"
-#include "gaussian/model_covariance.h"
-#include "model_distance.h"
-#include "one_grid.h"
+#include "coefficients.h"
+#include "gaussian_model.h"
 #include "progress_part.h"
-#include "transport/covariance_barycenter.h"
+#include "transport/covariance.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +49,7 @@ Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& opt
                                exemplar.name, exemplar.model.channels.size(),
                                exemplar.model.channels.size() == 1 ? "" : "s", exemplars[0].name,
                                exemplars[0].model.channels.size()));
-    if (!gaussian::isModelled(gaussian::modelCovariance(exemplar.model), exemplar.covariance))
+    if (!isModelled(modelCovariance(exemplar.model), exemplar.covariance))
       return Error{ErrorKind::badInput,
                    fmt::format("{}: varies only from one border to the other, which no texton "
                                "can reproduce; use a photograph with detail",
@@ -60,7 +58,7 @@ Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& opt
   return {};
 }
 
-FitOptions fitOptions(const MixOptions& options, const gaussian::GaussianModel& model,
+FitOptions fitOptions(const MixOptions& options, const GaussianModel& model,
                       const ProgressPart& progress) {
   FitOptions fit;
   fit.width = std::min(options.width, model.width());
@@ -73,15 +71,15 @@ FitOptions fitOptions(const MixOptions& options, const gaussian::GaussianModel& 
 
 /// Fits textons to aligned models with one phase per frequency, as parts of one joint texton. All
 /// models have the same weight, so that low contrast does not count less.
-std::vector<TextonCoefficients> fittedTogether(std::span<const gaussian::GaussianModel> aligned,
+std::vector<TextonCoefficients> fittedTogether(std::span<const GaussianModel> aligned,
                                                const FitOptions& options) {
   std::vector<double> deviations;
-  for (const gaussian::GaussianModel& model : aligned)
+  for (const GaussianModel& model : aligned)
     deviations.push_back(std::sqrt(modelVariance(model)));
   const double strongest = *std::max_element(deviations.begin(), deviations.end());
   for (double& deviation : deviations)
     deviation = strongest > 0.0 ? std::max(deviation, std::sqrt(kLeastPower) * strongest) : 1.0;
-  gaussian::GaussianModel joint;
+  GaussianModel joint;
   for (std::size_t k = 0; k < aligned.size(); ++k) {
     for (HalfSpectrum channel : aligned[k].channels) {
       for (std::complex<float>& value : channel.values)
@@ -115,9 +113,9 @@ TextonCoefficients between(const TextonCoefficients& first, const TextonCoeffici
 
 /// Corrects step.texton to the covariance of `model` as far as possible and measures its error, as
 /// for every texton. Then corrects it to the covariance of the exemplars' barycentre.
-Result<void> finish(std::span<const MixExemplar> exemplars, const gaussian::GaussianModel& model,
-                    int order, MixStep& step) {
-  (void)correctCovariance(step.texton, order, gaussian::modelCovariance(model));
+Result<void> finish(std::span<const MixExemplar> exemplars, const GaussianModel& model, int order,
+                    MixStep& step) {
+  (void)correctCovariance(step.texton, order, modelCovariance(model));
   step.errors = modelErrors(model, step.texton, order);
   std::vector<MatrixXd> covariances;
   for (const MixExemplar& exemplar : exemplars)
@@ -134,8 +132,8 @@ Result<void> finish(std::span<const MixExemplar> exemplars, const gaussian::Gaus
                            fmt::join(parts, ", "), step.texton.width, step.texton.height)};
 }
 
-std::vector<gaussian::GaussianModel> modelsOf(std::span<const MixExemplar> exemplars) {
-  std::vector<gaussian::GaussianModel> models;
+std::vector<GaussianModel> modelsOf(std::span<const MixExemplar> exemplars) {
+  std::vector<GaussianModel> models;
   for (const MixExemplar& exemplar : exemplars)
     models.push_back(exemplar.model);
   return onOneGrid(models);
@@ -143,7 +141,7 @@ std::vector<gaussian::GaussianModel> modelsOf(std::span<const MixExemplar> exemp
 
 Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions& options,
                        ProgressPart progress) {
-  const std::vector<gaussian::GaussianModel> aligned = alignedModels(modelsOf(exemplars));
+  const std::vector<GaussianModel> aligned = alignedModels(modelsOf(exemplars));
   const std::vector<TextonCoefficients> textons =
       fittedTogether(aligned, fitOptions(options, aligned[0], progress.part(0.0, kFitOfProgress)));
   TextonMix mix{aligned[0].width(), aligned[0].height(), {}};
@@ -156,7 +154,7 @@ Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions&
                  between(textons[leg], textons[leg + 1], rho)};
     step.weights[leg] = 1.0 - rho;
     step.weights[leg + 1] = rho;
-    const gaussian::GaussianModel model = texton::between(aligned[leg], aligned[leg + 1], rho);
+    const GaussianModel model = texton::between(aligned[leg], aligned[leg + 1], rho);
     if (Result<void> finished = finish(exemplars, model, options.order, step); !finished)
       return finished.error();
     mix.steps.push_back(std::move(step));

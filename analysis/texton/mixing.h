@@ -21,7 +21,7 @@ namespace lichen::texton {
 /// maps, each is scaled alike in all exemplars.
 struct MixExemplar {
   std::string name; ///< the file's name, for messages
-  gaussian::GaussianModel model;
+  GaussianModel model;
   /// The covariance that the noise must have at this exemplar: its pixels' covariance, or
   /// modelCovariance(). Its range lies inside the range of the model's covariance.
   Eigen::MatrixXd covariance;

@@ -6,7 +6,6 @@
 #include "exemplar/value_encoding.h"
 #include "gaussian/normality.h"
 #include "progress_part.h"
-#include "suitability/calibration.h"
 #include "suitability/risk_of.h"
 
 #include <lichen/spectrum.h>

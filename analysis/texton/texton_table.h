@@ -5,6 +5,9 @@
 #include "fit.h"
 
 #include <lichen/bundle.h>
+#include <lichen/exemplar.h>
+
+#include <Eigen/Dense>
 
 #include <span>
 #include <vector>
@@ -27,5 +30,21 @@ namespace lichen::texton {
 /// For a channel that does not vary, the values are 0.
 [[nodiscard]] std::vector<std::vector<double>>
 mipLosses(const Table& table, const TextonShape& shape, std::size_t channels);
+
+/// One step of a mix. A noise without a mix has only one.
+struct TextonOfMaps {
+  TextonCoefficients coefficients; ///< of all maps' channels
+  Eigen::VectorXd mean;            ///< of the stored values
+};
+
+/// Converts coefficients from the units of each channel to stored values.
+[[nodiscard]] TextonCoefficients inStoredUnits(TextonCoefficients coefficients,
+                                               const Eigen::VectorXd& units);
+
+/// Adds to `noise`, whose shape and name are set, a map for each entry of `maps`, and appends their
+/// tables. It does not read the pixels of `maps`. There is one entry of `steps` per step of the
+/// shape. `bits` is 8 or 16, as in TextonOptions::bits. Throws std::bad_alloc.
+void storeMaps(std::span<const TextonOfMaps> steps, std::span<const MapExemplar> maps, int bits,
+               Noise& noise, std::vector<Table>& tables);
 
 } // namespace lichen::texton

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Exemplar maps (width * height * channels values each) -> a tiling noise and its tables.
-#include "gaussianization/gaussianized_maps.h"
+#include "gaussian/gaussianized_maps.h"
 
 #include <lichen/tiling.h>
 
@@ -9,27 +9,22 @@
 namespace lichen {
 namespace {
 
-std::size_t appended(Table table, std::vector<Table>& tables) {
-  tables.push_back(std::move(table));
-  return tables.size() - 1;
-}
-
 /// As bakeTiling(), but throws std::bad_alloc.
 Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
                             const TilingOptions& options) {
   TilingBake bake;
   bake.noise.name = name;
-  const auto append = [&](gaussianization::GaussianizedMap map) {
+  const auto append = [&](gaussian::GaussianizedMap map) {
     TilingMap tiling;
     tiling.dimensions = map.image.dimensions;
-    tiling.gaussian = appended(std::move(map.gaussian), bake.tables);
+    tiling.gaussian = gaussian::appended(std::move(map.gaussian), bake.tables);
     if (map.inverse)
-      tiling.inverseTable = appended(*std::move(map.inverse), bake.tables);
+      tiling.inverseTable = gaussian::appended(*std::move(map.inverse), bake.tables);
     map.map.data = tiling;
     bake.noise.maps.push_back(std::move(map.map));
   };
-  const Result<gaussian::BorderTreatment> borders = gaussianization::gaussianizeMaps(
-      name, maps, options, gaussianization::UsesGrain::yes, append);
+  const Result<gaussian::BorderTreatment> borders =
+      gaussian::gaussianizeMaps(name, maps, options, gaussian::UsesGrain::yes, append);
   if (!borders)
     return borders.error();
   bake.noise.data = TilingNoise{borders.value().grain};
@@ -41,7 +36,7 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
 
 Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                               const TilingOptions& options) {
-  return withinMemory([&] { return gaussianization::noMemoryToBake(name, maps); },
+  return withinMemory([&] { return gaussian::noMemoryToBake(name, maps); },
                       [&] { return bakeMaps(name, maps, options); });
 }
 

@@ -16,10 +16,7 @@ Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) 
       bakeTiling(input.name, input.maps, optionsFor<TilingOptions>(options, input));
   if (!baked)
     return baked.error();
-  MethodBake result;
-  result.noise = std::move(baked.value().noise);
-  result.tables = std::move(baked.value().tables);
-  result.figures.bordersWereKept = baked.value().exemplarWasPeriodic;
+  MethodBake result = methodBakeOf(baked.value());
   if (const Grain grain = result.noise.as<TilingNoise>().grain; grain != Grain::none)
     result.notes.push_back(fmt::format("long streaks along {}: cells are twice as long along them; "
                                        "a streak ends after about the length of the picture",

@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
 // One map -> its risks, in a fixed order. Thresholds: docs/decisions/007-verdicts.md.
 #include "exemplar/grain.h"
+#include "exemplar/low_pass.h"
 #include "progress_part.h"
-#include "suitability/as_seen.h"
-#include "suitability/calibration.h"
-#include "suitability/clipped_share.h"
-#include "suitability/cloudiness.h"
-#include "suitability/edge_concentration.h"
-#include "suitability/few_colors.h"
+#include "suitability/color_measures.h"
 #include "suitability/gaussian_plane.h"
-#include "suitability/lattice_share.h"
-#include "suitability/phase_coherence.h"
+#include "suitability/picture_measures.h"
 #include "suitability/risk_of.h"
-#include "suitability/slow_variation.h"
-#include "suitability/uneven_scale.h"
+#include "suitability/spectral_measures.h"
 
-#include <lichen/flatten.h>
+#include <lichen/exemplar_repair.h>
 #include <lichen/suitability.h>
 
 #include <fmt/format.h>
@@ -28,6 +22,9 @@ namespace lichen {
 namespace {
 
 using namespace suitability;
+using exemplar::edgeConcentration;
+using exemplar::kEdgeConcentration;
+using exemplar::kShortestLight;
 
 // Parts of the progress, from the time of each step on 1024 x 1024 pixels.
 constexpr double kSlopesOfProgress = 0.4;

@@ -2,7 +2,7 @@
 // An auction in which each group of buyers chooses among a few leaves of sites.
 #pragma once
 
-#include "point_arrays.h"
+#include "point.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +11,20 @@
 #include <vector>
 
 namespace lichen::transport {
+
+struct PointArrays {
+  std::vector<float> x;
+  std::vector<float> y;
+  std::vector<float> z;
+
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+  [[nodiscard]] Point operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void push_back(const Point& p) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+    z.push_back(p.z);
+  }
+};
 
 inline constexpr std::uint32_t kNoPartner = std::numeric_limits<std::uint32_t>::max();
 

@@ -2,8 +2,7 @@
 // Closed-form linear map between two covariances: two sets of N points -> two sets of N points.
 #include "precondition.h"
 
-#include "covariance_map.h"
-#include "moments.h"
+#include "covariance.h"
 
 #include <array>
 

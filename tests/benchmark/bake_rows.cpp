@@ -8,10 +8,10 @@
 #include <cstdio>
 #include <exemplar/value_encoding.h>
 #include <filesystem>
-#include <gaussianization/gaussianize.h>
-#include <gaussianization/inverse_table.h>
-#include <gaussianization/mip_chain.h>
-#include <gaussianization/prefilter.h>
+#include <gaussian/gaussianize.h>
+#include <gaussian/inverse_table.h>
+#include <gaussian/mip_chain.h>
+#include <gaussian/prefilter.h>
 #include <materials.h>
 #include <memory>
 #include <optional>
@@ -64,7 +64,7 @@ Row setRow() {
 
 /// Time of the prefiltered mip levels alone.
 double levelSeconds(const SrgbImage& image) {
-  using namespace gaussianization;
+  using namespace gaussian;
   const MapExemplar map = baseColorMap(image);
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
   const std::vector<Point> points = exemplar::transportPoints(map, space);

@@ -9,6 +9,7 @@
 #include <lichen/quality.h>
 
 #include <algorithm>
+#include <stroke_excess.h>
 
 namespace lichen::bench {
 namespace {
@@ -50,7 +51,7 @@ std::vector<Row> localRandomPhaseRows() {
     covariance.note(own / ofTiling, exemplar.name);
     double excess = 0.0;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)
-      excess += require(strokeExcess(synthesized(noise, kStrokesSide, seed), kTrials)).value;
+      excess += test::strokeExcess(synthesized(noise, kStrokesSide, seed), kTrials).value;
     strokes.note(excess / kSeeds, exemplar.name);
   }
   const std::string of = "against the Gaussian version, 256 x 256 -> 1024 x 1024, 3 seeds";

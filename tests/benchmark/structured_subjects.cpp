@@ -2,7 +2,7 @@
 // Generated photographs -> the exemplars that bakes make of them, for those that repeat clearly.
 #include "structured_subjects.h"
 
-#include <lichen/structure.h>
+#include <lichen/regularity.h>
 
 #include <tbb/parallel_for.h>
 
@@ -51,13 +51,13 @@ SrgbImage imageOf(const MapExemplar& map) {
 std::optional<StructuredSubject> subjectOf(int side, const exemplars::StructuredPlan& plan) {
   exemplars::StructuredPicture picture = exemplars::structured(side, plan);
   std::vector<MapExemplar> maps = test::preparedExemplar(picture.image);
-  const Structure structure = test::structureOfPrepared(maps);
-  if (structure.strength <= kLeastStrength)
+  const Regularity regularity = test::regularityOfPrepared(maps);
+  if (regularity.strength <= kLeastStrength)
     return std::nullopt;
-  maps = test::wholePeriodsOf(std::move(maps), structure);
+  maps = test::wholePeriodsOf(std::move(maps), regularity);
   StructuredSubject subject{
       plan.name(), plan.material, imageOf(maps.front()), shortestPeriod(picture.periods), {}};
-  if (plan.condition.whole && !structure.wholePeriods && maps.front().width == side)
+  if (plan.condition.whole && !regularity.wholePeriods && maps.front().width == side)
     subject.cells = std::move(picture.cells);
   return subject;
 }

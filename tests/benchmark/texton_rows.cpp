@@ -12,12 +12,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <gaussian/model_covariance.h>
 #include <materials.h>
 #include <texton/border_penalty.h>
-#include <texton/color_correction.h>
+#include <texton/coefficients.h>
 #include <texton/fit.h>
-#include <texton/flatness.h>
+#include <texton/gaussian_model.h>
 
 namespace lichen::bench {
 namespace {
@@ -32,18 +31,18 @@ MapExemplar crop(const SrgbImage& image, int side) {
   return baseColorMap(part);
 }
 
-gaussian::GaussianModel modelOf(const MapExemplar& map) {
-  return gaussian::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
+texton::GaussianModel modelOf(const MapExemplar& map) {
+  return texton::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
 }
 
 /// With the model's covariance, like the authors' own textons.
-TextonCoefficients fitted(const gaussian::GaussianModel& model, int support, int order,
+TextonCoefficients fitted(const texton::GaussianModel& model, int support, int order,
                           FitMethod method) {
   FitOptions options;
   options.width = options.height = support - order;
   options.order = order;
   TextonCoefficients texton = fitCoefficients(model, options, method);
-  if (!correctCovariance(texton, order, gaussian::modelCovariance(model)))
+  if (!correctCovariance(texton, order, texton::modelCovariance(model)))
     std::fprintf(stderr, "lichen-bench: a texton without its model's covariance\n");
   return texton;
 }
@@ -70,7 +69,7 @@ void appendTimes(std::vector<Row>& rows) {
          medianSeconds(kRuns,
                        [&] { return fitted(modelOf(map), 64, 1, FitMethod::transportDistance); }),
          target, "s", "rust, support 64, median of 5"});
-    rows.push_back({"the whole bake, with a half held out and the table",
+    rows.push_back({"the whole bake, with the table",
                     medianSeconds(kRuns, [&] { return bakedTexton(map, {}); }), target, "s",
                     "rust, median of 5"});
   }
@@ -122,7 +121,7 @@ void appendFits(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars, 
                 int support, double target) {
   Sample ratios, flatnesses, borders, papersBorders;
   for (const Exemplar& exemplar : exemplars) {
-    const gaussian::GaussianModel model = modelOf(crop(exemplar.image, side));
+    const texton::GaussianModel model = modelOf(crop(exemplar.image, side));
     const TextonCoefficients ours = fitted(model, support, 1, FitMethod::transportDistance);
     const TextonCoefficients papers = fitted(model, support, 1, FitMethod::alternatingProjections);
     ratios.add(relativeModelError(model, ours, 1) / relativeModelError(model, papers, 1),

@@ -100,8 +100,6 @@ TEST_CASE("--gaussian chooses the kind of table, and both kinds can be checked a
     INFO(gaussian);
     const nlohmann::json report = jsonOf({"bake", input, "-o", bundle, "--gaussian", gaussian});
     CHECK(report.at("table") == table);
-    CHECK(report.at("precisionLoss").at("colorDistance").get<double>() > 0.0);
-    CHECK(report.at("precisionLoss").at("mean").get<double>() < 0.02);
     // In addition, 64 x 48 texels of four bytes and their mip levels, up to a third more.
     const std::size_t image = report.at("tableBytes").get<std::size_t>() - bytes;
     CHECK((image > 64 * 48 * 4 && image < 64 * 48 * 4 * 4 / 3 + 16));

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <exemplar/area_average.h>
+#include <exemplar/planes.h>
 #include <numeric>
 #include <random>
 #include <vector>

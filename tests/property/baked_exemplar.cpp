@@ -8,7 +8,7 @@
 
 namespace lichen::test {
 
-using namespace gaussianization;
+using namespace gaussian;
 
 Baked baked(MapExemplar map, bool periodic, gaussian::Precision precision) {
   const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);

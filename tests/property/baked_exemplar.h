@@ -5,8 +5,8 @@
 #include "example_exemplar.h"
 
 #include <array>
-#include <gaussianization/gaussianize.h>
-#include <gaussianization/inverse_table.h>
+#include <gaussian/gaussianize.h>
+#include <gaussian/inverse_table.h>
 #include <vector>
 
 namespace lichen::test {
@@ -14,7 +14,7 @@ namespace lichen::test {
 struct Baked {
   MapExemplar map;
   std::vector<Point> points;
-  gaussianization::Gaussianized gaussian;
+  gaussian::Gaussianized gaussian;
 };
 
 /// Exemplar to Gaussianized image.
@@ -25,7 +25,7 @@ struct Baked {
 [[nodiscard]] std::vector<float> tableValues(const MapExemplar& map);
 
 /// Independent, slow lookup: interpolates between cell centres with hat functions.
-[[nodiscard]] double slowLookup(const gaussianization::InverseTable& table,
+[[nodiscard]] double slowLookup(const gaussian::InverseTable& table,
                                 const std::array<double, 3>& gaussian, int channel);
 
 } // namespace lichen::test

@@ -8,12 +8,12 @@
 
 #include <array>
 #include <cmath>
-#include <gaussianization/coarse_table.h>
+#include <gaussian/prefilter.h>
 #include <transport/random.h>
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

@@ -9,14 +9,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <gaussianization/cross_covariance.h>
-#include <gaussianization/map_fit.h>
+#include <gaussian/cross_covariance.h>
+#include <gaussian/map_fit.h>
 #include <numeric>
 #include <transport/random.h>
-#include <transport/tie_order.h>
+#include <transport/rank_matching.h>
 
 using namespace lichen;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

@@ -11,11 +11,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <exemplar/file_roles.h>
 #include <exemplar/invisible_color.h>
-#include <exemplar/joined_channels.h>
 #include <exemplar/map_values.h>
 #include <exemplar/resample.h>
+#include <exemplar/set_files.h>
 #include <numbers>
 #include <numeric>
 #include <transport/random.h>

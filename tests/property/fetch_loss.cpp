@@ -10,15 +10,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <gaussianization/fetch_loss.h>
-#include <gaussianization/mip_chain.h>
+#include <gaussian/mip_chain.h>
 #include <random>
 #include <string>
 #include <transport/random.h>
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

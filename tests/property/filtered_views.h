@@ -5,7 +5,7 @@
 #pragma once
 
 #include <lichen/bundle.h>
-#include <lichen/footprint.h>
+#include <lichen/noise_evaluator.h>
 #include <lichen/shader_parameters.h>
 
 #include <array>

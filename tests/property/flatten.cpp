@@ -5,7 +5,7 @@
 #include "generated_exemplar.h"
 #include "statistics_of_maps.h"
 
-#include <lichen/flatten.h>
+#include <lichen/exemplar_repair.h>
 #include <lichen/lattice.h>
 #include <lichen/spectrum.h>
 #include <lichen/suitability.h>

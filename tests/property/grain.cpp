@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <exemplar/grain.h>
 #include <gaussian/cross_fade.h>
-#include <gaussianization/gaussianized_maps.h>
+#include <gaussian/gaussianized_maps.h>
 #include <materials.h>
 #include <numbers>
 #include <photographs.h>
@@ -206,11 +206,11 @@ TEST_CASE("only a bake that uses the grain finds one") {
   options.periodic = Periodic::no;
   options.transport = TransportEffort::fast;
   std::vector<std::vector<Point>> images;
-  for (const auto& [uses, grain] : {std::pair{gaussianization::UsesGrain::yes, Grain::y},
-                                    {gaussianization::UsesGrain::no, Grain::none}}) {
-    const auto borders = gaussianization::gaussianizeMaps(
+  for (const auto& [uses, grain] :
+       {std::pair{gaussian::UsesGrain::yes, Grain::y}, {gaussian::UsesGrain::no, Grain::none}}) {
+    const auto borders = gaussian::gaussianizeMaps(
         "wood", {&wood, 1}, options, uses,
-        [&](gaussianization::GaussianizedMap map) { images.push_back(map.image.image); });
+        [&](gaussian::GaussianizedMap map) { images.push_back(map.image.image); });
     CHECK(borders.value().grain == grain);
     CHECK_FALSE(borders.value().fit);
   }

@@ -64,7 +64,7 @@ int sideOf(Random& random, int given) {
 
 /// "12 knit, noisy (outlines 0.12, strength 0.80)", or nothing if the choice is right.
 std::string mistakeInChoice(int index, const HeldBackPicture& picture, bool hasStructure) {
-  const Structure found = structureOfPrepared(preparedExemplar(picture.image));
+  const Regularity found = regularityOfPrepared(preparedExemplar(picture.image));
   if (found.isClear() == hasStructure)
     return {};
   char numbers[64];

@@ -5,19 +5,17 @@
 
 #include <lichen/bundle_merge.h>
 #include <lichen/bundle_writer.h>
+#include <lichen/exemplar_repair.h>
 #include <lichen/files.h>
-#include <lichen/flatten.h>
 #include <lichen/image_io.h>
 #include <lichen/material_set.h>
 #include <lichen/measures.h>
 #include <lichen/noise_evaluator.h>
 #include <lichen/noise_report.h>
-#include <lichen/outliers.h>
 #include <lichen/quality.h>
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 #include <lichen/tiling.h>
-#include <lichen/tiling_precision.h>
 
 #include <catch2/catch.hpp>
 #include <tbb/global_control.h>
@@ -153,12 +151,6 @@ TEST_CASE("a bake without an inverse table reports exhausted memory") {
   TilingOptions options;
   options.gaussian = GaussianOnly::yes;
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
-}
-
-TEST_CASE("measuring the loss of a table reports exhausted memory, whichever allocation fails") {
-  const MapExemplar map = oneChannel(test::threeMaterials(24, 20, 1, 1));
-  const Bundle bundle = bakedBundle(map);
-  CHECK(exhaustMemory(First::each, [&] { return precisionLoss(bundle, 0, 0, map, true); }) > 5);
 }
 
 TEST_CASE("a bake of a set reports exhausted memory, whichever allocation fails") {
@@ -358,10 +350,7 @@ TEST_CASE("a measure reports exhausted memory, whichever allocation fails") {
   CHECK(exhaustMemory(First::each, [&] { return spectrumDistanceDb(a, b); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return autocovarianceError(a, b, 8); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return latticeVisibility(a, view); }) > 0);
-  CHECK(exhaustMemory(First::each, [&] { return stationaryLatticeVisibility(a, view, 2); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return seamVisibility(a, b); }) > 0);
-  CHECK(exhaustMemory(First::each, [&] { return strokeExcess(a, 2); }) > 0);
-  CHECK(exhaustMemory(First::each, [&] { return phaseRandomized(a, 1); }) > 0);
   CHECK(exhaustMemory(First::sampled, [&] { return measureResult(a, b); }) > 10);
 }
 
@@ -400,10 +389,7 @@ TEST_CASE("returning an error reports exhausted memory, whichever allocation fai
   CHECK(exhaustRefusal([&] { return autocovarianceError(empty, grey, 8); }) > 0);
   CHECK(exhaustRefusal([&] { return autocovarianceError(grey, grey, 1); }) > 0);
   CHECK(exhaustRefusal([&] { return latticeVisibility(grey, view); }) > 0);
-  CHECK(exhaustRefusal([&] { return stationaryLatticeVisibility(empty, view, 2); }) > 0);
   CHECK(exhaustRefusal([&] { return seamVisibility(empty, grey); }) > 0);
-  CHECK(exhaustRefusal([&] { return strokeExcess(empty, 2); }) > 0);
-  CHECK(exhaustRefusal([&] { return phaseRandomized(empty, 1); }) > 0);
 
   CHECK(exhaustRefusal([&] { return encodePng(empty, 8); }) > 0);
   CHECK(exhaustRefusal([&] { return encodePng(grey, 7); }) > 0);

@@ -17,7 +17,6 @@
 #include <multiple_kernels/kernel.h>
 #include <multiple_kernels/kernel_colors.h>
 #include <multiple_kernels/kernel_fit.h>
-#include <multiple_kernels/kernel_spectrum.h>
 #include <numbers>
 
 using namespace lichen;
@@ -54,8 +53,8 @@ constexpr int kHalf = 64; // columns of plateauAndLine()
 
 /// A plateau up to half the sampling frequency, as photographs have, under a slow slope; and a
 /// line.
-spectra::PowerPlane plateauAndLine() {
-  spectra::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+random_phase::PowerPlane plateauAndLine() {
+  random_phase::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
   for (int v = 1 - kHalf; v < kHalf; ++v)
     for (int u = 0; u < kHalf; ++u)
       power.values.push_back(0.2 + 40.0 / (1.0 + 0.01 * (u * u + v * v)) +
@@ -120,7 +119,7 @@ TEST_CASE("the spectrum of a window is its Fourier transform") {
 }
 
 TEST_CASE("blocks become as narrow as a line in the spectrum") {
-  spectra::PowerPlane power{64, 127, std::vector<double>(64 * 127, 1.0)};
+  random_phase::PowerPlane power{64, 127, std::vector<double>(64 * 127, 1.0)};
   for (int v = -63; v <= 63; ++v)
     power.values[std::size_t(v + 63) * 64 + 40] = 100.0; // at u = 40
   double width = 0.0;
@@ -180,7 +179,7 @@ TEST_CASE("the derivatives of a kernel's power are those of differences") {
 TEST_CASE("fitted kernels find the kernels that a spectrum was made of") {
   const WindowSpectrum spectrum(KernelWindow::gabor);
   constexpr int kHalf = 48;
-  spectra::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+  random_phase::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
   const std::vector<Kernel> made{{0.6, {12.0, -9.0}, {0.05, 0.03}, 0.01, false},
                                  {0.4, {3.0, 2.0}, {0.04, 0.06}, 0.0, false}};
   for (int v = 1 - kHalf; v < kHalf; ++v)
@@ -198,7 +197,7 @@ TEST_CASE("a spectrum without a direction becomes rings, and one with a directio
   const WindowSpectrum spectrum(KernelWindow::gabor);
   constexpr int kHalf = 48;
   const auto fittedTo = [&](const Kernel& kernel) {
-    spectra::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+    random_phase::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
     for (int v = 1 - kHalf; v < kHalf; ++v)
       for (int u = 0; u < kHalf; ++u)
         power.values.push_back(densityOf(spectrum, kernel, u, v));
@@ -275,7 +274,7 @@ TEST_CASE("the noise has the spectrum of its kernels, variance 1 and no mean") {
 
 TEST_CASE("a spectrum of any width is followed, with all its energy") {
   const WindowSpectrum spectrum(KernelWindow::gabor);
-  const spectra::PowerPlane power = plateauAndLine();
+  const random_phase::PowerPlane power = plateauAndLine();
   const std::vector<Kernel> kernels = fitKernels(power, spectrum, {8}).back().kernels;
   CHECK(spectrumErrorDb(power, spectrum, kernels) < 0.8);
   double energy = 0.0, wanted = 0.0;
@@ -292,7 +291,7 @@ TEST_CASE("a spectrum of any width is followed, with all its energy") {
 
 TEST_CASE("each count of kernels has its fit, and more come nearer") {
   const WindowSpectrum spectrum(KernelWindow::gabor);
-  const spectra::PowerPlane power = plateauAndLine();
+  const random_phase::PowerPlane power = plateauAndLine();
   const std::vector<std::size_t> counts{2, 4, 8};
   const std::vector<KernelFit> fits = fitKernels(power, spectrum, counts);
   REQUIRE(fits.size() == counts.size());
@@ -307,7 +306,7 @@ TEST_CASE("each count of kernels has its fit, and more come nearer") {
 TEST_CASE("lobes of equal power have kernels of equal energy, whatever the window") {
   constexpr int kHalf = 48;
   const std::array<std::array<int, 2>, 3> lobes{{{20, 0}, {10, 18}, {10, -18}}};
-  spectra::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
+  random_phase::PowerPlane power{kHalf, 2 * kHalf - 1, {}};
   for (int v = 1 - kHalf; v < kHalf; ++v)
     for (int u = 0; u < kHalf; ++u) {
       double sum = 0.0;

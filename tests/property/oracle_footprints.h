@@ -2,7 +2,7 @@
 // Footprints at which oracles are compared.
 #pragma once
 
-#include <lichen/footprint.h>
+#include <lichen/noise_evaluator.h>
 
 #include <cmath>
 #include <random>

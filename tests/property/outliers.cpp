@@ -2,7 +2,7 @@
 // What occurs once in an exemplar is found, and only that, and is filled from the rest.
 #include "base_color.h"
 
-#include <lichen/outliers.h>
+#include <lichen/exemplar_repair.h>
 #include <lichen/quality.h>
 
 #include <catch2/catch.hpp>

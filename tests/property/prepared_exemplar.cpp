@@ -4,8 +4,7 @@
 
 #include "base_color.h"
 
-#include <lichen/flatten.h>
-#include <lichen/outliers.h>
+#include <lichen/exemplar_repair.h>
 
 #include <exemplar/frame.h>
 #include <exemplar/resample.h>
@@ -33,14 +32,14 @@ std::vector<MapExemplar> preparedExemplar(const SrgbImage& photograph) {
   return maps;
 }
 
-Structure structureOfPrepared(const std::vector<MapExemplar>& exemplar) {
-  return valueOf(structureOf(exemplar, Periodic::detect));
+Regularity regularityOfPrepared(const std::vector<MapExemplar>& exemplar) {
+  return valueOf(regularityOf(exemplar, Periodic::detect));
 }
 
 std::vector<MapExemplar> wholePeriodsOf(std::vector<MapExemplar> exemplar,
-                                        const Structure& structure) {
-  if (structure.wholePeriods)
-    if (Result<void> made = rectify(exemplar, *structure.wholePeriods); !made)
+                                        const Regularity& regularity) {
+  if (regularity.wholePeriods)
+    if (Result<void> made = rectify(exemplar, *regularity.wholePeriods); !made)
       throw std::runtime_error(made.error().message);
   return exemplar;
 }

@@ -4,7 +4,7 @@
 
 #include <lichen/exemplar.h>
 #include <lichen/image.h>
-#include <lichen/structure.h>
+#include <lichen/regularity.h>
 
 #include <vector>
 
@@ -16,11 +16,11 @@ namespace lichen::test {
 
 /// What repeats in such an exemplar. If isClear(), a bake without --method is by quilting. Errors
 /// are thrown as above.
-[[nodiscard]] Structure structureOfPrepared(const std::vector<MapExemplar>& exemplar);
+[[nodiscard]] Regularity regularityOfPrepared(const std::vector<MapExemplar>& exemplar);
 
 /// The part of it that a bake by quilting uses: what holds whole periods, or all of it. Errors are
 /// thrown as above.
 [[nodiscard]] std::vector<MapExemplar> wholePeriodsOf(std::vector<MapExemplar> exemplar,
-                                                      const Structure& structure);
+                                                      const Regularity& regularity);
 
 } // namespace lichen::test

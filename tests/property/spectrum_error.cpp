@@ -10,14 +10,13 @@
 
 #include <array>
 #include <cmath>
-#include <gaussianization/map_fit.h>
-#include <gaussianization/mip_chain.h>
-#include <gaussianization/spectrum_error.h>
+#include <gaussian/map_fit.h>
+#include <gaussian/mip_chain.h>
 #include <numbers>
 #include <transport/random.h>
 
 using namespace lichen;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

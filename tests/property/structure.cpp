@@ -15,7 +15,6 @@
 #include <evaluation/method_evaluator.h>
 #include <local_random_phase/cosine_table.h>
 #include <local_random_phase/octave_lattice.h>
-#include <local_random_phase/structure.h>
 #include <numbers>
 #include <placement/near_periods.h>
 #include <random>
@@ -76,7 +75,7 @@ public:
   /// With the offset 0 only, tiles and their mean agree.
   explicit WaveStructure(const Offsets& offsets = Offsets(3), double turbulence = 0.0) {
     const MapSpectrum spectrum = spectrumOfWaves();
-    const FrequencySet set = strongestFrequencies(spectra::powerPlane({spectrum}), 1.0);
+    const FrequencySet set = strongestFrequencies(random_phase::powerPlane({spectrum}), 1.0);
     const std::array<int, 2> size = structureSize(set);
     shared_.texelsPerTileX = kWidth;
     shared_.texelsPerTileY = kHeight;
@@ -134,7 +133,7 @@ private:
 
 TEST_CASE("a structure takes the strongest frequencies, and no more than its share needs") {
   const MapSpectrum spectrum = spectrumOfWaves();
-  const PowerPlane power = spectra::powerPlane({spectrum});
+  const PowerPlane power = random_phase::powerPlane({spectrum});
   CHECK(strongestFrequencies(power, 0.0).largest() == std::array{0, 0});
   // Powers are as the squares 0.64, 0.25, 0.09 and 0.04.
   const auto held = [&](double share) {

@@ -15,19 +15,15 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
+#include <exemplar/low_pass.h>
 #include <limits>
 #include <materials.h>
 #include <numbers>
-#include <suitability/as_seen.h>
-#include <suitability/calibration.h>
-#include <suitability/clipped_share.h>
-#include <suitability/cloudiness.h>
-#include <suitability/edge_concentration.h>
-#include <suitability/few_colors.h>
+#include <suitability/color_measures.h>
 #include <suitability/gaussian_plane.h>
-#include <suitability/lattice_share.h>
-#include <suitability/phase_coherence.h>
-#include <suitability/slow_variation.h>
+#include <suitability/picture_measures.h>
+#include <suitability/risk_of.h>
+#include <suitability/spectral_measures.h>
 #include <unsuitable.h>
 
 using namespace lichen;
@@ -457,7 +453,7 @@ TEST_CASE("the concentration of slow gradients matches the closed forms of waves
     for (int y = 0; y < kSide; ++y)
       for (int x = 0; x < kSide; ++x)
         values.push_back(float(valueAt(x, y)));
-    return edgeConcentration(grey(kSide, kSide, std::move(values)), periodic);
+    return exemplar::edgeConcentration(grey(kSide, kSide, std::move(values)), periodic);
   };
   const auto wave = [](int at) { return 0.2 * std::sin(2.0 * std::numbers::pi * at / kSide); };
   // The mean of cos^4 over the squared mean of cos^2: 3/8 / 1/4; for two crossed waves, 5/4. The

@@ -5,13 +5,11 @@
 
 #include <cmath>
 #include <complex>
-#include <gaussian/model_covariance.h>
 #include <numbers>
 #include <random>
 #include <texton/barycenter.h>
-#include <texton/one_grid.h>
-#include <transport/covariance_barycenter.h>
-#include <transport/covariance_map.h>
+#include <texton/gaussian_model.h>
+#include <transport/covariance.h>
 
 using namespace lichen;
 using namespace lichen::texton;
@@ -23,10 +21,10 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 /// The transform of a kernel of independent normal values, as for a white-noise exemplar.
-gaussian::GaussianModel randomModel(int width, int height, int channels, unsigned seed) {
+texton::GaussianModel randomModel(int width, int height, int channels, unsigned seed) {
   std::mt19937 bits(seed);
   std::normal_distribution<float> normal;
-  gaussian::GaussianModel model;
+  texton::GaussianModel model;
   std::vector<float> plane(std::size_t(width) * std::size_t(height));
   for (int c = 0; c < channels; ++c) {
     for (float& value : plane)
@@ -38,21 +36,20 @@ gaussian::GaussianModel randomModel(int width, int height, int channels, unsigne
 }
 
 /// A model that has `vector`, one value per channel, at its only pair of frequencies.
-gaussian::GaussianModel oneFrequency(const std::vector<Complex>& vector) {
-  gaussian::GaussianModel model;
+texton::GaussianModel oneFrequency(const std::vector<Complex>& vector) {
+  texton::GaussianModel model;
   for (const Complex value : vector)
     model.channels.push_back({3, 1, {0.0f, std::complex<float>(value)}});
   return model;
 }
 
-Complex at(const gaussian::GaussianModel& model, std::size_t channel, std::size_t i) {
+Complex at(const texton::GaussianModel& model, std::size_t channel, std::size_t i) {
   return Complex(model.channels[channel].values[i]);
 }
 
 /// |sum_k w_k e^(i phi_k) t_k|^2 at frequency i.
-double powerOf(const std::vector<gaussian::GaussianModel>& models,
-               const std::vector<double>& weights, const std::vector<double>& phases,
-               std::size_t i) {
+double powerOf(const std::vector<texton::GaussianModel>& models, const std::vector<double>& weights,
+               const std::vector<double>& phases, std::size_t i) {
   double power = 0.0;
   for (std::size_t c = 0; c < models[0].channels.size(); ++c) {
     Complex sum = 0.0;
@@ -63,7 +60,7 @@ double powerOf(const std::vector<gaussian::GaussianModel>& models,
   return power;
 }
 
-double powerAt(const gaussian::GaussianModel& model, std::size_t i) {
+double powerAt(const texton::GaussianModel& model, std::size_t i) {
   double power = 0.0;
   for (std::size_t c = 0; c < model.channels.size(); ++c)
     power += std::norm(at(model, c, i));
@@ -78,7 +75,7 @@ bool isReal(const HalfSpectrum& shape, std::size_t i) {
 }
 
 /// Largest difference of the power and cross spectra, relative to the largest power.
-double spectrumDifference(const gaussian::GaussianModel& a, const gaussian::GaussianModel& b) {
+double spectrumDifference(const texton::GaussianModel& a, const texton::GaussianModel& b) {
   double difference = 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < a.channels[0].values.size(); ++i) {
@@ -104,7 +101,7 @@ constexpr double kRounding = 1e-5;
 } // namespace
 
 TEST_CASE("amplitudes of one channel are averaged, whatever the number of textures") {
-  const std::vector<gaussian::GaussianModel> models{
+  const std::vector<texton::GaussianModel> models{
       randomModel(12, 9, 1, 1), randomModel(12, 9, 1, 2), randomModel(12, 9, 1, 3),
       randomModel(12, 9, 1, 4), randomModel(12, 9, 1, 5)};
   const std::vector<double> weights{0.1, 0.35, 0.0, 0.3, 0.25};
@@ -120,22 +117,22 @@ TEST_CASE("amplitudes of one channel are averaged, whatever the number of textur
 }
 
 TEST_CASE("the barycentre of two is that of three of which two are the same") {
-  const gaussian::GaussianModel a = randomModel(10, 8, 3, 1);
-  const gaussian::GaussianModel b = randomModel(10, 8, 3, 2);
-  const gaussian::GaussianModel two = barycenter(std::vector{a, b}, std::vector{0.3, 0.7}).model;
-  const gaussian::GaussianModel three =
+  const texton::GaussianModel a = randomModel(10, 8, 3, 1);
+  const texton::GaussianModel b = randomModel(10, 8, 3, 2);
+  const texton::GaussianModel two = barycenter(std::vector{a, b}, std::vector{0.3, 0.7}).model;
+  const texton::GaussianModel three =
       barycenter(std::vector{a, b, b}, std::vector{0.3, 0.3, 0.4}).model;
   // The fixed point stops when |m|^2 gains less than 1e-7: its phases are accurate to the root.
   CHECK(spectrumDifference(two, three) < 2e-3);
   // Aligned models lie on the path between the two, a straight line; its ends are the models.
-  const std::vector<gaussian::GaussianModel> aligned = alignedModels(std::vector{a, b});
+  const std::vector<texton::GaussianModel> aligned = alignedModels(std::vector{a, b});
   CHECK(spectrumDifference(two, between(aligned[0], aligned[1], 0.7)) < kRounding);
   CHECK(spectrumDifference(a, aligned[0]) < kRounding);
   CHECK(aligned[1].channels[2].values == b.channels[2].values);
 }
 
 TEST_CASE("the phases of three textures are the optimum over all phases") {
-  const std::vector<gaussian::GaussianModel> models{
+  const std::vector<texton::GaussianModel> models{
       randomModel(7, 6, 3, 11), randomModel(7, 6, 3, 12), randomModel(7, 6, 3, 13)};
   const std::vector<double> weights{0.25, 0.35, 0.4};
   const Barycenter found = barycenter(models, weights);
@@ -164,10 +161,10 @@ TEST_CASE("the phases of three textures are the optimum over all phases") {
 
 TEST_CASE("the fit finds the highest of several maxima over the phases of three textures") {
   // Two channels, for which two maxima are more frequent.
-  const std::vector<gaussian::GaussianModel> models{
+  const std::vector<texton::GaussianModel> models{
       randomModel(601, 1, 2, 21), randomModel(601, 1, 2, 22), randomModel(601, 1, 2, 23)};
   const std::vector<double> weights(3, 1.0 / 3.0);
-  const gaussian::GaussianModel found = barycenter(models, weights).model;
+  const texton::GaussianModel found = barycenter(models, weights).model;
   constexpr int kAngles = 90;
   for (std::size_t i = 1; i < models[0].channels[0].values.size(); ++i) {
     double best = 0.0;
@@ -183,7 +180,7 @@ TEST_CASE("the fit finds the highest of several maxima over the phases of three 
 TEST_CASE("three textures with two optimal mixtures give one of them, with every kernel") {
   // At 120 degrees, the phases may go around in either direction, and any law between the two is a
   // barycentre: |m|^2 = 1/2, a set of circles.
-  std::vector<gaussian::GaussianModel> models;
+  std::vector<texton::GaussianModel> models;
   for (int k = 0; k < 3; ++k)
     models.push_back(oneFrequency({std::cos(2.0 * kPi * k / 3.0), std::sin(2.0 * kPi * k / 3.0)}));
   const Barycenter found = barycenter(models, std::vector<double>(3, 1.0 / 3.0));
@@ -195,7 +192,7 @@ TEST_CASE("the rank error measures what one kernel cannot show of four textures"
   // Vectors whose directions are the corners of a tetrahedron: |t_k^* t_l|^2 = 1/3. Their Gram
   // matrix G has the eigenvalues 2, 2, 0, 0 and is itself the best correlation matrix, because tr(G
   // X) <= 2 tr X = 8 = tr G^2. The barycentre is 1/4 of the identity: power 1/2, two kernels.
-  std::vector<gaussian::GaussianModel> models{oneFrequency({1.0, 0.0})};
+  std::vector<texton::GaussianModel> models{oneFrequency({1.0, 0.0})};
   for (int k = 0; k < 3; ++k)
     models.push_back(oneFrequency(
         {std::sqrt(1.0 / 3.0), std::sqrt(2.0 / 3.0) * std::polar(1.0, 2.0 * kPi * k / 3.0)}));
@@ -263,21 +260,20 @@ TEST_CASE("a finer grid has the same texture, of even and odd sizes") {
                                0.5 * std::sin(2.0 * kPi * (x + 0.2) * 5.0 / width) +
                                0.3 * std::cos(2.0 * kPi * 4.0 * y / height)) /
                               std::sqrt(double(width * height))));
-    return gaussian::GaussianModel{{forwardFft(plane, width, height)}};
+    return texton::GaussianModel{{forwardFft(plane, width, height)}};
   };
-  const std::vector<gaussian::GaussianModel> grid =
+  const std::vector<texton::GaussianModel> grid =
       onOneGrid(std::vector{sampled(12, 10), sampled(36, 30)});
   REQUIRE(grid[0].width() == 36);
   REQUIRE(grid[0].height() == 30);
   CHECK(spectrumDifference(grid[0], grid[1]) < kRounding);
   // Includes half the sampling, and sizes that do not divide each other.
   for (const auto& [width, height] : {std::pair{8, 6}, {7, 5}, {8, 5}, {5, 6}, {9, 7}}) {
-    const gaussian::GaussianModel coarse = randomModel(width, height, 3, unsigned(width));
-    const gaussian::GaussianModel fine =
-        onOneGrid(std::vector{coarse, randomModel(24, 20, 3, 2)})[0];
+    const texton::GaussianModel coarse = randomModel(width, height, 3, unsigned(width));
+    const texton::GaussianModel fine = onOneGrid(std::vector{coarse, randomModel(24, 20, 3, 2)})[0];
     CHECK(fine.width() == 24);
-    CHECK((gaussian::modelCovariance(fine) - gaussian::modelCovariance(coarse)).norm() <
-          kRounding * gaussian::modelCovariance(coarse).norm());
+    CHECK((texton::modelCovariance(fine) - texton::modelCovariance(coarse)).norm() <
+          kRounding * texton::modelCovariance(coarse).norm());
   }
 }
 
@@ -293,17 +289,17 @@ TEST_CASE("a taller tile has the same texture wherever a compact kernel makes it
         const int y = (a / 3 - b / 3 + shift + height) % height;
         plane[std::size_t(y * width + x)] += patch[std::size_t(a)] * patch[std::size_t(b)];
       }
-    return gaussian::GaussianModel{{forwardFft(plane, width, height)}};
+    return texton::GaussianModel{{forwardFft(plane, width, height)}};
   };
-  const std::vector<gaussian::GaussianModel> grid =
+  const std::vector<texton::GaussianModel> grid =
       onOneGrid(std::vector{placed(16, 12, 6), placed(16, 23, 0)});
   REQUIRE(grid[0].height() == 23);
   CHECK(spectrumDifference(grid[0], grid[1]) < kRounding);
   // Any kernel preserves its covariance, up to the loss at frequency 0 from cropping.
-  const gaussian::GaussianModel white = randomModel(16, 12, 3, 4);
-  const gaussian::GaussianModel tall = onOneGrid(std::vector{white, randomModel(32, 40, 3, 5)})[0];
+  const texton::GaussianModel white = randomModel(16, 12, 3, 4);
+  const texton::GaussianModel tall = onOneGrid(std::vector{white, randomModel(32, 40, 3, 5)})[0];
   CHECK(tall.width() == 32);
   CHECK(tall.height() == 40);
-  CHECK((gaussian::modelCovariance(tall) - gaussian::modelCovariance(white)).norm() <
-        kRounding * gaussian::modelCovariance(white).norm());
+  CHECK((texton::modelCovariance(tall) - texton::modelCovariance(white)).norm() <
+        kRounding * texton::modelCovariance(white).norm());
 }

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <materials.h>
 #include <random>
-#include <sampling/repeating_image.h>
+#include <sampling/texels.h>
 
 using namespace lichen;
 using namespace lichen::test;

@@ -10,14 +10,11 @@
 
 #include <cmath>
 #include <complex>
-#include <gaussian/model_covariance.h>
 #include <numbers>
 #include <texton/border_penalty.h>
-#include <texton/color_correction.h>
+#include <texton/coefficients.h>
 #include <texton/fit.h>
-#include <texton/flatness.h>
-#include <texton/interpolation.h>
-#include <texton/model_distance.h>
+#include <texton/gaussian_model.h>
 #include <vector>
 
 using namespace lichen;
@@ -26,8 +23,8 @@ using namespace lichen::texton;
 
 namespace {
 
-gaussian::GaussianModel modelOf(const MapExemplar& map) {
-  return gaussian::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
+texton::GaussianModel modelOf(const MapExemplar& map) {
+  return texton::gaussianModel(map.values, map.width, map.height, int(map.channels.size()));
 }
 
 FitOptions support(int side, int order = 1) {
@@ -39,7 +36,7 @@ FitOptions support(int side, int order = 1) {
 }
 
 /// ALGORITHMS section 2, term by term over the full plane, in double precision.
-double errorByDefinition(const gaussian::GaussianModel& model, const TextonCoefficients& texton,
+double errorByDefinition(const texton::GaussianModel& model, const TextonCoefficients& texton,
                          int order) {
   double distance = 0.0;
   double total = 0.0;
@@ -76,7 +73,7 @@ double errorByDefinition(const gaussian::GaussianModel& model, const TextonCoeff
 
 /// The covariance matrix of all pixels and channels of a model's texture: kernels correlated on the
 /// torus, pixel by pixel.
-Eigen::MatrixXd covarianceMatrix(const gaussian::GaussianModel& model) {
+Eigen::MatrixXd covarianceMatrix(const texton::GaussianModel& model) {
   const int width = model.width(), height = model.height(), pixels = width * height;
   const int size = pixels * int(model.channels.size());
   // Column i is the kernel of channel i / pixels, moved to pixel i % pixels. The noise is the
@@ -122,7 +119,7 @@ Plane planeOf(const std::vector<float>& values) { return {values.begin(), values
 
 /// [GLM14] algorithm 2 word for word, in double precision, with the starting phases of
 /// fitCoefficients.
-std::vector<float> algorithmTwo(const gaussian::GaussianModel& model, const FitOptions& options) {
+std::vector<float> algorithmTwo(const texton::GaussianModel& model, const FitOptions& options) {
   const int width = model.width(), height = model.height();
   const std::size_t channels = model.channels.size();
   std::vector<Plane> target, texton;
@@ -192,8 +189,8 @@ TEST_CASE("the transport distance is Gelbrich's formula on the covariance matric
   // tr A + tr B - 2 tr (A^1/2 B A^1/2)^1/2 [PC19], for odd and even sides.
   const MapExemplar map = threeMaterials(32, 32, 5);
   for (const auto& [width, height] : {std::pair{5, 4}, std::pair{6, 3}}) {
-    const gaussian::GaussianModel a = modelOf(cropped(map, 1, 2, width, height));
-    const gaussian::GaussianModel b = modelOf(cropped(map, 17, 11, width, height));
+    const texton::GaussianModel a = modelOf(cropped(map, 1, 2, width, height));
+    const texton::GaussianModel b = modelOf(cropped(map, 17, 11, width, height));
     const Eigen::MatrixXd covarianceA = covarianceMatrix(a);
     const Eigen::MatrixXd covarianceB = covarianceMatrix(b);
     const Eigen::MatrixXd root = squareRoot(covarianceA);
@@ -208,7 +205,7 @@ TEST_CASE("the transport distance is Gelbrich's formula on the covariance matric
 }
 
 TEST_CASE("the alternating projections of order 0 are algorithm 2") {
-  const gaussian::GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 12, 9));
+  const texton::GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 12, 9));
   FitOptions options = support(5, 0);
   options.height = 4;
   options.seed = 3;
@@ -244,7 +241,7 @@ TEST_CASE("flatness is 1 for one magnitude, r^2 for one pixel, and of the weight
 
 TEST_CASE("the relative model error is its definition, for every order and odd sizes") {
   const MapExemplar map = cropped(threeMaterials(32, 32, 5), 3, 4, 21, 18);
-  const gaussian::GaussianModel model = modelOf(map);
+  const texton::GaussianModel model = modelOf(map);
   for (const int order : {0, 1, 3}) {
     FitOptions options = support(7, order);
     options.height = 5;
@@ -261,10 +258,10 @@ TEST_CASE("the relative model error is its definition, for every order and odd s
 namespace {
 
 /// With the model's covariance, as the papers' textons have it.
-TextonCoefficients corrected(const gaussian::GaussianModel& model, const FitOptions& options,
+TextonCoefficients corrected(const texton::GaussianModel& model, const FitOptions& options,
                              FitMethod method) {
   TextonCoefficients texton = fitCoefficients(model, options, method);
-  REQUIRE(correctCovariance(texton, options.order, gaussian::modelCovariance(model)));
+  REQUIRE(correctCovariance(texton, options.order, texton::modelCovariance(model)));
   return texton;
 }
 
@@ -274,7 +271,7 @@ TEST_CASE(
     "a texton of 32 or 64 texels is nearer to the model than the papers' algorithm finds, one "
     "of 16 as near, and neither has a border") {
   // Three materials in patches of some 20 texels: slow waves that reach beyond the supports.
-  const gaussian::GaussianModel model = modelOf(threeMaterials(128, 128, 7, 6));
+  const texton::GaussianModel model = modelOf(threeMaterials(128, 128, 7, 6));
   struct Bound {
     int side;
     double papers;     // error relative to the papers' algorithm
@@ -310,7 +307,7 @@ TEST_CASE(
 TEST_CASE("a nearly grey texton gets the covariance of another nearly grey exemplar") {
   // Like scanned letters. The deviation from grey has 1e-7 of the variance of one exemplar and 2e-6
   // of the other's, and their product counts as zero variance.
-  const gaussian::GaussianModel model = modelOf(threeMaterials(64, 64, 7, 6));
+  const texton::GaussianModel model = modelOf(threeMaterials(64, 64, 7, 6));
   TextonCoefficients texton = fitCoefficients(model, support(23), FitMethod::transportDistance);
   const std::size_t texels = texton.values.size() / 3;
   for (std::size_t i = 0; i < texels; ++i)
@@ -327,7 +324,7 @@ TEST_CASE(
     "the border of a texton of slower structure is less visible than with the papers' algorithm") {
   // Power falls with frequency to the -4: 97 % of it is slower than the support.
   constexpr int kSide = 256;
-  gaussian::GaussianModel model;
+  texton::GaussianModel model;
   model.channels.push_back({kSide, kSide, {}});
   HalfSpectrum& spectrum = model.channels[0];
   for (int v = 0; v < kSide; ++v)
@@ -383,7 +380,7 @@ TEST_CASE("no material's texton has few bright texels, whatever its spectrum") {
 
 TEST_CASE("a support as large as the exemplar reproduces the model with the papers' algorithm, and "
           "up to the cost of flatness with ours") {
-  const gaussian::GaussianModel model = modelOf(threeMaterials(24, 20, 9));
+  const texton::GaussianModel model = modelOf(threeMaterials(24, 20, 9));
   struct Cost {
     int order;
     double error;
@@ -406,7 +403,7 @@ TEST_CASE("a support as large as the exemplar reproduces the model with the pape
 TEST_CASE("an exemplar of one colour has a texton of zeros, without an error") {
   MapExemplar map = threeMaterials(16, 16, 3);
   std::fill(map.values.begin(), map.values.end(), 0.25f);
-  const gaussian::GaussianModel model = modelOf(map);
+  const texton::GaussianModel model = modelOf(map);
   const TextonCoefficients texton =
       fitCoefficients(model, support(8), FitMethod::transportDistance);
   for (const float value : texton.values)
@@ -415,7 +412,7 @@ TEST_CASE("an exemplar of one colour has a texton of zeros, without an error") {
 }
 
 TEST_CASE("texton coefficients are the same bytes on one thread and on many") {
-  const gaussian::GaussianModel model = modelOf(threeMaterials(48, 40, 11));
+  const texton::GaussianModel model = modelOf(threeMaterials(48, 40, 11));
   const auto fit = [&] {
     return fitCoefficients(model, support(16), FitMethod::transportDistance).values;
   };

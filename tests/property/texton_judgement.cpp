@@ -3,7 +3,6 @@
 #include "example_exemplar.h"
 
 #include <lichen/texton.h>
-#include <lichen/texton_judgement.h>
 
 #include <catch2/catch.hpp>
 
@@ -76,22 +75,18 @@ TEST_CASE(
   const Result<MapExemplar> made = gaussianVersion(noise, map, 1);
   REQUIRE(made);
   const MapExemplar& gaussian = made.value();
-  CHECK(gaussian.width == 2 * kSide);
-  CHECK(gaussian.height == 2 * kSide);
-  // Patches of some 7 x 7 texels: 330 independent values. Variances have a standard error of sqrt(2
-  // / 330), 8 %, and covariances less than that relative to their channels' standard deviations.
-  // 4.5 of them: alpha 7e-6 each.
-  constexpr double kScatter = 4.5 * 0.08;
-  const double deviation = std::sqrt(noise.covariance[0] / 330.0);
+  CHECK(gaussian.width == kSide);
+  CHECK(gaussian.height == kSide);
+  // Random phases do not change moduli, so the sample has the covariance itself.
   for (std::size_t a = 0; a < 3; ++a) {
     double mean = 0.0;
     for (std::size_t i = a; i < gaussian.values.size(); i += 3)
       mean += double(gaussian.values[i]) * 3.0 / double(gaussian.values.size());
-    CHECK(mean == Approx(noise.mean[a]).margin(4.5 * deviation));
+    CHECK(mean == Approx(noise.mean[a]).margin(1e-6));
     for (std::size_t b = 0; b < 3; ++b)
       CHECK(covarianceOf(gaussian, noise.mean, a, b) ==
             Approx(noise.covariance[3 * a + b])
-                .margin(kScatter * std::sqrt(noise.covariance[4 * a] * noise.covariance[4 * b])));
+                .margin(1e-4 * std::sqrt(noise.covariance[4 * a] * noise.covariance[4 * b])));
   }
   // Four times the covariance is twice the distance from the mean.
   for (double& value : noise.covariance)

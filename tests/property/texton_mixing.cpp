@@ -9,9 +9,9 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <texton/color_correction.h>
+#include <texton/coefficients.h>
 #include <texton/mixing.h>
-#include <transport/covariance_map.h>
+#include <transport/covariance.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -26,8 +26,7 @@ MixExemplar exemplarOf(const MapExemplar& map, std::string name = "exemplar") {
                                                  Eigen::Index(map.values.size()) / channels);
   const Eigen::VectorXd mean = values.cast<double>().rowwise().mean();
   const MatrixXd centred = values.cast<double>().colwise() - mean;
-  return {std::move(name),
-          gaussian::gaussianModel(map.values, map.width, map.height, int(channels)),
+  return {std::move(name), texton::gaussianModel(map.values, map.width, map.height, int(channels)),
           centred * centred.transpose() / double(values.cols())};
 }
 

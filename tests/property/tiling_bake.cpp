@@ -11,11 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <gaussianization/prefilter.h>
+#include <gaussian/prefilter.h>
 #include <limits>
 
 using namespace lichen;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

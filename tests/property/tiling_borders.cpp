@@ -11,7 +11,7 @@
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 TEST_CASE("a strip too narrow for seam detection across is tested along its length") {
   MapExemplar ramp = threeMaterials(256, 6, 1, 1);

@@ -11,7 +11,7 @@
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

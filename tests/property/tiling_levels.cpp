@@ -11,17 +11,17 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <gaussianization/level_means.h>
-#include <gaussianization/mip_chain.h>
-#include <gaussianization/prefilter.h>
-#include <gaussianization/table_lookup.h>
+#include <gaussian/level_means.h>
+#include <gaussian/mip_chain.h>
+#include <gaussian/prefilter.h>
+#include <gaussian/table_lookup.h>
 #include <random>
-#include <sampling/repeating_image.h>
+#include <sampling/texels.h>
 #include <transport/random.h>
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

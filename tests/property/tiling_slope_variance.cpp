@@ -6,17 +6,16 @@
 
 #include <cmath>
 #include <evaluation/method_evaluator.h>
-#include <gaussianization/level_means.h>
-#include <gaussianization/mip_chain.h>
-#include <gaussianization/prefilter.h>
-#include <gaussianization/slope_variance.h>
-#include <gaussianization/table_lookup.h>
+#include <gaussian/level_means.h>
+#include <gaussian/mip_chain.h>
+#include <gaussian/prefilter.h>
+#include <gaussian/table_lookup.h>
 #include <random>
 #include <transport/random.h>
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

@@ -16,7 +16,7 @@
 
 using namespace lichen;
 using namespace lichen::test;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 TEST_CASE("lookups in the table have the exemplar's mean and covariance", "[large]") {
   const Baked b = baked(threeMaterials(160, 160, 3));

@@ -13,12 +13,12 @@
 #include <cmath>
 #include <exemplar/color_space.h>
 #include <exemplar/value_encoding.h>
+#include <gaussian/gaussianize.h>
 #include <gaussian/normality.h>
-#include <gaussianization/gaussian_image.h>
 #include <transport/random.h>
 
 using namespace lichen;
-using namespace lichen::gaussianization;
+using namespace lichen::gaussian;
 
 namespace {
 

@@ -10,8 +10,8 @@
 #include <exemplar/resample.h>
 #include <materials.h>
 #include <string_view>
-#include <suitability/calibration.h>
-#include <suitability/uneven_scale.h>
+#include <suitability/picture_measures.h>
+#include <suitability/risk_of.h>
 
 using namespace lichen;
 using namespace lichen::suitability;

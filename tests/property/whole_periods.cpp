@@ -3,7 +3,7 @@
 // frames.
 #include "random_field.h"
 
-#include <lichen/structure.h>
+#include <lichen/regularity.h>
 
 #include <catch2/catch.hpp>
 

@@ -16,7 +16,7 @@
 #include <numeric>
 #include <optional>
 #include <transport/assignment.h>
-#include <transport/moments.h>
+#include <transport/covariance.h>
 #include <transport/precondition.h>
 
 namespace lichen::test {

@@ -20,12 +20,10 @@ Accepted<PointProcess> pointProcess() {
 }
 
 Json asJson(const TextonQuality& quality) {
-  Json json{{"modelError", quality.modelError}, {"channelErrors", quality.channelErrors}};
-  if (quality.heldOutError)
-    json["heldOutError"] = *quality.heldOutError;
-  json["flatness"] = quality.flatness;
-  json["covarianceError"] = quality.covarianceError;
-  return json;
+  return {{"modelError", quality.modelError},
+          {"channelErrors", quality.channelErrors},
+          {"flatness", quality.flatness},
+          {"covarianceError", quality.covarianceError}};
 }
 
 /// Approximate fetches of shaders_glsl/noise/texton.glsl: one impact for each cell that a support

@@ -3,7 +3,7 @@
 #include "../table_words.h"
 #include "method_command.h"
 
-#include <lichen/tiling_precision.h>
+#include <lichen/tiling.h>
 
 #include <fmt/format.h>
 
@@ -13,14 +13,6 @@ namespace lichen::cli {
 namespace {
 
 constexpr const char* kHeading = "Tiling";
-
-Json asJson(const PrecisionLoss& loss) {
-  Json json{
-      {"mean", loss.mean}, {"variance", loss.variance}, {"colorDistance", loss.colorDistance}};
-  if (loss.roundTrip)
-    json["roundTrip"] = *loss.roundTrip;
-  return json;
-}
 
 /// The options of a use.
 struct Use {
@@ -91,13 +83,6 @@ class TilingCommand final : public MethodCommand {
               {"periodic", baked.figures.bordersWereKept},
               {"table", nameOf(tableKindOf(first))}};
     describe(noise, json);
-    if (noise.layers)
-      return json;
-    const Result<PrecisionLoss> loss =
-        precisionLoss(baked.bundle, 0, 0, baked.exemplars.front(), baked.figures.bordersWereKept);
-    if (!loss)
-      return loss.error();
-    json["precisionLoss"] = asJson(loss.value());
     return json;
   }
 

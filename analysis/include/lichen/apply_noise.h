@@ -3,7 +3,7 @@
 // writing the scene.
 #pragma once
 
-#include <lichen/bake_observer.h>
+#include <lichen/exemplar_preparation.h>
 #include <lichen/gltf_scene.h>
 #include <lichen/surface_frames.h>
 #include <lichen/tile_size.h>

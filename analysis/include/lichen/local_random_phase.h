@@ -4,9 +4,9 @@
 
 #include <lichen/bundle.h>
 #include <lichen/gaussianization.h>
+#include <lichen/regularity.h>
 #include <lichen/result.h>
 #include <lichen/spectrum_picture.h>
-#include <lichen/structure.h>
 
 #include <optional>
 #include <span>

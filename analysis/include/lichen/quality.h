@@ -50,40 +50,9 @@ struct LatticeView {
 /// Measures how much the contrast follows the lattice. Squared deviations of the luminance from its
 /// mean are averaged in 8 equally populated classes of the distance to the nearest lattice vertex,
 /// measured where the triangles are equilateral; the result is (largest - smallest) / mean. Its
-/// expectation is 0 only for an infinite stationary result: compare with
-/// stationaryLatticeVisibility(). 0 for an image without variance. The view must show at least 64
-/// pixels.
+/// expectation is 0 only for an infinite stationary result. 0 for an image without variance. The
+/// view must show at least 64 pixels.
 [[nodiscard]] Result<double> latticeVisibility(const SrgbImage& result, const LatticeView& view);
-
-/// The value of latticeVisibility() that chance produces in a stationary image of the same size and
-/// spectrum: the given quantile over phase-randomized results. `trials` in [1, 10000], `quantile`
-/// in (0, 1]. Takes about two transforms of the image per trial; deterministic.
-[[nodiscard]] Result<double> stationaryLatticeVisibility(const SrgbImage& result,
-                                                         const LatticeView& view, int trials = 100,
-                                                         double quantile = 0.95);
-
-/// Returns a periodic image with the same mean, spectrum and cross-spectra, otherwise random: one
-/// random phase per frequency, the same in all channels. Values are not clamped; alpha is dropped.
-/// Source: [GGM11].
-[[nodiscard]] Result<SrgbImage> phaseRandomized(const SrgbImage& image, std::uint32_t seed);
-
-/// What strokeExcess() measures.
-struct StrokeExcess {
-  double value = 0.0;
-  double standardError = 0.0; ///< of the value of an image with random phases
-};
-
-/// Measures how much more a result consists of strokes than chance makes of its spectrum: short
-/// parallel waves, as too few cosines at a place leave. In the bands of an octave around 2.83, 5.66
-/// and 11.3 pixels, the coherence of the structure tensor, averaged over a Gaussian of one
-/// wavelength [BG87], is compared with its mean over `trials` phase-randomized images with the same
-/// histogram; the value is the relative excess, averaged over the bands by their variance. The
-/// luminance's periodic component is first replaced by normal values of the same ranks. 0 for
-/// random phases, with a standard error of about 0.01 at 512 x 512; negative for images whose
-/// gradients have less of a common direction. Bands with less than 3 % of the variance do not
-/// count; 0 if none does. Sides must be at least 64; `trials` in [2, 1000]. Takes about 25
-/// transforms of the image per trial; deterministic.
-[[nodiscard]] Result<StrokeExcess> strokeExcess(const SrgbImage& result, int trials = 40);
 
 /// Measures how many more straight edges a result has than its exemplar. First differences of the
 /// luminance across rows and columns are averaged over runs of 48 pixels along them; the result is

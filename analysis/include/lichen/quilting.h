@@ -5,9 +5,10 @@
 #include <lichen/bundle.h>
 #include <lichen/exemplar.h>
 #include <lichen/progress.h>
+#include <lichen/regularity.h>
 #include <lichen/result.h>
-#include <lichen/structure.h>
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -40,5 +41,15 @@ struct QuiltingBake {
 /// the number of pixels. Source: docs/decisions/012-quilting.md.
 [[nodiscard]] Result<QuiltingBake> bakeQuilting(std::string name, std::span<const MapExemplar> maps,
                                                 const QuiltingOptions& options);
+
+/// How different two tiles are on the outlines of cells, where cuts lie: the mean squared
+/// difference of their stored values there, over the difference of unrelated texels. 0 where a
+/// joint meets a joint, 1 where tiles have nothing in common, more where joints meet the insides of
+/// cells. Nothing for a map without variance, cells without outlines, or a list without offsets but
+/// 0. Precondition: `noise` is one of quilting in `bundle`, and `map` one of its maps. Errors:
+/// resources if memory runs out. O(texels of the image + texels of cells * offsets). Source:
+/// docs/decisions/007-verdicts.md.
+[[nodiscard]] Result<std::optional<double>> cutMismatch(const Bundle& bundle, const Noise& noise,
+                                                        const NoiseMap& map);
 
 } // namespace lichen

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace lichen {
 
@@ -63,5 +64,21 @@ synthesizePreview(const Bundle& bundle, const MaterialNoise& material, MapTarget
 /// one of its maps if `texelsPerTile` is 0, otherwise alike for all its maps. As exemplarSize().
 [[nodiscard]] std::array<double, 2> pixelsPerTile(const Bundle& bundle, std::size_t noise,
                                                   const NoiseMap& map, double texelsPerTile);
+
+/// `values` holds decoded values, as synthesize() returns them: all channels of the map, in order.
+/// Slopes become unit normals, stored as (n + 1) / 2 in RGB with green up. Occlusion, roughness and
+/// metallic go to red, green and blue; absent ones are 1. Other maps are returned unchanged. Throws
+/// std::bad_alloc, as all building blocks do.
+[[nodiscard]] LinearImage coreTexture(const NoiseMap& map, LinearImage values);
+
+/// The RGB of `color`, or white if that is empty, with `opacity`, of the same size, as alpha.
+/// Throws std::bad_alloc.
+[[nodiscard]] LinearImage withAlpha(const LinearImage& color, const LinearImage& opacity);
+
+/// Encodes a core texture as PNG. Light is stored in sRGB; data and alpha are stored unchanged. The
+/// file has 8 bits per channel, or 16 for a height, which no core material uses but `synth` writes.
+/// Errors: as encodePng().
+[[nodiscard]] Result<std::vector<std::byte>> encodeCoreTexture(MapTarget target,
+                                                               LinearImage texture);
 
 } // namespace lichen

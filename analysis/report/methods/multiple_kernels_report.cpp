@@ -2,7 +2,7 @@
 // A multiple-kernels noise and its exemplar -> measures, and a picture of its spectrum.
 #include "../method_report.h"
 #include "../random_phases.h"
-#include "multiple_kernels/kernel_spectrum.h"
+#include "multiple_kernels/kernel.h"
 
 #include <algorithm>
 #include <cmath>

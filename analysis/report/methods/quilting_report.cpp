@@ -3,11 +3,11 @@
 // what tiles at them agree on.
 #include "../method_report.h"
 #include "exemplar/value_encoding.h"
-#include "sampling/repeating_image.h"
+#include "sampling/texels.h"
 #include "suitability/risk_of.h"
 
-#include <lichen/quilting_cuts.h>
-#include <lichen/structure.h>
+#include <lichen/quilting.h>
+#include <lichen/regularity.h>
 
 #include <fmt/format.h>
 
@@ -53,14 +53,14 @@ Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress&) {
   double score = kNone;
   std::string reason = "the first map tells whether the exemplar repeats";
   if (assessed.place == 0 &&
-      std::min(assessed.map().width, assessed.map().height) < kLeastStructureSide) {
+      std::min(assessed.map().width, assessed.map().height) < kLeastRegularSide) {
     reason = "the exemplar is too small to show whether it repeats";
   } else if (assessed.place == 0) {
-    const Result<Structure> structure =
-        structureOf(assessed.maps, assessed.bordersFit ? Periodic::yes : Periodic::no);
-    if (!structure)
-      return structure.error();
-    const bool isClear = structure.value().isClear();
+    const Result<Regularity> regularity =
+        regularityOf(assessed.maps, assessed.bordersFit ? Periodic::yes : Periodic::no);
+    if (!regularity)
+      return regularity.error();
+    const bool isClear = regularity.value().isClear();
     score = isClear ? kNone : kMild;
     reason = isClear ? "the exemplar repeats or has clear outlines"
                      : "the exemplar neither repeats nor has clear outlines";

@@ -3,7 +3,7 @@
 // limit of texton noise, and a picture of the texton.
 #include "../method_report.h"
 
-#include <lichen/texton_judgement.h>
+#include <lichen/texton.h>
 
 #include <algorithm>
 #include <cmath>
