@@ -3,6 +3,8 @@
 // "skipped" on a machine where no Vulkan device exists.
 #pragma once
 
+#include "frozen_constants.h"
+
 #include <lichen/vulkan_device.h>
 
 #include <cstdio>
@@ -20,8 +22,10 @@ inline std::unique_ptr<VulkanDevice> requireDevice() {
   if (const char* choice = std::getenv("LICHEN_TEST_DEVICE"))
     options.choice = choice;
   auto device = VulkanDevice::create(options);
-  if (device)
+  if (device) {
+    freezeConstants();
     return std::move(device).value();
+  }
   std::fprintf(stderr, "%s\n", device.error().message.c_str());
   const bool noDevice = device.error().kind == ErrorKind::environment &&
                         device.error().message.find("no Vulkan device") == 0;
