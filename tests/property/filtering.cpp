@@ -233,7 +233,7 @@ TEST_CASE("values change continuously with the size of a pixel and across a floo
               return TileFootprint{
                   {float(stepTexels * k / kTexels), 0.3f}, {side, 0.0f}, {0.0f, side}};
             },
-            int(kTexels / stepTexels)); // 3.5 triangles of the lattice
+            int(0.375 * kTexels / stepTexels)); // 1.3 triangles of the lattice
       };
       INFO(texels << " texels a pixel");
       // The table is steep where the exemplar's materials meet, so steps must be small.

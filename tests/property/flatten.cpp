@@ -16,6 +16,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <map>
 #include <materials.h>
 #include <numbers>
 #include <photographs.h>
@@ -193,6 +194,8 @@ std::vector<double> lightOfParts(const std::vector<float>& codes, int side) {
   return light;
 }
 
+constexpr int kSurfaceSide = 256;
+
 /// Standard deviation of the light of `lit` over that of `even`, both of the same material.
 double unevenness(const std::vector<float>& lit, const std::vector<float>& even, int side) {
   std::vector<double> ratio = lightOfParts(lit, side);
@@ -202,15 +205,25 @@ double unevenness(const std::vector<float>& lit, const std::vector<float>& even,
   return std::sqrt(test::covarianceOf(ratio, ratio));
 }
 
+/// A material under even light, as one photographs it. To generate it takes longer than the tests.
+const SrgbImage& surfaceOf(const std::string& material) {
+  static std::map<std::string, SrgbImage> all;
+  const auto found = all.find(material);
+  return found != all.end()
+             ? found->second
+             : all.emplace(material, exemplars::photographedSurface(material, kSurfaceSide))
+                   .first->second;
+}
+
 } // namespace
 
 TEST_CASE("light that shows on fine surfaces is removed, and even surfaces are left as they are",
           "[large]") {
-  constexpr int kSide = 256;
+  constexpr int kSide = kSurfaceSide;
   constexpr float kShows = 0.25f; // the share of light that is missing where it is darkest
   using exemplars::Fault;
   for (const char* material : {"moss", "plaster", "cloth", "concrete", "granite", "sand"}) {
-    const SrgbImage surface = exemplars::photographedSurface(material, kSide);
+    const SrgbImage& surface = surfaceOf(material);
     const bool isFine = material != std::string("granite") && material != std::string("sand");
     for (const exemplars::PhotographPlan& plan : exemplars::sixtyPhotographs()) {
       const bool isLit = plan.fault == Fault::vignette || plan.fault == Fault::gradient ||
@@ -241,11 +254,10 @@ TEST_CASE("light that shows on fine surfaces is removed, and even surfaces are l
 }
 
 TEST_CASE("patches of another colour are the material's own") {
-  constexpr int kSide = 256;
+  constexpr int kSide = kSurfaceSide;
   for (const char* material : {"plaster", "concrete", "cloth"}) {
     const exemplars::Photograph photograph =
-        exemplars::photograph(exemplars::photographedSurface(material, kSide),
-                              {material, exemplars::Fault::patches, 0.45f, 7});
+        exemplars::photograph(surfaceOf(material), {material, exemplars::Fault::patches, 0.45f, 7});
     MapExemplar map = baseColor(photograph.image);
     REQUIRE(removeUnevenLight(map, false).ok());
     const double before = unevenness(photograph.image.values, photograph.even.values, kSide);

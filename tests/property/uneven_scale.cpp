@@ -64,7 +64,7 @@ TEST_CASE("ground at a slant has the same uneven scale at all sides from 256 to 
     const SrgbImage ground = material.generate(kGroundSide);
     const MapExemplar even = slanted(ground, 1.0), slant = slanted(ground, 3.0);
     const double least = at(slant, 256, 256);
-    for (const int side : {256, 320, 384, 500, 511, 512}) {
+    for (const int side : {256, 384, 511, 512}) {
       INFO(material.name << ", " << side);
       CHECK(at(slant, side, side) == Approx(least).margin(kOctaves));
       CHECK(at(even, side, side) < 0.5 * kUnevenScale.mild);
