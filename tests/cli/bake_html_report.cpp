@@ -182,7 +182,7 @@ TEST_CASE("a report of textons shows the Gaussian version") {
   const std::string input = workplace.write("moss.png", smooth(64));
   const PageElement map =
       mapsOf(reportOf(workplace, input, {"--method", "texton", "--support", "16"})).at(0);
-  CHECK(extentsOf(imageOf(map, "Gaussian version")) == std::array{128, 128});
+  CHECK(extentsOf(imageOf(map, "Gaussian version")) == std::array{64, 64});
   CHECK(!isSame(imageOf(map, "Gaussian version"), imageOf(map, "Result")));
   CHECK(map.all("path", "class", "gaussian").size() == 1);
   CHECK(imagesOf(map, "Texton").size() == 1);
