@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rotated tiles: vertex -> (cosine, sine) of its tile's angle, a multiple of a quarter turn, so
 // that texels lie on texels; positions and slopes -> the same, rotated.
-// docs/decisions/019-tile-rotation.md has what it is good for and what it costs.
+// docs/decisions/001-tiling.md has what it is good for and what it costs.
 #ifndef LICHEN_TILE_ROTATION_GLSL
 #define LICHEN_TILE_ROTATION_GLSL
 
