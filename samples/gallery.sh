@@ -237,8 +237,9 @@ draw() {
       for exemplar in lichen_on_stone rust; do
         bake "$exemplar"
         for plane in 'x 1 0 0' 'y 0 1 0' 'z 0 0 1' ball; do
+          kind=${plane#ball}
           # shellcheck disable=SC2086 # with a normal, a ball shows only one plane
-          scene ball ${plane:2:5}
+          scene ball ${kind:2}
           put all --mapping triplanar --scale 0.8 --plane-sharpness 4
           for view in base-color planes; do
             "$bin/lichen-render" "$work/scene.glb" --debug-view "$view" --size 420x420 --frames 4 \
