@@ -80,7 +80,8 @@ WindowSpectrum::WindowSpectrum() : sums_(std::size_t(kSide + 1) * (kSide + 1), 0
 }
 
 double WindowSpectrum::correlation(double x, double y) const {
-  constexpr double kSquaredReach = 3.0; // of two windows, each of radius sqrt(3) / 2
+  // Windows are disks of radius sqrt(3) / 2: two at a distance of sqrt(3) do not overlap.
+  constexpr double kSquaredReach = 3.0;
   if (x * x + y * y >= kSquaredReach)
     return 0.0;
   const double column = x * kSamplesPerEdge, row = y * kSamplesPerEdge;

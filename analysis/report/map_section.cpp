@@ -83,7 +83,7 @@ Result<std::string> panesOf(const Bundle& bundle, const MaterialNoise& material,
   const Result<std::vector<Picture>> pictures = allOf(std::move(made));
   if (!pictures)
     return pictures.error();
-  double allWidths = extents[0]; // of the repeated exemplar, then of each picture
+  double allWidths = extents[0]; // the repeated exemplar is as wide as the result
   for (const Picture& picture : pictures.value())
     allWidths += picture.extents[0];
   const auto widthsOf = [&](int pixels) {

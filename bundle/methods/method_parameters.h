@@ -15,7 +15,8 @@ namespace lichen {
 /// A function may be null where its comment says so.
 struct MethodParameters {
   bool (*fits)(Mapping mapping);
-  /// As mappingObstacle(), for a mapping that fits the method. Null: there is none.
+  /// As mappingObstacle(), for a mapping that fits the method. Null: there is none. A method that
+  /// has it reads no table in setNoise, since mappingObstacle() asks for noises without a bundle.
   std::string_view (*obstacle)(const shader::LichenNoise& noise, Mapping mapping) = nullptr;
   bool isLayerable = true; ///< whether a layered noise may have it as a layer
   /// Whether the noise is a mix. Null: never.
@@ -38,9 +39,9 @@ struct MethodParameters {
                                         const MaterialNoise& material, std::int64_t tileX,
                                         std::int64_t tileY);
 
-  /// Sets the constants that only this method has: of a map, of a noise, of what it has in the
-  /// block of a noise beside `noise` and `maps`, and of a material, of which for Mapping::surface
-  /// and Mapping::solid, where they fit, also the cells. The last two may be null.
+  /// Each sets the constants that only this method has. setConstants fills its members of the block
+  /// beside `noise` and `maps`. setMaterial also sets the cells on surfaces and in solids. The last
+  /// two may be null.
   void (*setMap)(const Bundle& bundle, const Noise& noise, const NoiseMap& map,
                  shader::LichenMap& constants);
   void (*setNoise)(const Bundle& bundle, const Noise& noise, shader::LichenNoise& constants);

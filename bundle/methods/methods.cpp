@@ -58,8 +58,7 @@ std::string_view mappingObstacle(const Noise& noise, Mapping mapping) {
   if (parameters.obstacle == nullptr)
     return "";
   shader::LichenNoise constants{};
-  parameters.setNoise({}, noise,
-                      constants); // which has no tables to read where there are obstacles
+  parameters.setNoise({}, noise, constants);
   return parameters.obstacle(constants, mapping);
 }
 

@@ -10,7 +10,7 @@ namespace {
 constexpr double kSmallest = 1e-6;
 constexpr double kWidest = 3.1; // radians; glTF requires less than pi
 
-/// A mandatory number of a lens, and what is accepted.
+/// A member that a lens must have, and the range of its number.
 struct LensNumber {
   const char* name;
   double low;

@@ -39,7 +39,8 @@ struct LichenKernelRow {
   mat2 toWindow; // Q: from an offset in tiles to the window's coordinates
   float amplitude;
   float cubes;             // on surfaces, cubes of its grid in LICHEN_KERNEL_TILES tile widths
-  float layers, toWindowZ; // in solids, likewise; and Q along z
+  float layers;            // in solids, layers of its grid in as many tile widths
+  float toWindowZ;         // in solids, Q along z
 };
 
 /// The row `row` of an image.
@@ -168,9 +169,9 @@ vec2 lichenKernelPlace(uint word) {
 /// the wave; trace and determinant belong to the matrix of squared cycles that it spans
 /// of the window's spectrum.
 float lichenKernelRetained(float cycles, float trace, float determinant) {
-  // The root of the mean of exp(-|A f|^2) over a normal distribution of frequencies f about that
-  // of the wave, A f the cycles that the pixel spans; exact where the window's share is alike along
-  // both axes. For few cycles it is the same as lichenCosineRetained.
+  // A pixel spans the cycles A f of a frequency f. This is the root of the mean of exp(-|A f|^2)
+  // over frequencies that are normally distributed about the wave's; exact where the window adds as
+  // much along both axes. For few cycles it is the same as lichenCosineRetained.
   const float kSlope = 6.57973627; // 2 pi^2 / 3
   float wider = sqrt(max(1.0 + kSlope * (trace + kSlope * determinant), 1.0));
   float retained = lichenCosineRetained(vec4(cycles / wider)).x * inversesqrt(wider);

@@ -126,8 +126,8 @@ float lichenMixWeightAt(LichenPoint point) {
 #endif
 }
 
-/// The map's constants at a point: of a mix of textons those of its weight there. `table` is that
-/// of the map's binding, as below.
+/// The map's constants at a point; a mix of textons has other ones for each weight. `table` is the
+/// image at the map's binding, here and below.
 LichenMap lichenMapAt(LICHEN_IMAGE_3D table, LichenPoint point, LichenNoise noise, LichenMap map) {
 #if (LICHEN_METHODS & 2) != 0
   if (lichenHasMethod(LICHEN_METHOD_TEXTON, noise))
