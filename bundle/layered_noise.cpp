@@ -108,15 +108,6 @@ std::string layerFault(const Bundle& firstBundle, const Noise& first, const Bund
   return {};
 }
 
-std::string indexFault(const Noise& noise) {
-  if (noise.method() != Method::multipleKernels)
-    return "the noise " + quoted(noise.name) + " has the method " +
-           std::string(nameOf(noise.method())) + "; expected multiple-kernels for an index map";
-  if (noise.layers)
-    return "the index map " + quoted(noise.name) + " is layered itself; expected one that is not";
-  return {};
-}
-
 std::string layerTargetFault(std::size_t layers, MapTarget target) {
   const std::vector<MapTarget> targets = targetsOf(layers);
   if (std::ranges::count(targets, target) > 0)
@@ -139,8 +130,8 @@ std::string layersFault(const Bundle& bundle, std::size_t noise) {
       return fault;
   for (const LayerNode& node : layers.nodes) {
     const Noise& index = bundle.noises[node.index];
-    if (std::string fault = indexFault(index); !fault.empty())
-      return fault;
+    if (index.layers)
+      return "the index map " + quoted(index.name) + " is layered itself; expected one that is not";
     if (std::string fault = faultOf(bundle, first, bundle, index); !fault.empty())
       return fault;
   }

@@ -66,7 +66,6 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
       add(noise.layers[layer - 1]);
       add(noise.indices[layer - 1]);
     }
-    switches.layerMethods |= 1u << (layer == 0 ? noise.constants : noise.layers[layer - 1]).method;
     for (std::uint32_t role = 0; role < LICHEN_MAX_MAPS; ++role)
       if ((noise.constants.roles & (1u << role)) != 0)
         switches.features |= LICHEN_FEATURE_SLOT(layerSlot(layer, role));
@@ -115,15 +114,11 @@ LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* mate
                                    LICHEN_FEATURE_PERIOD);
     switches.anisotropic = where.maxAnisotropy > 1.0f ? 1 : 0;
     // std::to_string() would export a symbol of the standard library.
-    const int length = std::snprintf(
-        switches.text, sizeof switches.text,
-        "-DLICHEN_METHODS=%u -DLICHEN_MAPPINGS=%u -DLICHEN_LAYERS=%u -DLICHEN_ROLES=%u "
-        "-DLICHEN_FEATURES=0x%Xu -DLICHEN_ANISOTROPIC=%u",
-        switches.methods, switches.mappings, switches.layers, switches.roles, switches.features,
-        switches.anisotropic);
-    if (switches.layers > 1)
-      std::snprintf(switches.text + length, sizeof switches.text - std::size_t(length),
-                    " -DLICHEN_LAYER_METHODS=%u", switches.layerMethods);
+    std::snprintf(switches.text, sizeof switches.text,
+                  "-DLICHEN_METHODS=%u -DLICHEN_MAPPINGS=%u -DLICHEN_LAYERS=%u -DLICHEN_ROLES=%u "
+                  "-DLICHEN_FEATURES=0x%Xu -DLICHEN_ANISOTROPIC=%u",
+                  switches.methods, switches.mappings, switches.layers, switches.roles,
+                  switches.features, switches.anisotropic);
     if (const LichenResult result = writeStruct(switches, LICHEN_STRUCTURE_SHADER_SWITCHES, target);
         result != LICHEN_SUCCESS) {
       writeDiagnostic(diagnostic,

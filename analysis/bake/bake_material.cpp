@@ -112,7 +112,6 @@ private:
       if (!layered)
         return layered.error();
       result_.bundle = std::move(layered.value().bundle);
-      result_.indexSpectrumErrors = std::move(layered.value().indexSpectrumErrors);
       result_.proportions = std::move(layered.value().proportions);
       about = std::move(layered.value().about);
     } else {

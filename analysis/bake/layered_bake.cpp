@@ -104,7 +104,7 @@ Result<LayeredBake> bakeLayers(const LayersOptions& options, const std::string& 
   for (const MapExemplar& map : maps)
     if (const std::string fault = layerTargetFault(layers.size(), map.target); !fault.empty())
       return Error{ErrorKind::usage, fault + "; leave its file out"};
-  bool bordersWereKept = true;
+  bool bordersWereKept = true, hasSolids = true;
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
     Result<MethodBake> baked = bake(exemplarsOfLabel(maps, labels.value(), int(layer), kFillSeed));
     if (!baked)
@@ -116,6 +116,7 @@ Result<LayeredBake> bakeLayers(const LayersOptions& options, const std::string& 
     for (const std::string& line : made.notes)
       result.about.notes.push_back(fmt::format("layer {}: {}", layer + 1, line));
     bordersWereKept = bordersWereKept && made.figures.bordersWereKept;
+    hasSolids = hasSolids && mappingObstacle(layers[layer], 0, Mapping::solid).empty();
     if (layer == 0)
       result.about.figures = std::move(made.figures);
   }
@@ -123,11 +124,11 @@ Result<LayeredBake> bakeLayers(const LayersOptions& options, const std::string& 
   const std::vector<LayerSplit> splits = splitLayers(guide, labels.value());
   std::vector<Bundle> indices;
   for (const LayerSplit& split : splits) {
-    Result<IndexMapBake> baked = bakeIndexMap(split.spectrum, guide.width, guide.height);
+    Result<Bundle> baked =
+        bakeIndexMap(split.spectrum, double(guide.width) / guide.height, hasSolids);
     if (!baked)
       return baked.error();
-    indices.push_back(std::move(baked.value().bundle));
-    result.indexSpectrumErrors.push_back(baked.value().decibels);
+    indices.push_back(std::move(baked).value());
     result.proportions.push_back(split.proportion);
   }
   std::vector<BundledNoise> layerNoise, indexNoise;

@@ -14,7 +14,7 @@ namespace lichen {
 struct LayeredBake {
   Bundle bundle;
   MethodBake about; ///< without noise and tables
-  std::vector<double> indexSpectrumErrors, proportions;
+  std::vector<double> proportions;
 };
 using LabelBake = std::function<Result<MethodBake>(std::span<const MapExemplar> maps)>;
 [[nodiscard]] Result<LayeredBake> bakeLayers(const LayersOptions& options, const std::string& name,

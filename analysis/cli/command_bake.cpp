@@ -127,10 +127,8 @@ Result<void> setLayers(Arguments& arguments) {
 Result<nlohmann::ordered_json> figuresOf(const BakedMaterial& baked) {
   Result<nlohmann::ordered_json> json =
       commandOf(baked.bundle.noises.front().method()).figures(baked);
-  if (json && !baked.proportions.empty()) {
-    json.value()["indexSpectrumErrors"] = baked.indexSpectrumErrors;
+  if (json && !baked.proportions.empty())
     json.value()["proportions"] = baked.proportions;
-  }
   return json;
 }
 

@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -74,20 +75,13 @@ Result<void> check(const Arguments& arguments) {
 }
 
 /// The index map: a noise of a bundle, or one that has a spectrum.
-Result<Input> readIndex(const Arguments& arguments, const Input& first) {
+Result<Input> readIndex(const Arguments& arguments, std::span<const BundledNoise> layers) {
   const auto isBundle = [&](const char* extension) {
     const std::string& text = arguments.index;
     return text.ends_with(extension) || text.find(extension + std::string(":")) != text.npos;
   };
-  if (isBundle(".glb") || isBundle(".gltf") || isBundle(".lichen")) {
-    Result<Input> input = readInput(arguments.index);
-    if (!input)
-      return input;
-    const std::string fault = indexFault(input.value().bundle.noises[input.value().noise]);
-    if (!fault.empty())
-      return Error{ErrorKind::usage, fmt::format("--index {}: {}", arguments.index, fault)};
-    return input;
-  }
+  if (isBundle(".glb") || isBundle(".gltf") || isBundle(".lichen"))
+    return readInput(arguments.index);
   const auto choice = spectrumChoice().read(arguments.index);
   if (!choice || !*choice)
     return Error{ErrorKind::usage, fmt::format("--index {}: expected {}, or a bundle",
@@ -95,13 +89,17 @@ Result<Input> readIndex(const Arguments& arguments, const Input& first) {
   Result<SpectrumPicture> spectrum = spectrumPicture(**choice, kMostPatchCycles);
   if (!spectrum)
     return spectrum.error();
-  const Noise& noise = first.bundle.noises[first.noise];
-  const auto [width, height] = exemplarSize(first.bundle, noise, noise.maps.front());
-  Result<IndexMapBake> baked = bakeIndexMap(spectrum.value(), int(width), int(height));
+  const Bundle& first = *layers.front().bundle;
+  const Noise& noise = first.noises[layers.front().noise];
+  const auto [width, height] = exemplarSize(first, noise, noise.maps.front());
+  const bool hasSolids = std::ranges::all_of(layers, [](const BundledNoise& layer) {
+    return mappingObstacle(*layer.bundle, layer.noise, Mapping::solid).empty();
+  });
+  Result<Bundle> baked = bakeIndexMap(spectrum.value(), double(width) / height, hasSolids);
   if (!baked)
     return baked.error();
-  baked.value().bundle.noises[0].tileSizeMetres = noise.tileSizeMetres;
-  return Input{"--index", std::move(baked.value().bundle), 0};
+  baked.value().noises[0].tileSizeMetres = noise.tileSizeMetres;
+  return Input{"--index", std::move(baked).value(), 0};
 }
 
 Result<Bundle> layered(const Arguments& arguments) {
@@ -120,12 +118,12 @@ Result<Bundle> layered(const Arguments& arguments) {
         !fault.empty())
       return Error{ErrorKind::usage, last.file + ": " + fault};
   }
-  const Result<Input> index = readIndex(arguments, inputs.front());
-  if (!index)
-    return index.error();
   std::vector<BundledNoise> layers;
   for (const Input& input : inputs)
     layers.push_back({&input.bundle, input.noise});
+  const Result<Input> index = readIndex(arguments, layers);
+  if (!index)
+    return index.error();
   const std::vector<BundledNoise> indices(layers.size() - 1,
                                           {&index.value().bundle, index.value().noise});
   const std::string name =

@@ -207,8 +207,7 @@ NoiseSwitches NoiseHost::switchesOf(bool layered) const {
   checkLichen(lichenGetShaderSwitches(materials.data(), std::uint32_t(materials.size()), nullptr,
                                       &switches, &diagnostic),
               diagnostic);
-  return {switches.methods, switches.mappings, switches.roles, switches.features,
-          switches.layerMethods};
+  return {switches.methods, switches.mappings, switches.roles, switches.features};
 }
 
 void NoiseHost::readUse(MaterialState& material) {

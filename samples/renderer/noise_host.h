@@ -32,7 +32,7 @@ struct NoiseUse {
 
 /// The plugin's LichenShaderSwitches, as far as the renderer's shaders take them.
 struct NoiseSwitches {
-  std::uint32_t methods = 0, mappings = 0, roles = 0, features = 0, layerMethods = 0;
+  std::uint32_t methods = 0, mappings = 0, roles = 0, features = 0;
   [[nodiscard]] bool operator==(const NoiseSwitches&) const = default;
 };
 

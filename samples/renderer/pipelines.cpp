@@ -208,7 +208,6 @@ struct Constants {
   std::int32_t debugView = DEBUG_NONE;
   std::uint32_t features = 0;
   std::uint32_t roles = 0;
-  std::uint32_t layerMethods = 0;
   VkBool32 objectSpaces = VK_FALSE;
 };
 
@@ -217,8 +216,7 @@ constexpr std::array kConstants{
     VkSpecializationMapEntry{2, offsetof(Constants, debugView), sizeof(std::int32_t)},
     VkSpecializationMapEntry{3, offsetof(Constants, features), sizeof(std::uint32_t)},
     VkSpecializationMapEntry{4, offsetof(Constants, roles), sizeof(std::uint32_t)},
-    VkSpecializationMapEntry{5, offsetof(Constants, layerMethods), sizeof(std::uint32_t)},
-    VkSpecializationMapEntry{6, offsetof(Constants, objectSpaces), sizeof(VkBool32)}};
+    VkSpecializationMapEntry{5, offsetof(Constants, objectSpaces), sizeof(VkBool32)}};
 
 VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
@@ -256,7 +254,6 @@ Constants constantsOf(const SurfaceConstants& shared, const NoiseSwitches& noise
   return {.debugView = shared.debugView,
           .features = noises.features,
           .roles = noises.roles,
-          .layerMethods = noises.layerMethods,
           .objectSpaces = shared.noises.objectSpaces};
 }
 

@@ -12,12 +12,6 @@
 
 #define LICHEN_FIRST_INDEX 6
 
-// Bit m: some layer has the method m, of LICHEN_METHODS; index maps have multiple kernels. A
-// literal, or the host's specialization constant.
-#ifndef LICHEN_LAYER_METHODS
-#define LICHEN_LAYER_METHODS LICHEN_METHODS
-#endif
-
 #define LICHEN_DECLARE_INDEX(node)                                                                 \
   layout(LICHEN_BINDING(LICHEN_BINDING_INDEX(node))) uniform texture2D lichenIndex##node
 LICHEN_DECLARE_INDEX(0);
@@ -38,31 +32,31 @@ LICHEN_DECLARE_INDEX(2);
 #define LICHEN_FROM_INDEX(node, FETCH, name)                                                       \
   if (node < LICHEN_LAYERS - 1 && image == LICHEN_FIRST_INDEX + node)                              \
     texel = FETCH(name);
+#define LICHEN_FROM_IMAGES(FETCH)                                                                  \
+  LICHEN_FROM_SLOTS(FETCH, lichenImage)                                                            \
+  LICHEN_FROM_INDEX(0, FETCH, lichenIndex0)                                                        \
+  LICHEN_FROM_INDEX(1, FETCH, lichenIndex1)                                                        \
+  LICHEN_FROM_INDEX(2, FETCH, lichenIndex2)
 
 #define LICHEN_SAMPLE_LEVEL(name) textureLod(sampler2D(name, lichenImageSampler), uv, level)
 vec4 lichenSampleLayer(int image, vec2 uv, float level) {
   vec4 texel = vec4(0.0);
-  LICHEN_FROM_SLOTS(LICHEN_SAMPLE_LEVEL, lichenImage)
+  LICHEN_FROM_IMAGES(LICHEN_SAMPLE_LEVEL)
   return texel;
 }
 
 #define LICHEN_SAMPLE_GRAD(name) textureGrad(sampler2D(name, lichenImageSampler), uv, uvX, uvY)
 vec4 lichenSampleLayerGrad(int image, vec2 uv, vec2 uvX, vec2 uvY) {
   vec4 texel = vec4(0.0);
-  LICHEN_FROM_SLOTS(LICHEN_SAMPLE_GRAD, lichenImage)
+  LICHEN_FROM_IMAGES(LICHEN_SAMPLE_GRAD)
   return texel;
 }
 
-// Texel by texel: of index maps, and of layers with cosines or kernels.
+// Texel by texel: of cosines and kernels.
 #define LICHEN_FETCH_TEXEL(name) texelFetch(sampler2D(name, lichenImageSampler), at, 0)
 vec4 lichenFetchLayer(int image, ivec2 at) {
   vec4 texel = vec4(0.0);
-  if ((int(LICHEN_LAYER_METHODS) & 12) != 0) {
-    LICHEN_FROM_SLOTS(LICHEN_FETCH_TEXEL, lichenImage)
-  }
-  LICHEN_FROM_INDEX(0, LICHEN_FETCH_TEXEL, lichenIndex0)
-  LICHEN_FROM_INDEX(1, LICHEN_FETCH_TEXEL, lichenIndex1)
-  LICHEN_FROM_INDEX(2, LICHEN_FETCH_TEXEL, lichenIndex2)
+  LICHEN_FROM_IMAGES(LICHEN_FETCH_TEXEL)
   return texel;
 }
 

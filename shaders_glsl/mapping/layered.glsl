@@ -26,21 +26,6 @@ struct LichenLayeredPlace {
   vec3 position, gradientX, gradientY, normal; // of other mappings
 };
 
-/// The noise of a layer and of an index map, with the method that compilers can know.
-LichenNoise lichenLayerOf(LichenNoise noise) {
-  int methods = int(LICHEN_LAYER_METHODS);
-  noise.method = methods == 1   ? 0u
-                 : methods == 2 ? 1u
-                 : methods == 4 ? 2u
-                 : methods == 8 ? 3u
-                                : noise.method;
-  return noise;
-}
-LichenNoise lichenIndexOf(LichenNoise noise) {
-  noise.method = uint(LICHEN_METHOD_MULTIPLE_KERNELS);
-  return noise;
-}
-
 /// The shading point of one layer, or of an index map.
 LichenShadingPoint lichenLayerPoint(LichenLayeredPlace at, LichenTriplanarMaterial planes,
                                     LichenNoise noise) {
@@ -63,7 +48,7 @@ vec4 lichenLayerWeightsAt(LichenLayeredPlace at) {
     if (uint(node) >= lichenLayers.nodes)
       break;
     LichenShadingPoint shading =
-        lichenLayerPoint(at, lichenIndexMaterials[node], lichenIndexOf(lichenIndexNoises[node]));
+        lichenLayerPoint(at, lichenIndexMaterials[node], lichenIndexNoises[node]);
     int image = LICHEN_FIRST_INDEX + node;
     vec4 index = lichenValue(image, image, shading, lichenIndexMapOf(lichenIndexMaps[node]));
     float share =
@@ -93,7 +78,7 @@ vec4 lichenLayeredValue(int role, LichenLayeredPlace at, vec4 weights) {
       planes = lichenLayerMaterials[layer - 1];
     }
     int slot = lichenLayerSlot(layer, role);
-    LichenShadingPoint shading = lichenLayerPoint(at, planes, lichenLayerOf(noise));
+    LichenShadingPoint shading = lichenLayerPoint(at, planes, noise);
     LichenMap map = lichenMaps[slot];
     if (weight > 0.0)
       lichenAddLayer(sum, weight, lichenValue(slot, slot, shading, map),
@@ -101,7 +86,7 @@ vec4 lichenLayeredValue(int role, LichenLayeredPlace at, vec4 weights) {
   }
   if (role != LICHEN_NORMAL)
     return max(lichenLayered(sum, vec4(0.0)), 0.0);
-  bool inSpace = lichenHasSlopesInSpace(lichenMaterial, lichenLayerOf(lichenNoise));
+  bool inSpace = lichenHasSlopesInSpace(lichenMaterial, lichenNoise);
   return lichenLayered(sum, inSpace ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(0.0, 0.0, 1.0, 1.0));
 }
 

@@ -6,8 +6,6 @@
 // quantity, or of slopes in space their gradient and variance).
 // For tests and for engines that fill a texture from a noise at run time.
 
-layout(constant_id = 0) const int kLayerMethods = 15;
-#define LICHEN_LAYER_METHODS kLayerMethods
 #ifndef LICHEN_LAYERS // the most that there are
 #define LICHEN_LAYERS 4
 #endif

@@ -83,10 +83,9 @@ std::vector<std::byte> layeredGlb() {
   for (int y = -8; y <= 8; ++y)
     for (int x = -8; x <= 8; ++x)
       patches.amplitudes.push_back(x * x + y * y > 1 && x * x + y * y <= 25 ? 1.0f : 0.0f);
-  const IndexMapBake index =
-      bakeIndexMap(patches, kShaderExemplarSide, kShaderExemplarSide).value();
+  const Bundle index = bakeIndexMap(patches, 1.0, false).value();
   const std::array noises{BundledNoise{&below, 0}, BundledNoise{&above, 0}};
-  const std::array indices{BundledNoise{&index.bundle, 0}};
+  const std::array indices{BundledNoise{&index, 0}};
   const std::vector nodes{LayerNode{0, 0.5, 0.2, {false, 0}, {false, 1}}};
   return bundleGlb(layerNoises("layered", noises, indices, nodes).value());
 }

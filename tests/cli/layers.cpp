@@ -53,7 +53,7 @@ TEST_CASE("a bake with labels makes a noise for each, with their colours and are
     const NoiseLayers& layers = *bundle.noises[0].layers;
     CHECK(layers.nodes[0].softness == 0.05);
     CHECK(layers.nodes[0].proportion == Approx(0.33).margin(0.03));
-    CHECK(bundle.noises[2].method() == Method::multipleKernels);
+    CHECK(bundle.noises[2].method() == Method::tiling);
     // Speckles have a mean of some half of their range. Stored values are roots of light.
     const auto mean = [&](std::size_t noise) { return bundle.noises[noise].maps[0].mean[0]; };
     CHECK(mean(1) - mean(0) > 0.3);
@@ -82,17 +82,31 @@ TEST_CASE("layers are made of noises of several bundles, with the areas asked fo
   CHECK(nodes[2].proportion == Approx(1.0 / 3.0));
   succeed({"synth", output, "-o", workplace.path("all.png"), "--size", "64"});
 
-  // An index map may be a noise of kernels, and no other.
+  // Any noise that may be a layer may be an index map.
   const Arguments two{"layer", bundles[0], bundles[1], "-o", output};
-  succeed(two + Arguments{"--index", bundles[2]});
+  for (const std::string& index : bundles)
+    succeed(two + Arguments{"--index", index});
   checkRefusal({"layer", bundles[0], "-o", output}, kUsage, {"1 given; expected 2 to 4"});
   checkRefusals(two, std::vector<Refused>{
-                         {{"--index", bundles[1]},
-                          {"--index " + bundles[1] + ": the noise \"texton\" has the method texton",
-                           "expected multiple-kernels for an index map"}},
                          {{"--shares", "1"}, {"--shares: 1 for 2 bundles; expected one each"}},
                          {{"--shares", "1,500"}, {"--shares: 1 beside 500 of the layers after it"}},
                          {{"--index", "rings"}, {"rings"}, kBadInput}});
+}
+
+TEST_CASE("index maps are kernels where all layers have solids, and tiling elsewhere") {
+  const Workplace workplace;
+  const std::string image = workplace.write("a.png", speckled(64, 64, 3));
+  const std::string output = workplace.path("out.glb");
+  const auto baked = [&](const std::string& method) {
+    return bake(workplace, image, method + ".glb", {"--method", method, "--preview", "none"});
+  };
+  const std::string tiling = baked("tiling"), kernels = baked("multiple-kernels");
+  const auto indexOf = [&](const std::string& second) {
+    succeed({"layer", kernels, second, "-o", output});
+    return readBundle(output).value().noises[2].method();
+  };
+  CHECK(indexOf(kernels) == Method::multipleKernels);
+  CHECK(indexOf(tiling) == Method::tiling);
 }
 
 TEST_CASE("a bake with layers does not advise a method that layers refuse") {

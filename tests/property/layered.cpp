@@ -24,11 +24,11 @@ namespace {
 constexpr int kTexels = 64;
 constexpr int kPoints = 20000; // tiles apart, so that they are independent
 
-/// A noise of grey values about a level; its codes are within 0.1 of that.
-Bundle greyNoise(float level, std::uint64_t seed) {
+/// A noise of grey values about a level; its codes are within half the range of that.
+Bundle greyNoise(float level, std::uint64_t seed, float range = 0.2f) {
   MapExemplar map = threeMaterials(kTexels, kTexels, seed);
   for (std::size_t i = 0; i < map.values.size() / 3; ++i)
-    map.values[i] = level + 0.2f * (map.values[3 * i] - 0.5f);
+    map.values[i] = level + range * (map.values[3 * i] - 0.5f);
   map.values.resize(map.values.size() / 3);
   map.encoding = ValueEncoding::linear;
   map.target = MapTarget::occlusionRoughnessMetallic;
@@ -43,19 +43,19 @@ struct Moments {
 };
 
 /// Over points all over the noise, with a footprint of this side [tiles].
-Moments momentsOf(const NoiseEvaluator& noise, float footprint) {
+Moments momentsOf(const NoiseEvaluator& noise, float footprint, int points = kPoints) {
   std::mt19937 generator(3u);
   std::uniform_real_distribution<float> tiles(0.0f, 4096.0f);
   Moments sums;
-  for (int k = 0; k < kPoints; ++k) {
+  for (int k = 0; k < points; ++k) {
     const TileFootprint at{
         {tiles(generator), tiles(generator)}, {footprint, 0.0f}, {0.0f, footprint}};
     const double value = noise.evaluate(0, at)[0];
     sums.mean += value;
     sums.variance += value * value;
   }
-  sums.mean /= kPoints;
-  sums.variance = std::max(0.0, sums.variance / kPoints - sums.mean * sums.mean);
+  sums.mean /= points;
+  sums.variance = std::max(0.0, sums.variance / points - sums.mean * sums.mean);
   return sums;
 }
 
@@ -81,6 +81,19 @@ TEST_CASE("layers have their shares of the area at every distance, whatever the 
       CHECK(std::abs(moments.mean - expected) <= error);
     }
   }
+}
+
+TEST_CASE("each layer covers its share of the area within 0.003") {
+  const Bundle dark = greyNoise(0.2f, 1, 0.0f), bright = greyNoise(0.8f, 1, 0.0f);
+  const Bundle index = examplePatches(kTexels, kTexels);
+  constexpr int kMany = 400'000; // a standard error of 0.0008 or less
+  for (const double share : {0.1, 0.5})
+    for (const float footprint : {0.0f, 0.1f}) {
+      const auto noise = evaluatorOf(layeredExample({dark, bright}, index, {share}, 0.1));
+      const double found = (0.8 - momentsOf(*noise, footprint, kMany).mean) / 0.6;
+      INFO("share " << share << ", found " << found << ", footprint " << footprint);
+      CHECK(std::abs(found - share) < 0.003);
+    }
 }
 
 TEST_CASE("a tree of four layers becomes a side and a threshold for each node") {

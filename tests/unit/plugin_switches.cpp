@@ -222,7 +222,6 @@ TEST_CASE("the switches are those that some material needs") {
     CHECK(found.roles == row.roles);
     CHECK(found.features == (row.features | row.methods | ofMappings));
     CHECK(found.layers == 1);
-    CHECK(found.layerMethods == 0);
     CHECK(found.anisotropic == 0);
   }
 }

@@ -47,11 +47,10 @@ struct NoiseJudgement {
 struct BakedMaterial {
   /// Noise 0, and material 0, which uses it. Layers and index maps are further noises.
   Bundle bundle;
-  std::vector<MapExemplar> exemplars;      ///< as they were baked, one per map
-  std::vector<ExemplarOrigin> origins;     ///< one per exemplar
-  BakeFigures figures;                     ///< of the first label's noise, if there are layers
-  std::vector<double> indexSpectrumErrors; ///< of each index map, decibels
-  std::vector<double> proportions;         ///< of what lies above the threshold of each index map
+  std::vector<MapExemplar> exemplars;  ///< as they were baked, one per map
+  std::vector<ExemplarOrigin> origins; ///< one per exemplar
+  BakeFigures figures;             ///< of the first label's noise, if there are layers
+  std::vector<double> proportions; ///< of what lies above the threshold of each index map
   NoiseJudgement judgement;
   std::vector<std::string> notes; ///< all that the observer heard
 };

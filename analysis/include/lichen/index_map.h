@@ -6,19 +6,15 @@
 #include <lichen/result.h>
 #include <lichen/spectrum_picture.h>
 
-#include <array>
-
 namespace lichen {
 
-/// An index map in a bundle of its own, noise 0: a multiple-kernels noise of one channel whose
-/// Gaussian value has this spectrum, on tiles of `width` x `height` texels. `decibels` is how far
-/// the spectrum of its kernels is from that, as SpectrumError has it. Errors: as
-/// bakeMultipleKernels().
-struct IndexMapBake {
-  Bundle bundle;
-  double decibels = 0.0;
-};
-[[nodiscard]] Result<IndexMapBake> bakeIndexMap(const SpectrumPicture& spectrum, int width,
-                                                int height, int kernels = 8);
+/// An index map in a bundle of its own: noise 0, of one channel and without an inverse table, whose
+/// Gaussian value has this spectrum, on tiles of this width over height, in [1/256, 256]. It is a
+/// noise of tiling, where frequencies below 3 cycles per tile make smaller patches than they
+/// should, or with `hasSolids` one of kernels, which cost more. Errors: badInput for a spectrum
+/// without power; resources if memory runs out. O(N log N) in the number of texels, which grows
+/// with the frequencies up to 1,024 a side.
+[[nodiscard]] Result<Bundle> bakeIndexMap(const SpectrumPicture& spectrum, double aspect,
+                                          bool hasSolids);
 
 } // namespace lichen

@@ -152,7 +152,7 @@ struct LayerSide {
 /// as a Gaussian value, is its index map: where that exceeds a threshold lies the side `above`, and
 /// elsewhere the side `below`. [MKN12] section 5
 struct LayerNode {
-  std::size_t index = 0;   ///< in Bundle::noises: a multiple-kernels noise, not layered
+  std::size_t index = 0;   ///< in Bundle::noises: not layered, and no mix
   double proportion = 0.5; ///< share of the node's area that is `above`; in kProportionRange
   /// Deviation of the transition, in deviations of the index map; in kSoftnessRange.
   double softness = 0.1;

@@ -20,9 +20,6 @@ namespace lichen {
 [[nodiscard]] std::string layerFault(const Bundle& firstBundle, const Noise& first,
                                      const Bundle& bundle, const Noise& noise);
 
-/// Why a noise, by its method or its layers, is no index map: a sentence that names it, or empty.
-[[nodiscard]] std::string indexFault(const Noise& noise);
-
 /// Why maps with this target do not fit into so many layers, in [2, 4]: in one sentence, or empty.
 [[nodiscard]] std::string layerTargetFault(std::size_t layers, MapTarget target);
 

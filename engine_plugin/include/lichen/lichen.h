@@ -496,22 +496,21 @@ LICHEN_API LichenResult lichenFillMaterial(const LichenMaterialParameters* param
 
 /* The switches of the shader library that fit some materials: what none of them needs is left out.
  * `methods`, `mappings` and `layers` are literals of a shader; it may also have been compiled with
- * more bits, or more layers than 1. `roles`, `features` and `layerMethods` may be specialization
- * constants. shaders_glsl/README.md says what each is. */
+ * more bits, or more layers than 1. `roles` and `features` may be specialization constants.
+ * shaders_glsl/README.md says what each is. */
 typedef struct LichenShaderSwitches {
   LichenStructureType type;
   uint32_t size;
   void* next;
-  uint32_t methods;      /* LICHEN_METHODS */
-  uint32_t mappings;     /* LICHEN_MAPPINGS: bit m for LICHEN_MAPPING_... m */
-  uint32_t layers;       /* LICHEN_LAYERS */
-  uint32_t roles;        /* LICHEN_ROLES */
-  uint32_t features;     /* LICHEN_FEATURES */
-  uint32_t layerMethods; /* LICHEN_LAYER_METHODS; 0 where layers is 1 */
-  uint32_t anisotropic;  /* LICHEN_ANISOTROPIC, a literal */
+  uint32_t methods;     /* LICHEN_METHODS */
+  uint32_t mappings;    /* LICHEN_MAPPINGS: bit m for LICHEN_MAPPING_... m */
+  uint32_t layers;      /* LICHEN_LAYERS */
+  uint32_t roles;       /* LICHEN_ROLES */
+  uint32_t features;    /* LICHEN_FEATURES */
+  uint32_t anisotropic; /* LICHEN_ANISOTROPIC, a literal */
   /* All of them as one line of arguments for a compiler, such as
    * "-DLICHEN_METHODS=1 -DLICHEN_MAPPINGS=1 ...", terminated. */
-  char text[228];
+  char text[232];
 } LichenShaderSwitches;
 
 /* The materials may be of several bundles. Of `placement`, which stands for all of theirs, it reads

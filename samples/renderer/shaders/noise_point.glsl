@@ -7,11 +7,9 @@
 // What lichenGetShaderSwitches says of the noises.
 layout(constant_id = 3) const uint kFeatures = 0xFFFFFFFFu;
 layout(constant_id = 4) const int kRoles = 63;
-layout(constant_id = 5) const int kLayerMethods = 15;
-layout(constant_id = 6) const bool kObjectSpaces = true; // whether any noise is in object space
+layout(constant_id = 5) const bool kObjectSpaces = true; // whether any noise is in object space
 #define LICHEN_FEATURES kFeatures
 #define LICHEN_ROLES kRoles
-#define LICHEN_LAYER_METHODS kLayerMethods
 #include "scene_interface.h"
 // WITHOUT_NOISE: the material has none, and nothing is bound to the set.
 #ifdef WITHOUT_NOISE
@@ -28,12 +26,6 @@ const bool kHasNoise = true;
 #define NOISE_ORM(shading, absent) LICHEN_ORM(shading, absent)
 #define LICHEN_SET SET_NOISE
 #include "lichen.glsl"
-#endif
-// With the method that compilers can know.
-#if !defined(WITHOUT_NOISE) && LICHEN_LAYERS > 1
-#define NOISE_OF_MATERIAL lichenLayerOf(lichenNoise)
-#else
-#define NOISE_OF_MATERIAL lichenNoise
 #endif
 
 layout(std140, set = SET_MATERIAL, binding = BINDING_MATERIAL) uniform MaterialBlock {

@@ -7,7 +7,7 @@
 
 #ifndef NOISE_POINT_GLSL // which declares it too
 // Whether any noise of the scene lies in object space.
-layout(constant_id = 6) const bool kObjectSpaces = false;
+layout(constant_id = 5) const bool kObjectSpaces = false;
 #endif
 
 void toWorld(mat4 worldFromObject, vec3 normal, vec4 tangent, out vec3 worldNormal,

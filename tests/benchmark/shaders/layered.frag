@@ -3,14 +3,13 @@
 // SPDX-License-Identifier: MIT
 // A noise of two layers of tiling, as a material's base colour uses it.
 
-// The usual material, as in tiling.frag and, of the index map, multiple_kernels.frag.
+// The usual material, as in tiling.frag; the index map has no table.
 #include "interface/lichen_interface.h"
-#define LICHEN_METHODS 9
+#define LICHEN_METHODS 1
 #define LICHEN_MAPPINGS 1
 #define LICHEN_FEATURES                                                                            \
-  (9u | LICHEN_FEATURE_UV | LICHEN_FEATURE_TABLES | LICHEN_FEATURE_SLOT(0) | LICHEN_FEATURE_SLOT(3))
+  (1u | LICHEN_FEATURE_UV | LICHEN_FEATURE_TABLES | LICHEN_FEATURE_SLOT(0) | LICHEN_FEATURE_SLOT(3))
 #define LICHEN_LAYERS 2
-#define LICHEN_LAYER_METHODS 1
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"
