@@ -3,7 +3,6 @@
 #include "abi.h"
 #include "noise_summary.h"
 
-#include <lichen/layered_noise.h>
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
@@ -61,14 +60,9 @@ void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary&
       featureIf((noise.mapKinds & (1u << LICHEN_TABLE_NONE)) != 0, LICHEN_FEATURE_GAUSSIAN_ONLY) |
       featureIf((noise.mapKinds & kValuesAboveOne) != 0, LICHEN_FEATURE_VALUES_ABOVE_ONE);
   add(noise.constants);
-  for (std::uint32_t layer = 0; layer < noise.layerCount && noise.layerCount > 1; ++layer) {
-    if (layer > 0) {
-      add(noise.layers[layer - 1]);
-      add(noise.indices[layer - 1]);
-    }
-    for (std::uint32_t role = 0; role < LICHEN_MAX_MAPS; ++role)
-      if ((noise.constants.roles & (1u << role)) != 0)
-        switches.features |= LICHEN_FEATURE_SLOT(layerSlot(layer, role));
+  for (std::uint32_t layer = 1; layer < noise.layerCount; ++layer) {
+    add(noise.layers[layer - 1]);
+    add(noise.indices[layer - 1]);
   }
 }
 

@@ -76,13 +76,15 @@ Result<Bundle> withoutTable(Result<Bake> baked) {
 
 } // namespace
 
-Result<Bundle> bakeIndexMap(const SpectrumPicture& spectrum, double aspect, bool hasSolids) {
+Result<Bundle> bakeIndexMap(const SpectrumPicture& spectrum, double aspect, bool hasSolids,
+                            int bits) {
   const Result<MapExemplar> field = fieldOf(spectrum, aspect);
   if (!field)
     return field.error();
   const std::span<const MapExemplar> maps(&field.value(), 1);
   MultipleKernelsOptions options;
   options.periodic = Periodic::yes;
+  options.bits = bits;
   // Transport makes the values Gaussian, as shares of areas need; those of few waves are not.
   options.gaussian = GaussianOnly::no;
   if (hasSolids)

@@ -37,6 +37,7 @@
 #include <scene.frag.surface.h>
 #include <scene.frag.textons.h>
 #include <scene.frag.tiling.h>
+#include <scene.frag.tiling_layers.h>
 #include <scene.frag.triplanar_tiling.h>
 #include <scene.vert.h>
 #include <sky.frag.h>
@@ -250,6 +251,12 @@ FragmentCode fragmentCodeFor(const NoiseSwitches& noises) {
   return {scene_frag, depth_frag};
 }
 
+std::span<const std::uint32_t> layeredCodeFor(const NoiseSwitches& noises) {
+  if (noises.methods == 1)
+    return scene_frag_tiling_layers;
+  return scene_frag_layers;
+}
+
 Constants constantsOf(const SurfaceConstants& shared, const NoiseSwitches& noises) {
   return {.debugView = shared.debugView,
           .features = noises.features,
@@ -299,7 +306,7 @@ VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t
     Description d;
     d.layout = shared_.sceneLayout;
     setStages(objects_, (kind & 8) != 0, constants.tessellates, scene_vert, d);
-    d.fragment = objects_.shader(isLayered  ? scene_frag_layers
+    d.fragment = objects_.shader(isLayered  ? layeredCodeFor(noises)
                                  : hasNoise ? fragmentCodeFor(noises).surface
                                             : scene_frag_bare);
     d.specialization = &specialization;

@@ -20,7 +20,7 @@ LICHEN_DECLARE_INDEX(2);
 
 // Sets `texel` to FETCH(name) where the image is this one.
 #define LICHEN_FROM_SLOT(slot, FETCH, name)                                                        \
-  if (LICHEN_USES(LICHEN_FEATURE_SLOT(slot)) && image == slot)                                     \
+  if (image == slot)                                                                               \
     texel = FETCH(name);
 #define LICHEN_FROM_SLOTS(FETCH, prefix)                                                           \
   LICHEN_FROM_SLOT(0, FETCH, prefix##0)                                                            \

@@ -34,7 +34,6 @@
 #define LICHEN_FEATURE_RING_KERNELS 0x200000u  // of multiple kernels
 #define LICHEN_FEATURE_SQUARE_KERNELS 0x400000u
 #define LICHEN_FEATURE_PATTERNS 0x800000u
-#define LICHEN_FEATURE_SLOT(slot) (0x1000000u << (slot)) // of layers: an image in the slot
 
 // LichenMap::encoding, of the stored values.
 #define LICHEN_ENCODING_ROOT 0 // square roots of light

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Layered noises at a point: what lichen.glsl evaluates where it declares the descriptors and
-// LICHEN_LAYERS is above 1. All layers and roles take one loop, so that the code of a noise is
-// there once, and not once for each: drivers that inline all calls need minutes and gigabytes to
-// compile that. Images are numbers, and each fetch chooses one. Noises that are not layered are
-// drawn too, but only base colour, normals, and occlusion, roughness and metallic, and not on
-// surfaces.
+// LICHEN_LAYERS is above 1. Images are numbers, and each fetch chooses one. Noises that are not
+// layered are drawn too, but only base colour, normals, and occlusion, roughness and metallic, and
+// not on surfaces.
 #ifndef LICHEN_LAYERED_GLSL
 #define LICHEN_LAYERED_GLSL
 
@@ -12,6 +10,16 @@
 #include "solid.glsl"
 #include "triplanar.glsl"
 #include "uv.glsl"
+
+// With one method the loops over nodes, layers and roles are unrolled, so that compilers know each
+// image. With more the code of a noise is there once: drivers that inline all calls would need
+// minutes and gigabytes to compile it for each.
+#extension GL_EXT_control_flow_attributes : enable
+#if defined(GL_EXT_control_flow_attributes) && (LICHEN_METHODS & (LICHEN_METHODS - 1)) == 0
+#define LICHEN_UNROLL [[unroll]]
+#else
+#define LICHEN_UNROLL
+#endif
 
 /// A layered noise at a point: the weights of its layers, and the values of the roles that it may
 /// have.
@@ -44,7 +52,7 @@ LichenShadingPoint lichenLayerPoint(LichenLayeredPlace at, LichenTriplanarMateri
 /// The weights of all layers.
 vec4 lichenLayerWeightsAt(LichenLayeredPlace at) {
   vec3 above = vec3(0.0);
-  for (int node = 0; node < LICHEN_LAYERS - 1; ++node) {
+  LICHEN_UNROLL for (int node = 0; node < LICHEN_LAYERS - 1; ++node) {
     if (uint(node) >= lichenLayers.nodes)
       break;
     LichenShadingPoint shading =
@@ -66,7 +74,7 @@ int lichenLayerSlot(int layer, int role) {
 /// The value of the map of a role, as lichenValue.
 vec4 lichenLayeredValue(int role, LichenLayeredPlace at, vec4 weights) {
   LichenLayerSum sum = lichenNoLayers();
-  for (int layer = 0; layer < LICHEN_LAYERS; ++layer) {
+  LICHEN_UNROLL for (int layer = 0; layer < LICHEN_LAYERS; ++layer) {
     if (uint(layer) >= max(lichenLayers.count, 1u)) // another noise is its only layer
       break;
     float weight = weights[layer];
@@ -95,7 +103,7 @@ LichenLayeredPoint lichenLayeredAt(LichenLayeredPlace at) {
   LichenLayeredPoint point;
   point.weights = lichenLayerWeightsAt(at);
   vec4 color = vec4(0.0), slopes = vec4(0.0), orm = vec4(0.0);
-  for (int role = 0; role < 3; ++role) {
+  LICHEN_UNROLL for (int role = 0; role < 3; ++role) {
     if ((((lichenNoise.roles & uint(LICHEN_ROLES)) >> uint(role)) & 1u) == 0u)
       continue;
     vec4 value = lichenLayeredValue(role, at, point.weights);

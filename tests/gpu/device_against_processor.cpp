@@ -326,7 +326,7 @@ BundleFile layeredFile(const Layered& kind) {
   }
   shares.pop_back();
   const Bundle index =
-      examplePatches(kExemplarWidth, kExemplarHeight, kind.mapping == Mapping::solid);
+      examplePatches(kExemplarWidth, kExemplarHeight, kind.mapping == Mapping::solid, 16);
   BundleFile file = fileOf(layeredExample(layers, index, shares, 0.2));
   MaterialNoise& material = *file.bundle.materials[0];
   material.mapping = kind.mapping;

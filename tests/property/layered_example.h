@@ -12,13 +12,13 @@
 namespace lichen::test {
 
 /// An index map with round patches, some five across a tile of this shape.
-inline Bundle examplePatches(int width, int height, bool hasSolids = false) {
+inline Bundle examplePatches(int width, int height, bool hasSolids = false, int bits = 8) {
   SpectrumPicture spectrum;
   spectrum.width = spectrum.height = 17;
   for (int y = -8; y <= 8; ++y)
     for (int x = -8; x <= 8; ++x)
       spectrum.amplitudes.push_back(x * x + y * y > 1 && x * x + y * y <= 25 ? 1.0f : 0.0f);
-  return bakeIndexMap(spectrum, double(width) / height, hasSolids).value();
+  return bakeIndexMap(spectrum, double(width) / height, hasSolids, bits).value();
 }
 
 /// Noise 0 of each bundle, divided from those after it by nodes that lie in a chain; `shares` of

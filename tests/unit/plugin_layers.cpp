@@ -82,7 +82,6 @@ TEST_CASE(
   CHECK_THAT(switches.text,
              Catch::StartsWith("-DLICHEN_METHODS=8 -DLICHEN_MAPPINGS=1 -DLICHEN_LAYERS=2 "
                                "-DLICHEN_ROLES=4 "));
-  CHECK((switches.features >> 24) == (1u << 2 | 1u << 5)); // slots of occlusion of both layers
   parameters.mapping = LICHEN_MAPPING_SURFACE;
   CHECK(fill(parameters).message == "mapping 2 (surface) does not fit the noise: it has layers");
 }

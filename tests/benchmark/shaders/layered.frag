@@ -7,8 +7,7 @@
 #include "interface/lichen_interface.h"
 #define LICHEN_METHODS 1
 #define LICHEN_MAPPINGS 1
-#define LICHEN_FEATURES                                                                            \
-  (1u | LICHEN_FEATURE_UV | LICHEN_FEATURE_TABLES | LICHEN_FEATURE_SLOT(0) | LICHEN_FEATURE_SLOT(3))
+#define LICHEN_FEATURES (1u | LICHEN_FEATURE_UV | LICHEN_FEATURE_TABLES)
 #define LICHEN_LAYERS 2
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
