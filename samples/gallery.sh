@@ -163,16 +163,10 @@ draw() {
         "PNG24:$work/two.png"
       for exemplar in granite rust moss grey two; do
         part "$exemplar" 192
-        bake "$exemplar" --gaussian no
+        bake "$exemplar"
         synth --size 192
-        if [ "$exemplar" = grey ] || [ "$exemplar" = two ]; then # do not span three dimensions
-          next && convert -size 192x192 xc:white "$panel"
-        else
-          bake "$exemplar" --gaussian yes
-          synth --size 192
-        fi
       done
-      sheet 3x 3 78 ;;
+      sheet 2x 3 78 ;;
 
     methods)
       for exemplar in granite moss rust bricks; do
@@ -382,7 +376,7 @@ ROWS
       for kind in ring ellipse lobes cross colors; do
         next && convert "$work/$kind.png" -filter point -resize 320x320 "$panel"
         for options in 'multiple-kernels --kernel gabor' \
-          'multiple-kernels --max-kernels 25 --kernel-impacts 150 --kernel '{sinc,gaussian-sinc} \
+          'multiple-kernels --max-kernels 25 --impacts 150 --kernel '{sinc,gaussian-sinc} \
           local-random-phase; do
           # shellcheck disable=SC2086 # a method and options
           bake rust --spectrum "$work/$kind.png" --method $options
@@ -393,7 +387,7 @@ ROWS
 
     patterns)
       convert -size 64x64 xc:white -fill black -draw 'circle 32,32 32,14' -blur 0x3 "$work/dot.png"
-      local dots="--pattern $work/dot.png --pattern-repeats 8" waves='--pattern wave:5:3,wave:5:-3'
+      local dots="--pattern $work/dot.png:8" waves='--pattern wave:5:3,wave:5:-3'
       local perturbed=('--pattern cosines:60 --perturb '{0,0.5,1} '')
       local given=("$dots --perturb 0.5" '--pattern spline:0:6:0:0.2:1:0.3:0.1:0 --perturb 0.4'
         "$waves --perturb 0.5" "$dots --perturb 1.5" "$waves --perturb 1.5")

@@ -24,14 +24,10 @@ MethodOptions usualMethod(const BakeOptions& options) {
 Result<void> checkOptions(const BakeOptions& options, SettingWords words) {
   if (!options.layers)
     return {};
-  if (options.layers->labels.has_value() == options.layers->count.has_value())
-    return Error{ErrorKind::usage, words({"layers", ""}) + ": expected a number or " +
-                                       words({"labels", ""}) + ", one of the two"};
   if (const Method method = methodOf(usualMethod(options)); !isLayerable(method))
-    return Error{ErrorKind::usage,
-                 fmt::format("{}: layers do not take the method {}; expected {}",
-                             words({options.layers->count ? "layers" : "labels", ""}),
-                             nameOf(method), words({"method", layerableMethods()}))};
+    return Error{ErrorKind::usage, fmt::format("{}: layers do not take the method {}; expected {}",
+                                               words({"layers", ""}), nameOf(method),
+                                               words({"method", layerableMethods()}))};
   return {};
 }
 
@@ -159,7 +155,7 @@ std::string asUtf8(const std::string& text) {
 
 MaterialSetOptions readingOf(const BakeOptions& options) {
   MaterialSetOptions reading = options.exemplar.set;
-  if (options.layers && options.layers->labels)
+  if (options.layers && std::holds_alternative<LabelPicture>(*options.layers))
     reading.cutsFrame = false; // the labels are of the whole picture
   return reading;
 }

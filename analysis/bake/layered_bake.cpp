@@ -26,8 +26,8 @@ const MapExemplar& guideOf(std::span<const MapExemplar> maps) {
 
 Result<LabelImage> labelsOf(const LayersOptions& options, const MapExemplar& guide,
                             SettingWords words, std::vector<std::string>& notes) {
-  if (options.labels) {
-    const auto& [image, name] = *options.labels;
+  if (const auto* picture = std::get_if<LabelPicture>(&options)) {
+    const auto& [image, name] = *picture;
     constexpr double kTolerance = 0.01;
     const double wide = double(image.width) * guide.height,
                  high = double(image.height) * guide.width;
@@ -39,7 +39,7 @@ Result<LabelImage> labelsOf(const LayersOptions& options, const MapExemplar& gui
                       name, image.width, image.height, guide.width, guide.height)};
     return labelsFromPicture(image, name);
   }
-  const int count = options.count.value_or(kFewestLabels);
+  const int count = std::get<int>(options);
   Result<LabelImage> labels = clusterLabels(guide, count);
   if (!labels)
     return Error{labels.error().kind,
@@ -47,8 +47,8 @@ Result<LabelImage> labelsOf(const LayersOptions& options, const MapExemplar& gui
   constexpr double kSeparate = 0.3;
   if (const double separation = labelSeparation(guide, labels.value()); separation < kSeparate)
     notes.push_back(fmt::format("the {} clusters of colours overlap (separation {:.2f} of 1): look "
-                                "at where the layers lie, or paint {}",
-                                count, separation, words({"labels", ""})));
+                                "at where the layers lie, or give {} a picture of them",
+                                count, separation, words({"layers", ""})));
   return labels;
 }
 
@@ -75,12 +75,11 @@ Result<void> checkSamples(const LabelImage& labels, std::span<const MapExemplar>
 LayerSide sideOf(const LayerPart& part) { return {part.isSplit, std::size_t(part.index)}; }
 
 /// Layer k has label k.
-std::vector<LayerNode> nodesOf(std::span<const LayerSplit> splits, double softness) {
+std::vector<LayerNode> nodesOf(std::span<const LayerSplit> splits) {
   std::vector<LayerNode> nodes;
   for (const LayerSplit& split : splits) {
     LayerNode node;
     node.proportion = std::clamp(split.proportion, kProportionRange.least, kProportionRange.most);
-    node.softness = softness;
     node.below = sideOf(split.below);
     node.above = sideOf(split.above);
     nodes.push_back(node);
@@ -136,8 +135,7 @@ Result<LayeredBake> bakeLayers(const LayersOptions& options, const std::string& 
     layerNoise.push_back({&layer, 0});
   for (const Bundle& index : indices)
     indexNoise.push_back({&index, 0});
-  Result<Bundle> bundle =
-      layerNoises(name, layerNoise, indexNoise, nodesOf(splits, options.softness));
+  Result<Bundle> bundle = layerNoises(name, layerNoise, indexNoise, nodesOf(splits));
   if (!bundle)
     return bundle.error();
   result.bundle = std::move(bundle).value();

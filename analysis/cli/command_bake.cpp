@@ -24,6 +24,9 @@
 namespace lichen::cli {
 namespace {
 
+/// Clusters of the exemplar's colours, or a picture of labels to read.
+using LayersChoice = std::variant<int, std::filesystem::path>;
+
 struct Arguments {
   explicit Arguments(const SharedOptions& options) : shared(options) {}
 
@@ -34,31 +37,36 @@ struct Arguments {
   std::optional<Method> wanted;
   CommonOptions common;
   std::vector<BakeOptionsReader> methods; ///< in the order of Method
-  std::string labels;                     ///< a picture; empty for none
-  std::optional<int> layers;
-  std::optional<double> softness;
+  std::optional<LayersChoice> layers;
   const CLI::App* verb = nullptr;
   PreviewShape preview{};
   std::string report;
-
-  [[nodiscard]] bool hasLayers() const { return !labels.empty() || layers; }
 };
 
+/// "3", or the name of a picture of labels.
+Accepted<std::optional<LayersChoice>> layersChoice() {
+  const Accepted<int> count = wholeNumber(kFewestLabels, kMostLabels);
+  return {
+      "N|PICTURE", count.sentence + ", or a picture of as many colours",
+      [read = count.read](const std::string& text) -> std::optional<std::optional<LayersChoice>> {
+        if (const std::optional<int> clusters = read(text))
+          return LayersChoice(*clusters);
+        if (text.find_first_not_of("0123456789") == std::string::npos) // also of nothing
+          return std::nullopt;
+        return LayersChoice(std::filesystem::path(text));
+      }};
+}
+
 /// The error of an option that only some methods take.
-Error foreignTo(Method method, const char* option, bool (MethodCommand::*takes)() const) {
-  std::string takers;
-  for (const Method other : allMethods())
-    if ((commandOf(other).*takes)())
-      takers += (takers.empty() ? "" : " and ") + std::string(nameOf(other));
+Error foreignTo(const std::optional<Method>& wanted, const std::string& option,
+                std::string_view takers) {
   return {ErrorKind::usage,
-          fmt::format("{}: belongs to --method {}, not to {}", option, takers, nameOf(method))};
+          fmt::format("{}: belongs to --method {}, {}", option, takers,
+                      wanted ? fmt::format("not to {}", nameOf(*wanted)) : "which was not given")};
 }
 
 /// Whether no option but --guide decides the method.
-bool leavesMethodOpen(const Arguments& arguments) {
-  return !arguments.wanted && !arguments.hasLayers() && !arguments.common.spectrum &&
-         !givenOf(*arguments.verb, commandOf(Method::tiling).heading());
-}
+bool leavesMethodOpen(const Arguments& arguments) { return !arguments.wanted && !arguments.layers; }
 
 /// The method that the options decide, if they do.
 std::optional<Method> methodOf(const Arguments& arguments) {
@@ -70,29 +78,30 @@ std::optional<Method> methodOf(const Arguments& arguments) {
 
 /// Checks that the user gave no options of another method than the chosen one.
 Result<void> checkMethodOptions(const Arguments& arguments, Method method) {
-  if (!arguments.labels.empty() && arguments.layers)
-    return Error{ErrorKind::usage, "--layers: given with --labels; expected one of the two"};
-  if (arguments.softness && !arguments.hasLayers())
-    return Error{ErrorKind::usage, "--softness: belongs to --labels and --layers"};
-  if (arguments.hasLayers() && !isLayerable(method))
+  if (arguments.layers && !isLayerable(method))
     return Error{ErrorKind::usage,
-                 fmt::format("{}: layers do not take the method {}; expected --method {}",
-                             arguments.layers ? "--layers" : "--labels", nameOf(method),
-                             layerableMethods())};
-  const MethodCommand& command = commandOf(method);
-  if (arguments.common.spectrum && !command.takesSpectrum())
-    return foreignTo(method, "--spectrum", &MethodCommand::takesSpectrum);
-  if (arguments.wanted && arguments.common.guide && !command.takesGuide())
-    return foreignTo(method, "--guide", &MethodCommand::takesGuide);
-  const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, method);
-  if (!foreign)
-    return {};
-  return Error{ErrorKind::usage,
-               arguments.wanted
-                   ? fmt::format("{}: belongs to --method {}, not to {}", foreign->name,
-                                 nameOf(foreign->method), nameOf(method))
-                   : fmt::format("{}: belongs to --method {}, which was not given", foreign->name,
-                                 nameOf(foreign->method))};
+                 fmt::format("--layers: layers do not take the method {}; expected --method {}",
+                             nameOf(method), layerableMethods())};
+  struct Shared {
+    const char* option;
+    bool (MethodCommand::*isTaken)() const;
+  };
+  for (const Shared& shared : {Shared{"--spectrum", &MethodCommand::takesSpectrum},
+                               Shared{"--impacts", &MethodCommand::takesImpacts},
+                               Shared{"--guide", &MethodCommand::takesGuide}}) {
+    const bool decidesMethod = shared.isTaken == &MethodCommand::takesGuide && !arguments.wanted;
+    if (!isGiven(*arguments.verb, shared.option) || decidesMethod ||
+        (commandOf(method).*shared.isTaken)())
+      continue;
+    std::string takers;
+    for (const Method other : allMethods())
+      if ((commandOf(other).*shared.isTaken)())
+        takers += (takers.empty() ? "" : " or ") + std::string(nameOf(other));
+    return foreignTo(arguments.wanted, shared.option, takers);
+  }
+  if (const std::optional<ForeignOption> foreign = foreignOption(*arguments.verb, method))
+    return foreignTo(arguments.wanted, foreign->name, nameOf(foreign->method));
+  return {};
 }
 
 /// Reads the options of the method, if they decide it. `maps` as BakeOptionsReader has them.
@@ -109,17 +118,17 @@ Result<void> setMethod(Arguments& arguments, std::span<const MapExemplar> maps,
 }
 
 Result<void> setLayers(Arguments& arguments) {
-  if (!arguments.hasLayers())
+  if (!arguments.layers)
     return {};
-  LayersOptions& layers = arguments.bake.layers.emplace();
-  layers.count = arguments.layers;
-  layers.softness = arguments.softness.value_or(layers.softness);
-  if (arguments.labels.empty())
+  if (const int* count = std::get_if<int>(&*arguments.layers)) {
+    arguments.bake.layers = *count;
     return {};
-  Result<SrgbImage> picture = readSrgb(arguments.labels);
+  }
+  const auto& path = std::get<std::filesystem::path>(*arguments.layers);
+  Result<SrgbImage> picture = readSrgb(path);
   if (!picture)
     return picture.error();
-  layers.labels.emplace(std::move(picture).value(), arguments.labels);
+  arguments.bake.layers = LabelPicture{std::move(picture).value(), path.string()};
   return {};
 }
 
@@ -233,20 +242,6 @@ Result<int> run(Arguments& arguments) {
   return kDone;
 }
 
-void addLayersOptions(CLI::App& verb, Arguments& arguments) {
-  constexpr const char* kHeading = "Layers";
-  addText(verb, "--labels", arguments.labels, "IMAGE",
-          "A picture of 2 to 4 colours that says which pixels are which material: each becomes a "
-          "layer, and the layers alternate as in the picture")
-      .group(kHeading);
-  addValue(verb, "--layers", arguments.layers, optional(wholeNumber(kFewestLabels, kMostLabels)),
-           "", "The same with this many clusters of the exemplar's colours")
-      .group(kHeading);
-  addValue(verb, "--softness", arguments.softness, optional(number(kSoftnessRange)), "",
-           "Width of the transitions between layers, in deviations of the index map [default: 0.1]")
-      .group(kHeading);
-}
-
 } // namespace
 
 Runner addBake(CLI::App& verb, const SharedOptions& shared) {
@@ -288,7 +283,12 @@ Runner addBake(CLI::App& verb, const SharedOptions& shared) {
       "frequency 0 in the middle and a cycle per tile a pixel; or parts with commas between them, "
       "in cycles per tile: ring:FROM:TO, band:LEFT:RIGHT:TOP:BOTTOM, lobe:U:V:RADIUS")
       .group("Local random phase and multiple kernels");
-  addLayersOptions(verb, *arguments);
+  addValue(verb, "--impacts", arguments->common.material.impacts, number(kImpactsRange), "30",
+           "Mean number of impacts at a point, of all kernels; shader time is proportional")
+      .group("Texton and multiple kernels");
+  addValue(verb, "--layers", arguments->layers, layersChoice(), "",
+           "Layers that alternate as in the photograph: of N clusters of its colours, or of a "
+           "picture of 2 to 4 colours that says which pixels are which material");
   arguments->verb = &verb;
   verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };

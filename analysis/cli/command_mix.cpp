@@ -239,6 +239,8 @@ Runner addMix(CLI::App& verb, const SharedOptions& shared) {
   addPreviewShape(verb, arguments->preview);
   addValue(verb, "--precision", arguments->mix.texton.bits, oneOf<int>({{"8", 8}, {"16", 16}}), "8",
            "8: textons of 16-bit floats; 16: of 32-bit floats");
+  addValue(verb, "--impacts", arguments->material.impacts, number(kImpactsRange), "30",
+           "Mean number of impacts at a point; shader time is proportional");
   addTextonOptions(verb, arguments->mix.texton, arguments->material);
   arguments->verb = &verb;
   return [arguments] { return run(*arguments); };

@@ -98,10 +98,8 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   const GaussianModel model =
       gaussianModel(joint.values, joint.width, joint.height, joint.channels());
   joint.values = {}; // frees as much memory as the model takes
-  const MatrixXd modelled = modelCovariance(model);
-  const MatrixXd wanted =
-      options.variance == TextonVariance::exemplar ? joint.covariance : modelled;
-  if (!isModelled(modelled, wanted))
+  const MatrixXd& wanted = joint.covariance;
+  if (!isModelled(modelCovariance(model), wanted))
     return Error{ErrorKind::badInput, "the exemplar varies only from one border to the other, "
                                       "which no texton can reproduce; use a photograph with "
                                       "detail, or another method"};

@@ -158,20 +158,15 @@ Eigen::VectorXd sharedUnits(std::span<const JointExemplar> exemplars) {
   return (squares / double(exemplars.size())).cwiseSqrt();
 }
 
-MixExemplar modelled(const std::string& name, JointExemplar exemplar, const Eigen::VectorXd& units,
-                     TextonVariance variance) {
+MixExemplar modelled(const std::string& name, JointExemplar exemplar,
+                     const Eigen::VectorXd& units) {
   const Eigen::VectorXd ratios = exemplar.units.cwiseQuotient(units);
   const auto channels = std::size_t(exemplar.channels());
   for (std::size_t i = 0; i < exemplar.values.size(); ++i)
     exemplar.values[i] *= float(ratios[Eigen::Index(i % channels)]);
-  MixExemplar result{
-      name,
-      gaussianModel(exemplar.values, exemplar.width, exemplar.height, exemplar.channels()),
-      {}};
-  result.covariance = variance == TextonVariance::periodic
-                          ? modelCovariance(result.model)
-                          : ratios.asDiagonal() * exemplar.covariance * ratios.asDiagonal();
-  return result;
+  return {name,
+          gaussianModel(exemplar.values, exemplar.width, exemplar.height, exemplar.channels()),
+          ratios.asDiagonal() * exemplar.covariance * ratios.asDiagonal()};
 }
 
 /// Returns the length of the difference over the root mean square of both lengths.
@@ -241,8 +236,7 @@ Result<TextonMixBake> baked(std::string name, std::span<const MixedExemplar> exe
   const Eigen::VectorXd units = sharedUnits(joints);
   std::vector<MixExemplar> models;
   for (std::size_t k = 0; k < exemplars.size(); ++k)
-    models.push_back(
-        modelled(exemplars[k].name, std::move(joints[k]), units, options.texton.variance));
+    models.push_back(modelled(exemplars[k].name, std::move(joints[k]), units));
   Result<TextonMix> mix = fitted(models, shape, options);
   if (!mix)
     return mix.error();

@@ -79,7 +79,6 @@ TEST_CASE("the error for an unknown option value of bake lists the valid ones") 
            {"magic"},
            "tiling, texton, local-random-phase, multiple-kernels or quilting"},
           {"--periodic", {"maybe"}, "auto, yes or no; see 'lichen bake --help'"},
-          {"--transport", {"slow"}, "fast or default"},
           {"--preview", {"teapot"}, "sphere, plane or none"},
           {"--normal", {"up"}, "gl or dx"},
           {"--alpha", {"yes"}, "ignore or opacity"},
@@ -101,9 +100,11 @@ TEST_CASE("the error for an unknown option value of bake lists the valid ones") 
           {{"--crop", "8,0,9,4"},
            {"crop 8,0,9,4", "does not fit into the 16 x 16 pixels", "ends at column 17"}},
           {{"--crop", "0,16,1,1"}, {"crop 0,16,1,1"}},
-          {{"--impacts", "20"}, {"--impacts: belongs to --method texton, which was not given"}},
+          {{"--order", "3"}, {"--order: belongs to --method texton, which was not given"}},
+          {{"--impacts", "20"},
+           {"--impacts: belongs to --method texton or multiple-kernels, which was not given"}},
           {{"--impacts", "20", "--method", "quilting"},
-           {"--impacts: belongs to --method texton, not to quilting"}}});
+           {"--impacts: belongs to --method texton or multiple-kernels, not to quilting"}}});
   checkNothingWritten();
 }
 

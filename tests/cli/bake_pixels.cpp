@@ -104,7 +104,7 @@ TEST_CASE("a frame stays if the whole picture is asked for, or its opacity, peri
   const std::pair<Arguments, Arguments> uses[] = {
       {{scan}, {"--crop", "0,0,64,48"}},
       {{scan}, {"--periodic", "yes"}},
-      {{scan}, {"--labels", workplace.write("halves.png", halves)}},
+      {{scan}, {"--layers", workplace.write("halves.png", halves)}},
       {{workplace.path("leaf")}, {}}};
   for (const auto& [inputs, options] : uses) {
     const json report = reportOf(workplace, inputs, options);

@@ -32,7 +32,7 @@ SrgbImage slope(int width = kSide, int height = kSide) {
 
 /// The report of a bake.
 nlohmann::json bakedOf(const Workplace& workplace, const Arguments& arguments) {
-  return jsonOf(Arguments{"bake", "-o", workplace.path("noise.glb"), "--transport", "fast"} +
+  return jsonOf(Arguments{"bake", "-o", workplace.path("noise.glb"), "--method", "tiling"} +
                 arguments);
 }
 

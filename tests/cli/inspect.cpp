@@ -100,20 +100,6 @@ TEST_CASE("inspect prints lines of at most 80 characters") {
   CHECK(runLichen({"inspect", bundle, "--quiet"}).output.empty());
 }
 
-TEST_CASE("inspect shows the kind of each inverse table and its fetches") {
-  const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smooth(kSide));
-  for (const auto& [options, name, line, fetches] :
-       {std::tuple{Arguments{}, "joint", "joint, 32 x 32 x 32 cells", 4},
-        {Arguments{"--gaussian", "yes"}, "none", "no inverse table", 3}}) {
-    const std::string bundle = bake(workplace, input, "moss.glb", options);
-    const nlohmann::json map = inspected(bundle).at("noises")[0].at("maps")[0];
-    CHECK(map.at("table") == name);
-    CHECK(map.at("fetchesPerPixel") == fetches);
-    CHECK_THAT(pageOf(bundle), Catch::Contains(line));
-  }
-}
-
 TEST_CASE("inspect counts the fetches that all maps of a quilting share once") {
   const Workplace workplace;
   const std::string bundle = written(workplace, example::smallestQuilting());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `lichen bake --labels` and `--layers`, and `lichen layer`.
+// `lichen bake --layers` and `lichen layer`.
 #include "command_run.h"
 
 #include <lichen/bundle.h>
@@ -46,12 +46,12 @@ TEST_CASE("a bake with labels makes a noise for each, with their colours and are
   const Workplace workplace;
   const std::string photograph = workplace.write("coast.png", discs());
   const std::string labels = workplace.write("labels.png", painted());
-  for (const Arguments& which : {Arguments{"--labels", labels}, Arguments{"--layers", "2"}}) {
-    bake(workplace, photograph, "coast.glb", which + Arguments{"--softness", "0.05"});
+  for (const std::string& which : {labels, std::string("2")}) {
+    bake(workplace, photograph, "coast.glb", {"--layers", which});
     const Bundle bundle = readBundle(workplace.path("coast.glb")).value();
     REQUIRE(bundle.noises.size() == 3);
     const NoiseLayers& layers = *bundle.noises[0].layers;
-    CHECK(layers.nodes[0].softness == 0.05);
+    CHECK(layers.nodes[0].softness == 0.1);
     CHECK(layers.nodes[0].proportion == Approx(0.33).margin(0.03));
     CHECK(bundle.noises[2].method() == Method::tiling);
     // Speckles have a mean of some half of their range. Stored values are roots of light.
@@ -62,7 +62,7 @@ TEST_CASE("a bake with labels makes a noise for each, with their colours and are
   }
   CHECK_THAT(succeed({"inspect", workplace.path("coast.glb")}).output,
              Catch::Contains("layers: coast, coast.layer2") &&
-                 Catch::Contains("of the area above, softness 0.05"));
+                 Catch::Contains("of the area above, softness 0.1"));
 }
 
 TEST_CASE("layers are made of noises of several bundles, with the areas asked for") {
@@ -124,8 +124,8 @@ TEST_CASE("a bake with layers does not advise a method that layers refuse") {
           {{"--layers", "2", "--method", "quilting"},
            {"--layers: layers do not take the method quilting; expected --method tiling, texton, "
             "local-random-phase or multiple-kernels"}},
-          {{"--labels", bricks, "--guide", "0.5"},
-           {"--labels: layers do not take the method quilting"}}});
+          {{"--layers", bricks, "--guide", "0.5"},
+           {"--layers: layers do not take the method quilting"}}});
 }
 
 TEST_CASE("layers that do not fit together are refused by name") {
@@ -147,11 +147,10 @@ TEST_CASE("layers that do not fit together are refused by name") {
                     {{one, wide}, {"wide.glb: the noise \"a\" has tiles of another shape"}},
                     {{one, quilting}, {quilted}},
                     {{quilting, one}, {quilted}}});
-  checkRefusals({"bake", image, "-o", output},
-                std::vector<Refused>{
-                    {{"--labels", image, "--layers", "2"}, {"--layers: given with --labels"}},
-                    {{"--layers", "5"}, {"--layers 5", "2 to 4"}},
-                    {{"--labels", workplace.path("none.png")}, {"none.png"}, kBadInput}});
+  checkRefusals(
+      {"bake", image, "-o", output},
+      std::vector<Refused>{{{"--layers", "5"}, {"--layers 5", "2 to 4, or a picture"}},
+                           {{"--layers", workplace.path("none.png")}, {"none.png"}, kBadInput}});
   const Ended ended = runLichen({"bake", workplace.write("a_diff.png", speckled(256, 256, 3)),
                                  workplace.write("a_height.png", speckled(256, 256, 3)), "-o",
                                  output, "--layers", "2"});

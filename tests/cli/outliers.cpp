@@ -38,10 +38,7 @@ struct Bake {
 
 Bake baked(const Workplace& workplace, const Arguments& arguments) {
   const std::string notes =
-      jsonOf(Arguments{"bake", "-o", workplace.path("noise.glb"), "--transport", "fast"} +
-             arguments)
-          .at("notes")
-          .dump();
+      jsonOf(Arguments{"bake", "-o", workplace.path("noise.glb")} + arguments).at("notes").dump();
   return {notes, readBundle(workplace.path("noise.glb")).value().noises.front().preparation};
 }
 

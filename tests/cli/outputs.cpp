@@ -87,36 +87,29 @@ TEST_CASE("--json prints one object and nothing else") {
   CHECK(made.at("height") == 10);
 }
 
-TEST_CASE("--gaussian chooses the kind of table, and both kinds can be checked and synthesized") {
-  const Workplace workplace;
-  const std::string input = workplace.write(
-      "grain.png", grain(64, 48, std::uniform_real_distribution<float>(0.2f, 0.8f)));
-  const std::string bundle = workplace.path("kinds.glb");
-  std::vector<std::string> pictures;
-  for (const auto& [gaussian, table, bytes] :
-       {std::tuple{"no", "joint",
-                   (32 * 32 * 32 + 16 * 16 * 16 + 8 * 8 * 8 + 4 * 4 * 4 + 8) * std::size_t(4)},
-        {"yes", "none", std::size_t(0)}}) {
-    INFO(gaussian);
-    const nlohmann::json report = jsonOf({"bake", input, "-o", bundle, "--gaussian", gaussian});
-    CHECK(report.at("table") == table);
-    // In addition, 64 x 48 texels of four bytes and their mip levels, up to a third more.
-    const std::size_t image = report.at("tableBytes").get<std::size_t>() - bytes;
-    CHECK((image > 64 * 48 * 4 && image < 64 * 48 * 4 * 4 / 3 + 16));
-    succeed({"check", bundle});
-    synth(workplace, bundle, {"--size", "32"});
-    pictures.push_back(workplace.read("synth.png"));
-  }
-  CHECK(pictures[0] != pictures[1]);
-}
-
-TEST_CASE("--gaussian auto omits the table only for Gaussian exemplars") {
+TEST_CASE("a bake omits the inverse table of Gaussian exemplars only") {
   const Workplace workplace;
   const SrgbImage gaussian = grain(64, 64, std::normal_distribution<float>(0.5f, 0.05f));
   const SrgbImage uniform = grain(64, 64, std::uniform_real_distribution<float>(0.2f, 0.8f));
-  for (const auto& [image, table] : {std::pair{gaussian, "none"}, {uniform, "joint"}}) {
-    const std::string input = workplace.write("exemplar.png", image);
-    CHECK(jsonOf({"bake", input, "-o", workplace.path("auto.glb")}).at("table") == table);
+  constexpr std::size_t kTableBytes =
+      4 * (32 * 32 * 32 + 16 * 16 * 16 + 8 * 8 * 8 + 4 * 4 * 4 + 2 * 2 * 2);
+  const std::string bundle = workplace.path("kinds.glb");
+  for (const auto& [image, table, words, fetches, bytes] :
+       {std::tuple{gaussian, "none", "no inverse table", 3, std::size_t(0)},
+        {uniform, "joint", "joint, 32 x 32 x 32 cells", 4, kTableBytes}}) {
+    INFO(table);
+    const nlohmann::json report =
+        jsonOf({"bake", workplace.write("grain.png", image), "-o", bundle});
+    CHECK(report.at("table") == table);
+    // In addition, 64 x 64 texels of four bytes and their mip levels, up to a third more.
+    const std::size_t stored = report.at("tableBytes").get<std::size_t>() - bytes;
+    CHECK((stored > 64 * 64 * 4 && stored < 64 * 64 * 4 * 4 / 3 + 16));
+    succeed({"check", bundle});
+    synth(workplace, bundle, {"--size", "32"});
+    const nlohmann::json map = jsonOf({"inspect", bundle}).at("noises")[0].at("maps")[0];
+    CHECK(map.at("table") == table);
+    CHECK(map.at("fetchesPerPixel") == fetches);
+    CHECK_THAT(succeed({"inspect", bundle}).output, Catch::Contains(words));
   }
 }
 

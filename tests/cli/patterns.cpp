@@ -52,29 +52,28 @@ TEST_CASE("patterns are taken from parts and from pictures") {
   SrgbImage dots(8, 8, 1);
   dots.values[0] = 1.0f;
   const std::string picture = photograph.workplace.write("dots.png", dots);
-  CHECK(photograph.bake({"--pattern", picture, "--pattern-repeats", "3"}).noise.cosines > 8);
+  CHECK(photograph.bake({"--pattern", picture + ":3"}).noise.cosines > 8);
 }
 
 TEST_CASE("a pattern that cannot be is refused") {
   const Photograph photograph;
   checkRefusals(photograph.bakeOf,
-                std::vector<RefusedValues>{{"--pattern",
-                                            {"cosines:97", "cosines:0", "wave:0:0", "wave:1.5:2",
-                                             "wave:600:2", "spline:0:4:1", "wave:1:2,stripes"},
-                                            "cosines:N with N from 1 to 96"},
-                                           {"--perturb", {"17"}, "a number from 0 to 16"}});
+                std::vector<RefusedValues>{
+                    {"--pattern",
+                     {"cosines:97", "cosines:0", "wave:0:0", "wave:1.5:2", "wave:600:2",
+                      "spline:0:4:1", "wave:1:2,stripes", "dots.png:65", "dots.png:"},
+                     "cosines:N with N from 1 to 96"},
+                    {"--perturb", {"17"}, "a number from 0 to 16"}});
   const std::string grey = photograph.workplace.write("grey.png", SrgbImage(8, 8, 1));
   for (const std::string pattern : {grey.c_str(), "wave:8:0,wave:8:0:1:0.5"})
     checkRefusal(photograph.bakeOf + Arguments{"--pattern", pattern}, kBadInput,
                  {"the pattern does not vary"});
 }
 
-TEST_CASE("without a pattern its options have no effect, and a note says so") {
+TEST_CASE("without a pattern its strength has no effect, and a note says so") {
   const Photograph photograph;
   CHECK_THAT(photograph.bake({"--perturb", "2"}).notes,
              Catch::Contains("--perturb has no effect without --pattern"));
-  CHECK_THAT(photograph.bake({"--pattern", "wave:5:3", "--pattern-repeats", "2"}).notes,
-             Catch::Contains("--pattern-repeats has no effect without a picture"));
 }
 
 TEST_CASE("spectra are given by lobes and by coloured pictures") {

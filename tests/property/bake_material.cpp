@@ -79,7 +79,7 @@ TEST_CASE("an observer hears the steps of a bake, and stops it in each that take
   }
 }
 
-TEST_CASE("a bake refuses no images, and layers that are given twice or have another method") {
+TEST_CASE("a bake refuses no images, and layers of a method that cannot have them") {
   const auto refused = [](std::vector<Photograph> images, const BakeOptions& options) {
     const Result<BakedMaterial> baked = bakeMaterial(std::move(images), options);
     return !baked && baked.error().kind == ErrorKind::usage;
@@ -87,9 +87,7 @@ TEST_CASE("a bake refuses no images, and layers that are given twice or have ano
   BakeOptions options;
   CHECK(refused({}, options));
   CHECK(!bakeMaterial(MaterialSet{}, options));
-  options.layers = LayersOptions{.labels = std::pair(SrgbImage(64, 64, 3), "labels"), .count = 2};
-  CHECK(refused(moss(), options));
-  options.layers = LayersOptions{.count = 2};
+  options.layers = 2;
   options.method = QuiltingOptions{};
   CHECK(refused(moss(), options));
 }

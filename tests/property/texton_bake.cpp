@@ -299,10 +299,8 @@ TEST_CASE("a texton's frame is 0 outside the coefficients, and its mips are aver
   }
 }
 
-TEST_CASE("support, order, bits and variance change the texton as documented") {
-  MapExemplar map = test::threeMaterials(64, 64, 14);
-  for (std::size_t i = 0; i < map.values.size(); ++i) // light that falls off to one side
-    map.values[i] *= 0.5f + 0.5f * float(i / 3 % 64) / 63.0f;
+TEST_CASE("support, order and bits change the texton as documented") {
+  const MapExemplar map = test::threeMaterials(64, 64, 14);
   const TextonBake plain = bakeOf({&map, 1}, supportOf(16));
   CHECK(plain.noise.as<TextonShape>().coefficientsX == 15);
   CHECK(plain.noise.as<TextonShape>().frameWidth() == 18);
@@ -310,11 +308,6 @@ TEST_CASE("support, order, bits and variance change the texton as documented") {
   CHECK(bakeOf({&map, 1}, supportOf(16, 3)).noise.as<TextonShape>().coefficientsX == 13);
   CHECK(texelBytes(plain.tables[0].format) == 16);
   CHECK(texelBytes(bakeOf({&map, 1}, supportOf(16, 1, 8)).tables[0].format) == 8);
-
-  TextonOptions options = supportOf(16);
-  options.variance = TextonVariance::periodic;
-  CHECK(storedCovariance(bakeOf({&map, 1}, options)).trace() <
-        0.97 * storedCovariance(plain).trace());
 }
 
 TEST_CASE("the errors for options and maps out of range have the value") {

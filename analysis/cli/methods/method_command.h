@@ -25,7 +25,7 @@ namespace lichen::cli {
 struct CommonOptions {
   std::optional<SpectrumChoice> spectrum; ///< for methods with takesSpectrum()
   std::optional<double> guide;            ///< for methods with takesGuide()
-  MaterialNoise material;                 ///< methods set their parameters in it
+  MaterialNoise material; ///< its impacts for methods with takesImpacts(); methods set the rest
 };
 
 /// Returns the options of a bake that the command line gives, and adds notes on those without
@@ -48,6 +48,8 @@ public:
   [[nodiscard]] virtual std::string heading() const = 0;
   /// Whether a bake can take a spectrum in place of the exemplar's.
   [[nodiscard]] virtual bool takesSpectrum() const { return false; }
+  /// Whether the noise is a sum of impacts.
+  [[nodiscard]] virtual bool takesImpacts() const { return false; }
   /// Whether a bake can follow what repeats in the exemplar.
   [[nodiscard]] virtual bool takesGuide() const { return false; }
   /// Declare the method's options for a verb, under its heading. `common` must outlive the result,

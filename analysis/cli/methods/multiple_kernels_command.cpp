@@ -20,25 +20,21 @@ struct Given {
   MultipleKernelsOptions own;
   double perturb = kUsualPerturbation;
   std::optional<PatternChoice> pattern;
-  int repeats = 1;
 
-  Result<MethodOptions> read(const std::optional<SpectrumChoice>& spectrum,
-                             std::span<const MapExemplar> maps,
+  Result<MethodOptions> read(const CommonOptions& common, std::span<const MapExemplar> maps,
                              std::vector<std::string>& notes) const {
     MultipleKernelsOptions options = own;
-    if (Result<void> given = setSpectrum(spectrum, maps, options.spectrum); !given)
+    options.impacts = common.material.impacts;
+    if (Result<void> given = setSpectrum(common.spectrum, maps, options.spectrum); !given)
       return given.error();
     if (pattern) {
-      Result<Perturbation> perturbation = perturbationOf(*pattern, perturb, repeats);
+      Result<Perturbation> perturbation = perturbationOf(*pattern, perturb);
       if (!perturbation)
         return perturbation.error();
       options.perturbation = std::move(perturbation).value();
     } else if (perturb != kUsualPerturbation) {
       notes.emplace_back("--perturb has no effect without --pattern");
     }
-    const bool isPicture = pattern && std::holds_alternative<std::filesystem::path>(*pattern);
-    if (!isPicture && repeats != 1)
-      notes.emplace_back("--pattern-repeats has no effect without a picture as --pattern");
     return MethodOptions(std::move(options));
   }
 };
@@ -46,6 +42,7 @@ struct Given {
 class MultipleKernelsCommand final : public MethodCommand {
   std::string heading() const override { return kHeading; }
   bool takesSpectrum() const override { return true; }
+  bool takesImpacts() const override { return true; }
   std::string optionsFor(Mapping mapping) const override {
     return mapping == Mapping::solid ? "with --kernel gabor, without --pattern"
                                      : "without --pattern";
@@ -66,16 +63,11 @@ class MultipleKernelsCommand final : public MethodCommand {
              wholeNumber(int(kKernelsRange.least), int(kKernelsRange.most)), "8",
              "Most kernels; more follow the spectrum more closely and cost more per pixel")
         .group(kHeading);
-    addValue(verb, "--kernel-impacts", options->own.impacts, number(kImpactsRange), "30",
-             "Mean number of impacts at a point, of all kernels; shader time is proportional")
-        .group(kHeading);
     addValue(verb, "--pattern", options->pattern, patternChoice(), "",
              "A regular pattern that the noise perturbs: the exemplar's N strongest waves "
-             "(cosines:N), a picture that tiles, or parts: wave:U:V[:AMPLITUDE[:PHASE]] or "
-             "spline:U:V:VALUE:VALUE..., U and V whole cycles per tile along x and y")
-        .group(kHeading);
-    addValue(verb, "--pattern-repeats", options->repeats, wholeNumber(1, 64), "1",
-             "How often a picture of a pattern lies along each axis of a tile")
+             "(cosines:N), a picture that tiles, N times along each axis of a tile with :N, or "
+             "parts: wave:U:V[:AMPLITUDE[:PHASE]] or spline:U:V:VALUE:VALUE..., U and V whole "
+             "cycles per tile along x and y")
         .group(kHeading);
     addValue(
         verb, "--perturb", options->perturb, number(kPerturbationRange), "1",
@@ -83,7 +75,7 @@ class MultipleKernelsCommand final : public MethodCommand {
         "luminance); colours have the exemplar's covariance")
         .group(kHeading);
     return [options, &common](std::span<const MapExemplar> maps, std::vector<std::string>& notes) {
-      return options->read(common.spectrum, maps, notes);
+      return options->read(common, maps, notes);
     };
   }
 

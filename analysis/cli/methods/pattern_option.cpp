@@ -15,6 +15,7 @@ namespace {
 
 constexpr NumberRange kNumbers{-512.0, 512.0}; // whole cycles per tile, and values
 constexpr std::size_t kMostPoints = 32;        // of a spline
+constexpr int kMostRepeats = 64;               // of a picture, along each axis of a tile
 
 bool isWhole(double value) { return value == std::floor(value); }
 
@@ -41,6 +42,16 @@ std::optional<StrongestWaves> strongestFrom(std::string_view text) {
   return StrongestWaves{int(count->front())};
 }
 
+/// "dot.png" or "dot.png:8"; nothing if the number after the last colon is out of range.
+std::optional<PatternPicture> pictureFrom(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  if (colon == std::string::npos ||
+      text.find_first_not_of("0123456789", colon + 1) != std::string::npos)
+    return PatternPicture{text};
+  const std::optional<int> repeats = wholeNumber(1, kMostRepeats).read(text.substr(colon + 1));
+  return repeats ? std::optional(PatternPicture{text.substr(0, colon), *repeats}) : std::nullopt;
+}
+
 } // namespace
 
 Accepted<std::optional<PatternChoice>> patternChoice() {
@@ -53,16 +64,19 @@ Accepted<std::optional<PatternChoice>> patternChoice() {
     if (text.empty() || text.starts_with("cosines:") || text.starts_with("wave:") ||
         text.starts_with("spline:"))
       return std::nullopt;
-    return PatternChoice(std::filesystem::path(text));
+    if (const auto picture = pictureFrom(text))
+      return PatternChoice(*picture);
+    return std::nullopt;
   };
-  return {"cosines:N|PARTS|PICTURE",
+  return {"cosines:N|PARTS|PICTURE[:N]",
           "cosines:N with N from 1 to " + std::to_string(kMostPatternCosines) +
               ", parts such as wave:8:0 or spline:0:4:1:0:0.5 with commas between them and whole "
-              "cycles per tile, or a picture",
+              "cycles per tile, or a picture, which a number from 1 to " +
+              std::to_string(kMostRepeats) + " after a colon repeats",
           read};
 }
 
-Result<Perturbation> perturbationOf(const PatternChoice& choice, double amount, int repeats) {
+Result<Perturbation> perturbationOf(const PatternChoice& choice, double amount) {
   Perturbation perturbation;
   perturbation.amount = amount;
   if (const auto* strongest = std::get_if<StrongestWaves>(&choice)) {
@@ -74,7 +88,8 @@ Result<Perturbation> perturbationOf(const PatternChoice& choice, double amount, 
     for (const PatternPart& part : *parts)
       perturbation.pattern.insert(perturbation.pattern.end(), part.begin(), part.end());
   } else {
-    Result<SrgbImage> picture = readSrgb(std::get<std::filesystem::path>(choice));
+    const auto& [path, repeats] = std::get<PatternPicture>(choice);
+    Result<SrgbImage> picture = readSrgb(path);
     if (!picture)
       return picture.error();
     perturbation.pattern = patternOf(picture.value(), repeats, perturbation.cosines);

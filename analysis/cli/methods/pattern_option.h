@@ -20,14 +20,16 @@ struct StrongestWaves {
   int cosines = 0;
 };
 using PatternPart = std::vector<PatternWave>;
-using PatternChoice = std::variant<StrongestWaves, std::vector<PatternPart>, std::filesystem::path>;
+struct PatternPicture {
+  std::filesystem::path path;
+  int repeats = 1; ///< along each axis of the tile
+};
+using PatternChoice = std::variant<StrongestWaves, std::vector<PatternPart>, PatternPicture>;
 
-/// "cosines:40", "wave:8:0,spline:0:4:1:0:0.5", or the name of a file.
+/// "cosines:40", "wave:8:0,spline:0:4:1:0:0.5", or the name of a file, also with ":8" after it.
 [[nodiscard]] Accepted<std::optional<PatternChoice>> patternChoice();
 
-/// The perturbation of `choice` by `amount`. A picture lies `repeats` times along each axis of the
-/// tile. Errors: as readImage().
-[[nodiscard]] Result<Perturbation> perturbationOf(const PatternChoice& choice, double amount,
-                                                  int repeats);
+/// The perturbation of `choice` by `amount`. Errors: as readImage().
+[[nodiscard]] Result<Perturbation> perturbationOf(const PatternChoice& choice, double amount);
 
 } // namespace lichen::cli

@@ -43,6 +43,7 @@ Json laterSteps(const std::vector<TextonStep>& steps) {
 
 class TextonCommand final : public MethodCommand {
   std::string heading() const override { return kHeading; }
+  bool takesImpacts() const override { return true; }
 
   BakeOptionsReader addBakeOptions(CLI::App& verb, CommonOptions& common) const override {
     auto options = std::make_shared<TextonOptions>();
@@ -132,16 +133,8 @@ void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& mate
   addValue(verb, "--order", texton.order, oneOf<int>({{"0", 0}, {"1", 1}, {"3", 3}}), "1",
            "B-spline between texels: 0 nearest, 1 linear, 3 cubic, smooth enough for bumps")
       .group(kHeading);
-  addValue(verb, "--impacts", material.impacts, number(kImpactsRange), "30",
-           "Mean number of impacts at a point")
-      .group(kHeading);
   addValue(verb, "--points", material.pointProcess, pointProcess(), "stratified",
            "One impact per grid cell, or a Poisson process")
-      .group(kHeading);
-  const Choices<TextonVariance> variances{{"exemplar", TextonVariance::exemplar},
-                                          {"periodic", TextonVariance::periodic}};
-  addValue(verb, "--variance", texton.variance, oneOf(variances), "exemplar",
-           "Contrast of the exemplar, or of its periodic component")
       .group(kHeading);
 }
 

@@ -11,7 +11,7 @@ class App;
 
 namespace lichen::cli {
 
-/// Declares them; not --precision.
+/// Declares them; not --impacts and --precision.
 void addTextonOptions(CLI::App& verb, TextonOptions& texton, MaterialNoise& material);
 
 } // namespace lichen::cli

@@ -49,20 +49,9 @@ UseOptions useOf(std::shared_ptr<Use> options) {
 class TilingCommand final : public MethodCommand {
   std::string heading() const override { return kHeading; }
 
-  BakeOptionsReader addBakeOptions(CLI::App& verb, CommonOptions&) const override {
-    auto options = std::make_shared<TilingOptions>();
-    const Choices<TransportEffort> efforts{{"fast", TransportEffort::fast},
-                                           {"default", TransportEffort::standard}};
-    addValue(verb, "--transport", options->transport, oneOf(efforts), "default",
-             "Quality of the colour matching (optimal transport)")
-        .group(kHeading);
-    const Choices<GaussianOnly> gaussian{
-        {"auto", GaussianOnly::detect}, {"yes", GaussianOnly::yes}, {"no", GaussianOnly::no}};
-    addValue(verb, "--gaussian", options->gaussian, oneOf(gaussian), "auto",
-             "Omit the inverse table; auto omits it if the values are Gaussian")
-        .group(kHeading);
-    return [options](std::span<const MapExemplar>, std::vector<std::string>&) {
-      return MethodOptions(*options);
+  BakeOptionsReader addBakeOptions(CLI::App&, CommonOptions&) const override {
+    return [](std::span<const MapExemplar>, std::vector<std::string>&) {
+      return MethodOptions(TilingOptions{});
     };
   }
 

@@ -11,18 +11,19 @@
 
 #include <optional>
 #include <string>
-#include <utility>
+#include <variant>
 #include <vector>
 
 namespace lichen {
 
-/// A noise for each label, in which index maps alternate: either labels or a count.
-struct LayersOptions {
-  /// A picture of the exemplar's shape, with 2 to 4 colours, and its name in messages.
-  std::optional<std::pair<SrgbImage, std::string>> labels{};
-  std::optional<int> count{}; ///< of clusters of colours
-  double softness = 0.1;      ///< width of the transitions, in deviations of the index map
+/// Which pixels of an exemplar are which material, in 2 to 4 colours.
+struct LabelPicture {
+  SrgbImage image;  ///< of the exemplar's shape
+  std::string name; ///< in messages
 };
+
+/// A noise for each label, in which index maps alternate: 2 to 4 clusters of colours, or labels.
+using LayersOptions = std::variant<int, LabelPicture>;
 
 struct BakeOptions {
   std::string name; ///< of the noise and its material, UTF-8; empty: the photographs'
@@ -57,10 +58,10 @@ struct BakedMaterial {
 
 /// Chooses the method, unless the options do; straightens, flattens and fills the exemplar; bakes
 /// it; and judges the noise. `set` holds the maps, read with options.exemplar.set. The steps are
-/// "flatten", "outliers", "bake" and "judge". Errors: usage for options out of range, labels and a
-/// count of layers at once, or maps or a method that layers cannot have; badInput for labels of
-/// another shape, and as the bakes; resources if memory runs out; environment if `observer` stops
-/// it. Thread-safe; runs on all cores; same bytes for any number of threads.
+/// "flatten", "outliers", "bake" and "judge". Errors: usage for options out of range, or maps
+/// or a method that layers cannot have; badInput for labels of another shape, and as the bakes;
+/// resources if memory runs out; environment if `observer` stops it. Thread-safe; runs on all
+/// cores; same bytes for any number of threads.
 [[nodiscard]] Result<BakedMaterial> bakeMaterial(MaterialSet set, const BakeOptions& options,
                                                  const BakeObserver& observer = {});
 

@@ -15,17 +15,10 @@
 
 namespace lichen {
 
-/// The covariance of the noise.
-enum class TextonVariance {
-  exemplar, ///< the photograph's: the noise has its contrast
-  periodic, ///< its periodic component's, which the spectrum comes from
-};
-
 struct TextonOptions {
   int support = 64; ///< side of the area that an impact reaches, texels, [4, kMaxTextonSide]
   int order = 1;    ///< order of the B-spline between coefficients: 0, 1 or 3
   int bits = 8;     ///< precision as for tiling's tables: 8 gives 16-bit floats, 16 gives 32-bit
-  TextonVariance variance = TextonVariance::exemplar;
   std::uint32_t fitSeed = 1; ///< seed of the initial phases of the fit
   Progress progress;         ///< empty: no reports
 };
