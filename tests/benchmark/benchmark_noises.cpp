@@ -59,10 +59,6 @@ std::vector<std::byte> tilingGlb(GaussianOnly gaussian) {
   return bundleGlb(bakedBundle(exemplars::rust(kShaderExemplarSide), options));
 }
 
-std::vector<std::byte> setGlb(std::span<const MapExemplar> maps) {
-  return bundleGlb(bakedBundle(maps));
-}
-
 std::vector<std::byte> textonGlb() { return test::syntheticTextonGlb(textons()); }
 
 std::vector<std::byte> localRandomPhaseGlb(double structure) {
@@ -116,7 +112,6 @@ ReadyNoise::ReadyNoise(VulkanDevice& gpu, const std::vector<std::byte>& glb, con
     : host_(gpu, glb, infoFor(gpu, use)) {
   test::MaterialUse material = host_.use();
   material.parameters.mapping = use.mapping;
-  material.parameters.blendSharpness = use.blendSharpness;
   material.parameters.tileRotation = use.tileRotation;
   const std::vector<test::Point> point(1);
   // The first run uploads the noise.

@@ -13,8 +13,6 @@ namespace lichen::bench {
 
 /// A tiling of a generated exemplar as a GLB.
 [[nodiscard]] std::vector<std::byte> tilingGlb(GaussianOnly gaussian);
-/// A tiling of these maps.
-[[nodiscard]] std::vector<std::byte> setGlb(std::span<const MapExemplar> maps);
 /// Bilinear textons that reach 64 texels, with the default of 30 impacts.
 [[nodiscard]] std::vector<std::byte> textonGlb();
 /// Local random-phase noise of the exemplar of tilingGlb(), 50 cosines.
@@ -37,7 +35,6 @@ namespace lichen::bench {
 /// How a material uses the noise.
 struct NoiseUse {
   LichenMapping mapping = LICHEN_MAPPING_UV;
-  double blendSharpness = 1.0;
   std::uint32_t tileRotation = 0;
   bool isLayered = false;
 };

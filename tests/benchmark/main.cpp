@@ -18,7 +18,7 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 17> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 15> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
@@ -31,10 +31,8 @@ constexpr std::array<Family, 17> kFamilies{{{"bake", bakeRows},
                                             {"multiple-kernels", multipleKernelsRows},
                                             {"structure", structureRows},
                                             {"quilting", quiltingRows},
-                                            {"load", loadRows},
                                             {"shader", shaderRows},
-                                            {"options", optionRows},
-                                            {"code", codeRows}}};
+                                            {"options", optionRows}}};
 
 const char* verdict(const Row& row) {
   if (row.skipped)

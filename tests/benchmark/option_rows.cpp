@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ratios of a shader with an option to one without it: surfaces, solids and triplanar tiling to
-// those on texture coordinates, layers to one tiling, a sharper blend to the default, rotated tiles
-// to unrotated ones.
+// Ratios of a shader with an option to one without it: textons on surfaces and triplanar tiling to
+// those on texture coordinates, layers to one tiling, rotated tiles to unrotated ones.
 #include "benchmark_noises.h"
 #include "rows.h"
 #include "shader_frames.h"
@@ -9,18 +8,12 @@
 #include <array>
 #include <cstdio>
 #include <layered.frag.h>
-#include <local_random_phase.frag.h>
-#include <multiple_kernels.frag.h>
-#include <solid.frag.cosines.h>
-#include <solid.frag.kernels.h>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <surface.frag.kernels.h>
-#include <surface.frag.textons.h>
+#include <surface.frag.h>
 #include <texton.frag.h>
 #include <tiling.frag.joint.h>
-#include <tiling.frag.sharp.h>
 #include <tiling.frag.slopes.h>
 #include <tiling.frag.turned.h>
 #include <tiling.frag.turned_slopes.h>
@@ -53,37 +46,16 @@ Row ratioRow(const std::string& what, double target, const Shader& option, const
   return {what, seconds[1] / seconds[0], target, "", note};
 }
 
-/// A noise with another mapping relative to that in the plane.
-struct Mapped {
-  std::string what; ///< of the rows
-  std::vector<std::byte> glb;
-  std::span<const std::uint32_t> inPlane, mapped; ///< shaders
-  LichenMapping mapping;
-  double target;
-};
-
-void appendMappedRows(std::vector<Row>& rows, const Mapped& noise, const Screen& screen) {
-  const ReadyNoise plane(screen.gpu(), noise.glb);
-  const ReadyNoise mapped(screen.gpu(), noise.glb, {.mapping = noise.mapping});
-  const Shader unit{"plane", noise.inPlane, plane}, option{"mapped", noise.mapped, mapped};
-  rows.push_back(ratioRow(noise.what + ", flat", noise.target, option, unit, screen, kSurfaceFlat));
-  rows.push_back(
-      ratioRow(noise.what + ", perspective", noise.target, option, unit, screen, kFloor));
-}
-
-void appendMappings(std::vector<Row>& rows, const Screen& screen) {
-  constexpr double kSurfaceTarget = 3.0;
-  const std::vector<std::byte> kernels = multipleKernelsGlb();
-  for (const Mapped& noise :
-       {Mapped{"surface texton, 60 impacts, over texton, 30 impacts", textonGlb(), texton_frag,
-               surface_frag_textons, LICHEN_MAPPING_SURFACE, kSurfaceTarget},
-        Mapped{"multiple kernels on a surface, 60 impacts, over the plane, 30 impacts", kernels,
-               multiple_kernels_frag, surface_frag_kernels, LICHEN_MAPPING_SURFACE, kNoTarget},
-        Mapped{"local random phase in a solid over the plane", localRandomPhaseGlb(0.0),
-               local_random_phase_frag, solid_frag_cosines, LICHEN_MAPPING_SOLID, kNoTarget},
-        Mapped{"multiple kernels in a solid over the plane", kernels, multiple_kernels_frag,
-               solid_frag_kernels, LICHEN_MAPPING_SOLID, kNoTarget}})
-    appendMappedRows(rows, noise, screen);
+/// A texton on a surface relative to one in the plane.
+void appendSurfaceRows(std::vector<Row>& rows, const Screen& screen) {
+  constexpr double kTarget = 3.0;
+  const std::vector<std::byte> glb = textonGlb();
+  const ReadyNoise plane(screen.gpu(), glb);
+  const ReadyNoise mapped(screen.gpu(), glb, {.mapping = LICHEN_MAPPING_SURFACE});
+  const Shader unit{"plane", texton_frag, plane}, option{"surface", surface_frag, mapped};
+  const std::string what = "surface texton, 60 impacts, over texton, 30 impacts, ";
+  rows.push_back(ratioRow(what + "flat", kTarget, option, unit, screen, kSurfaceFlat));
+  rows.push_back(ratioRow(what + "perspective", kTarget, option, unit, screen, kFloor));
 }
 
 using Glb = std::vector<std::byte>;
@@ -104,15 +76,6 @@ void appendLayerRows(std::vector<Row>& rows, const Glb& colors, const Screen& sc
   const std::string what = "two layers of tiling over tiling, ";
   rows.push_back(ratioRow(what + "flat", kNoTarget, option, unit, screen, kFlat));
   rows.push_back(ratioRow(what + "perspective", kNoTarget, option, unit, screen, kFloor));
-}
-
-void appendSharpnessRow(std::vector<Row>& rows, const Glb& colors, const Screen& screen) {
-  constexpr double kTarget = 1.25, kSharpness = 4.0;
-  const ReadyNoise plain(screen.gpu(), colors);
-  const ReadyNoise sharp(screen.gpu(), colors, {.blendSharpness = kSharpness});
-  rows.push_back(ratioRow("tiling with blend sharpness 4 over 1, flat", kTarget,
-                          {"sharpness 4", tiling_frag_sharp, sharp},
-                          {"sharpness 1", tiling_frag_joint, plain}, screen, kFlat));
 }
 
 /// Rotated tiles relative to unrotated ones, for colours and for slopes, which are decoded tile by
@@ -143,10 +106,9 @@ std::vector<Row> measureOptions() {
   const Screen screen;
   const Glb colors = tilingGlb(GaussianOnly::no);
   std::vector<Row> rows;
-  appendMappings(rows, screen);
+  appendSurfaceRows(rows, screen);
   appendLayerRows(rows, colors, screen);
   appendTriplanarRow(rows, colors, screen);
-  appendSharpnessRow(rows, colors, screen);
   appendRotationRows(rows, colors, screen);
   return rows;
 }

@@ -65,10 +65,8 @@ std::vector<Row> structureRows(); ///< what repeats, beside tiling
 std::vector<Row> quiltingRows();  ///< structure that quilting keeps, and when a bake chooses it
 std::vector<Row> localRandomPhaseRows(); ///< time and quality of local random-phase noise
 std::vector<Row> multipleKernelsRows();  ///< likewise of multiple-kernels noise
-std::vector<Row> loadRows();             ///< time in which the plugin reads a bundle
 std::vector<Row> shaderRows();           ///< ratios to plain and bare fetches
 std::vector<Row> optionRows();           ///< mappings, layers, blend sharpness, tile rotation
-std::vector<Row> codeRows();             ///< sizes of the shaders' machine code
 
 /// Bakes a generated exemplar of this side and returns the seconds it took. Serves `lichen-bench
 /// --peak-memory-of-bake SIDE`, which the bake and growth families run in separate processes.

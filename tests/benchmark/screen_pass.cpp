@@ -32,7 +32,7 @@ VkPipelineShaderStageCreateInfo stage(VkShaderStageFlagBits which, VkShaderModul
 }
 
 VkPipeline screenPipeline(VkDevice device, VkPipelineLayout layout, VkShaderModule vertex,
-                          VkShaderModule fragment, VkPipelineCreateFlags flags) {
+                          VkShaderModule fragment) {
   const std::array stages{stage(VK_SHADER_STAGE_VERTEX_BIT, vertex),
                           stage(VK_SHADER_STAGE_FRAGMENT_BIT, fragment)};
   const VkPipelineVertexInputStateCreateInfo vertices{
@@ -65,7 +65,6 @@ VkPipeline screenPipeline(VkDevice device, VkPipelineLayout layout, VkShaderModu
   rendering.pColorAttachmentFormats = &kScreenFormat;
   VkGraphicsPipelineCreateInfo info{VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
   info.pNext = &rendering;
-  info.flags = flags;
   info.stageCount = std::uint32_t(stages.size());
   info.pStages = stages.data();
   info.pVertexInputState = &vertices;
@@ -100,7 +99,7 @@ void toColorAttachment(VkCommandBuffer commands, const DeviceImage& image) {
 
 ScreenPipeline::ScreenPipeline(VkDevice device, std::span<const std::uint32_t> vertex,
                                std::span<const std::uint32_t> fragment,
-                               VkDescriptorSetLayout layout, VkPipelineCreateFlags flags)
+                               VkDescriptorSetLayout layout)
     : device_(device) {
   const VkPushConstantRange push{VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof(ScreenView)};
   VkPipelineLayoutCreateInfo info{VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO};
@@ -111,7 +110,7 @@ ScreenPipeline::ScreenPipeline(VkDevice device, std::span<const std::uint32_t> v
   require(vkCreatePipelineLayout(device, &info, nullptr, &layout_), "a pipeline layout");
   const VkShaderModule vertexModule = shaderModule(device, vertex);
   const VkShaderModule fragmentModule = shaderModule(device, fragment);
-  pipeline_ = screenPipeline(device, layout_, vertexModule, fragmentModule, flags);
+  pipeline_ = screenPipeline(device, layout_, vertexModule, fragmentModule);
   vkDestroyShaderModule(device, vertexModule, nullptr);
   vkDestroyShaderModule(device, fragmentModule, nullptr);
 }

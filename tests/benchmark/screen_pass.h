@@ -23,8 +23,7 @@ class ScreenPipeline {
 public:
   /// `layout` is the layout of set 0. Throws std::runtime_error with the device's message.
   ScreenPipeline(VkDevice device, std::span<const std::uint32_t> vertex,
-                 std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout,
-                 VkPipelineCreateFlags flags = 0);
+                 std::span<const std::uint32_t> fragment, VkDescriptorSetLayout layout);
   ~ScreenPipeline();
   ScreenPipeline(const ScreenPipeline&) = delete;
   ScreenPipeline& operator=(const ScreenPipeline&) = delete;

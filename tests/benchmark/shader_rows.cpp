@@ -5,7 +5,6 @@
 #include "peer_images.h"
 #include "rows.h"
 #include "shader_frames.h"
-#include "spirv_statistics.h"
 
 #include <algorithm>
 #include <array>
@@ -43,7 +42,6 @@ struct Targets {
 /// A row of the table, in both views.
 struct TimedShader {
   const char* name;
-  Fragment fragment;
   std::unique_ptr<ScreenPass> pass;
   VkDescriptorSet set;
   Targets targets;
@@ -57,7 +55,6 @@ TimedShader peer(const char* name, Fragment fragment, const Screen& screen,
   constexpr double kTolerance = 0.03;
   TimedShader shader{
       name,
-      fragment,
       std::make_unique<ScreenPass>(screen.gpu(), view_vert, fragment, images.layout()),
       images.set(),
       {},
@@ -76,7 +73,7 @@ TimedShader noise(const char* name, Fragment fragment, const Screen& screen,
   auto ready = std::make_unique<ReadyNoise>(screen.gpu(), glb);
   auto pass = std::make_unique<ScreenPass>(screen.gpu(), view_vert, fragment, ready->layout());
   const VkDescriptorSet set = ready->set();
-  return {name, fragment, std::move(pass), set, targets, std::move(ready)};
+  return {name, std::move(pass), set, targets, std::move(ready)};
 }
 
 /// The first two shaders are the units.
@@ -88,13 +85,9 @@ void appendRows(std::vector<Row>& rows, const Screen& screen, std::span<const Ti
   const std::vector<double> seconds = frameSeconds(screen, drawn, view);
   const double plain = seconds[0], bare = seconds[1];
   for (std::size_t i = 0; i < shaders.size(); ++i) {
-    const SpirvStatistics statistics = spirvStatistics(shaders[i].fragment);
     Row row{std::string(shaders[i].name) + ", " + viewName, seconds[i] / plain,
             shaders[i].targets.*target, "", screen.note()};
-    row.details = {{"ms", 1e3 * seconds[i]},
-                   {"x three bare", seconds[i] / bare},
-                   {"value operations", double(statistics.valueOperations)},
-                   {"fetches", double(statistics.fetches)}};
+    row.details = {{"ms", 1e3 * seconds[i]}, {"x three bare", seconds[i] / bare}};
     rows.push_back(std::move(row));
   }
 }

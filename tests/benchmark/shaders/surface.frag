@@ -1,15 +1,14 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// A noise on a surface, a plane in space, as texton.frag and multiple_kernels.frag have it on
-// texture coordinates: the same pixels see the same texels. LICHEN_METHODS says which.
+// Textons on a surface, a plane in space, as texton.frag has them on texture coordinates: the same
+// pixels see the same texels.
 
 // The usual material, as there.
 #include "interface/lichen_interface.h"
 #define LICHEN_MAPPINGS 4
-#define LICHEN_FEATURES                                                                            \
-  (uint(LICHEN_METHODS) | LICHEN_FEATURE_SURFACE |                                                  \
-   (LICHEN_METHODS == 2 ? LICHEN_FEATURE_GAUSSIAN_ONLY : LICHEN_FEATURE_TABLES))
+#define LICHEN_METHODS 2
+#define LICHEN_FEATURES (2u | LICHEN_FEATURE_SURFACE | LICHEN_FEATURE_GAUSSIAN_ONLY)
 #define LICHEN_SET 0
 #define LICHEN_ROLES 1
 #include "lichen.glsl"
