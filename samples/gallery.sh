@@ -30,15 +30,16 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$folder"
 
-# Steps. Those that draw append a file to panels[]. An exemplar is a name of lichen-exemplars, one with a
-# hyphen of lichen-test-exemplars, or the name of a .png file in $work.
+# Steps. Those that draw append a file to panels[]. An exemplar is a name of lichen-exemplars, one of
+# lichen-test-exemplars, or the name of a .png file in $work.
 
 # generate NAME...: writes exemplars or meshes into $work.
 generate() {
   local name
   for name in "$@"; do
     case $name in
-      *-*) "$bin/lichen-test-exemplars" "$work" 512 "$name" >/dev/null ;;
+      *-* | carpet | one_stone | paving | planks | sloping_light | text | weave | wood)
+        "$bin/lichen-test-exemplars" "$work" 512 "$name" >/dev/null ;;
       *) "$bin/lichen-exemplars" "$work" "$name" >/dev/null ;;
     esac
   done
@@ -136,7 +137,8 @@ draw() {
 
     suitability)
       local names=(granite bricks paving text sloping_light carpet one_stone)
-      "$bin/lichen-exemplars" "$work" --size 256 "${names[@]}" >/dev/null
+      "$bin/lichen-exemplars" "$work" --size 256 granite bricks >/dev/null
+      "$bin/lichen-test-exemplars" "$work" 256 "${names[@]:2}" >/dev/null
       for exemplar in "${names[@]}"; do part "$exemplar" 256; done
       for options in none auto; do
         for exemplar in "${names[@]}"; do

@@ -5,7 +5,6 @@
 #include "materials.h"
 #include "scanned_shape.h"
 #include "terrain.h"
-#include "unsuitable.h"
 
 #include <lichen/escaped.h>
 #include <lichen/files.h>
@@ -40,11 +39,9 @@ constexpr const char* kScan = "scan";
 constexpr const char* kTerrain = "terrain"; // written together with its mask
 constexpr const char* kLandscape = "landscape";
 
-/// The materials, then the unsuitable pictures.
 std::vector<exemplars::Material> pictures() {
   std::vector<exemplars::Material> all(exemplars::kMaterials.begin(), exemplars::kMaterials.end());
-  for (const exemplars::Unsuitable& picture : exemplars::kUnsuitable)
-    all.push_back({picture.name, picture.generate});
+  all.push_back({"bricks", exemplars::bricks});
   return all;
 }
 

@@ -30,6 +30,9 @@ struct Material {
   SrgbImage (*generate)(int sidePixels);
 };
 
+/// Bricks in a running bond, which repeat: for quilting. As above.
+[[nodiscard]] SrgbImage bricks(int sidePixels);
+
 inline constexpr std::array<Material, 6> kMaterials{{
     {"granite", granite},
     {"lichen_on_stone", lichenOnStone},

@@ -272,4 +272,8 @@ void light(Relief& relief, const Lighting& lighting) {
   }
 }
 
+float hashed(int i, int j, std::uint32_t seed) {
+  return float(pcg3d({std::uint32_t(i), std::uint32_t(j), seed})[0] >> 8u) * 0x1p-24f;
+}
+
 } // namespace lichen::exemplars

@@ -170,4 +170,7 @@ void light(Relief& relief, const Lighting& lighting);
   return (float(sample) + 0.5f) / float(kSamplesPerPixel);
 }
 
+/// A hash of two indices, in [0, 1).
+[[nodiscard]] float hashed(int i, int j, std::uint32_t seed);
+
 } // namespace lichen::exemplars

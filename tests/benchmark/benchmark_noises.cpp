@@ -14,7 +14,6 @@
 #include <stdexcept>
 #include <synthetic_noise.h>
 #include <synthetic_texton.h>
-#include <unsuitable.h>
 
 namespace lichen::bench {
 namespace {

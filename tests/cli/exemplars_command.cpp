@@ -19,9 +19,9 @@ Ended runExemplars(const Arguments& arguments) {
 TEST_CASE("lichen-exemplars writes the exemplars that are named") {
   const Workplace workplace;
   const Ended ended =
-      runExemplars({workplace.path("out"), "rust", "terrain", "scan", "text", "--size", "64"});
+      runExemplars({workplace.path("out"), "rust", "terrain", "scan", "bricks", "--size", "64"});
   CHECK(ended.code == 0);
-  CHECK(ended.output == workplace.path("out/rust.png") + "\n" + workplace.path("out/text.png") +
+  CHECK(ended.output == workplace.path("out/rust.png") + "\n" + workplace.path("out/bricks.png") +
                             "\n" + workplace.path("out/scan.glb") + "\n" +
                             workplace.path("out/terrain.glb") + "\n" +
                             workplace.path("out/terrain_mask.png") + "\n");

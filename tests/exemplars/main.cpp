@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // lichen-test-exemplars OUTDIR SIZE NAME...: writes generated photographs as PNG for the gallery's
-// sheets. NAME is `photographs` for the sixty of photographs.h, the name of a structured material
-// such as bond-whole, or bond-whole-maps for a folder with its maps.
+// sheets. NAME is `photographs` for the sixty of photographs.h, a name of unsuitable.h, the name of
+// a structured material such as bond-whole, or bond-whole-maps for a folder with its maps.
 #include "photographs.h"
 #include "structured.h"
+#include "unsuitable.h"
 
 #include <lichen/image_io.h>
 
@@ -44,6 +45,9 @@ bool writeMaps(const std::filesystem::path& folder, const StructuredMaps& maps) 
 bool writeNamed(const std::filesystem::path& folder, int side, const std::string& name) {
   if (name == "photographs")
     return writePhotographs(folder, side);
+  for (const Unsuitable& picture : kUnsuitable)
+    if (name == picture.name)
+      return write(folder / (name + ".png"), picture.generate(side));
   for (const StructuredPlan& plan : structuredPlans()) {
     if (name == plan.name())
       return write(folder / (name + ".png"), structured(side, plan).image);

@@ -52,7 +52,8 @@ struct StructuredPicture {
   std::array<Point, 2> periods;
 };
 
-/// Takes a square photograph of `sidePixels` pixels per side, of 8 bits. Details keep their size in pixels. Deterministic.
+/// Takes a square photograph of `sidePixels` pixels per side, of 8 bits. Details keep their size in
+/// pixels. Deterministic.
 [[nodiscard]] StructuredPicture structured(int sidePixels, const StructuredPlan& plan);
 
 /// Maps of 8 bits that show the same as a photograph without light, lens and camera. All but color

@@ -8,12 +8,12 @@
 #include <lichen/image.h>
 
 #include <array>
+#include <materials.h>
 
 namespace lichen::exemplars {
 
 /// Each function generates a square RGB picture with `sidePixels` pixels per side, rounded to 8
 /// bits. The result is deterministic.
-[[nodiscard]] SrgbImage bricks(int sidePixels);       ///< running bond with mortar; tileable
 [[nodiscard]] SrgbImage planks(int sidePixels);       ///< grained boards side by side
 [[nodiscard]] SrgbImage weave(int sidePixels);        ///< plain weave of even threads; tileable
 [[nodiscard]] SrgbImage paving(int sidePixels);       ///< large stones with dark joints; tileable

@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "unsuitable.h"
 
-#include "materials.h"
-#include "periodic.h"
-
-#include <lichen/lattice.h>
-
 #include <algorithm>
 #include <cmath>
+#include <periodic.h>
 
 namespace lichen::exemplars {
 namespace {
-
-/// A hash of two indices, in [0, 1).
-float hashed(int i, int j, std::uint32_t seed) {
-  return float(pcg3d({std::uint32_t(i), std::uint32_t(j), seed})[0] >> 8u) * 0x1p-24f;
-}
 
 /// Multiplies the linear light of every pixel; rounds and clips to 8 bits.
 template <typename FactorAt>
@@ -42,28 +33,6 @@ Field cloud(int side, float exponent, std::uint32_t seed) {
 }
 
 } // namespace
-
-SrgbImage bricks(int side) {
-  constexpr int kCourses = 10, kBricks = 4; // per side
-  const Field grain = fractalNoise(side, {6.0f, 1.0f, 0.8f}, 31);
-  const Field ragged = fractalNoise(side, {12.0f, 3.0f, 0.6f}, 32);
-  const float height = float(side) / kCourses, length = float(side) / kBricks;
-  return painted(side, [&](int sx, int sy) {
-    const float x = pixelOf(sx) + 0.4f * ragged.at(sx, sy),
-                y = pixelOf(sy) + 0.4f * ragged.at(sy, sx);
-    const int course = int(std::floor(y / height));
-    const float along = x + 0.5f * length * float(course & 1);
-    const int brick = int(std::floor(along / length));
-    const float fromEdge =
-        std::min({y - height * float(course), height * float(course + 1) - y,
-                  along - length * float(brick), length * float(brick + 1) - along});
-    const float tone = hashed((brick + kBricks) % kBricks, (course + kCourses) % kCourses, 33);
-    const Color fired = mix({0.52f, 0.24f, 0.18f}, {0.66f, 0.36f, 0.26f}, tone);
-    const Color mortar{0.72f, 0.70f, 0.66f};
-    return scaled(mix(mortar, fired, smoothStep(1.2f, 2.0f, fromEdge)),
-                  1.0f + 0.06f * grain.at(sx, sy));
-  });
-}
 
 SrgbImage planks(int side) {
   constexpr int kBoards = 6;
