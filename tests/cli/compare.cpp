@@ -84,25 +84,6 @@ TEST_CASE("an exemplar compared with itself has distance 0 in every measure") {
   CHECK(self.value("seam_visibility") == 1.0);
 }
 
-TEST_CASE("only the colour distance finds a shift of all colours, and it misses its target") {
-  const Workplace workplace;
-  SrgbImage image = speckled(64, 64, 3);
-  for (float& value : image.values)
-    value = 0.25f + 0.5f * value;
-  const std::string exemplar = workplace.write("moss.png", image);
-  constexpr float kShift = 20.0f / 255.0f;
-  for (std::size_t i = 0; i < image.values.size(); i += 3) // red
-    image.values[i] += kShift;
-  const Compared shifted = compared(exemplar, workplace.write("red.png", image));
-  CHECK(shifted.code == kFound);
-  // quality.h: a shift by a vector of length d gives d / sqrt(3), up to its steps of 2^-16; 256
-  // directions estimate the mean square of a component to a few per cent.
-  CHECK(shifted.value("color_distance") == Approx(double(kShift) / std::sqrt(3.0)).epsilon(0.05));
-  CHECK(shifted.measures.at("color_distance").at("met") == false);
-  CHECK(shifted.value("spectrum_distance_db") < 0.01);
-  CHECK(shifted.measures.at("spectrum_distance_db").at("met") == true);
-}
-
 TEST_CASE("an image is compared with the photograph as it is, with its frame") {
   const Workplace workplace;
   const SrgbImage image = speckled(64, 64, 3);
@@ -302,12 +283,7 @@ TEST_CASE("an exemplar with a strong grain has the wider spectrum target") {
 TEST_CASE("a measure that needs larger images is omitted, with the reason") {
   const Workplace workplace;
   const std::string small = workplace.write("small.png", smooth(16));
-  const Compared self = compared(small, small);
-  CHECK(self.code == 0);
-  CHECK(self.measures.at("spectrum_distance_db").at("value").is_null());
-  CHECK_THAT(self.measures.at("spectrum_distance_db").at("remark").get<std::string>(),
-             Catch::Contains("at least 32"));
-  CHECK_THAT(runLichen({"compare", small, small}).output,
+  CHECK_THAT(succeed({"compare", small, small}).output,
              Catch::Contains("spectrum_distance_db  not measured: the exemplar is 16 x 16; "
                              "expected sides of at least 32 pixels"));
 }

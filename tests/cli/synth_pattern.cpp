@@ -64,14 +64,6 @@ double shareOfDifferent(const SrgbImage& a, const SrgbImage& b) {
   return double(different) / double(a.pixelCount());
 }
 
-SrgbImage window(const SrgbImage& image, int x0, int width) {
-  SrgbImage part(width, image.height, image.channels);
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < width; ++x)
-      std::copy_n(image.pixel(x0 + x, y), image.channels, part.pixel(x, y));
-  return part;
-}
-
 double deviation(const SrgbImage& image) {
   const std::vector<double> mean = meanOf(image);
   double sum = 0.0;
@@ -120,33 +112,6 @@ TEST_CASE("the error for a tileable size under half a tile names the limits that
   succeed(synthesis + Arguments{"--texels-per-tile", "20"});
 }
 
-TEST_CASE("a tileable image is as varied as an endless one") {
-  const SrgbImage tileable = made({"--size", "128x128", "--tileable"});
-  const SrgbImage plain = made({"--size", "128x128"});
-  CHECK(deviation(tileable) == Approx(deviation(plain)).epsilon(0.15));
-}
-
-TEST_CASE("windows at huge origins agree where they overlap") {
-  // Offset by half an exemplar, 16 pixels; an offset of a whole one would need other arithmetic for
-  // the same point.
-  const int half = kExemplarSide / 2;
-  const SrgbImage first = made({"--size", "64x64", "--origin", "10000000,-20000000"});
-  const SrgbImage second = made({"--size", "64x64", "--origin", "10000000.5,-20000000"});
-  CHECK((window(first, half, 64 - half).values == window(second, 0, 64 - half).values));
-  const SrgbImage third = made({"--size", "64x64", "--origin", "10000001,-20000000"});
-  CHECK(shareOfDifferent(window(first, 32, 32), window(third, 0, 32)) == 0.0);
-}
-
-TEST_CASE("far from the origin the noise is another part of the same material") {
-  const SrgbImage near = made({"--size", "256x256"});
-  const SrgbImage far = made({"--size", "256x256", "--origin", "10000000,0"});
-  CHECK(shareOfDifferent(near, far) > 0.9);
-  CHECK(deviation(far) == Approx(deviation(near)).epsilon(0.1));
-  // The area of 64 exemplars, a few independent blobs in each, standard deviation 0.2.
-  for (std::size_t c = 0; c < 3; ++c)
-    CHECK(meanOf(far)[c] == Approx(meanOf(near)[c]).margin(0.04));
-}
-
 TEST_CASE("the material's seed decides the pattern, unless --seed overrides it") {
   const Workplace workplace;
   const std::string bundle =
@@ -156,12 +121,6 @@ TEST_CASE("the material's seed decides the pattern, unless --seed overrides it")
   for (const char* seed : {"1", "4294967295"})
     CHECK(shareOfDifferent(synth(workplace, bundle, {"--size", "32x32", "--seed", seed}), own) >
           0.9);
-}
-
-TEST_CASE("the pattern does not repeat from one exemplar to the next") {
-  const SrgbImage image = made({"--size", "128x64"});
-  for (int shift = kExemplarSide; shift <= 96; shift += kExemplarSide)
-    CHECK(shareOfDifferent(window(image, 0, 32), window(image, shift, 32)) > 0.9);
 }
 
 TEST_CASE("--table-levels and each number of --tile-rotation give another pattern, and their first "

@@ -44,16 +44,6 @@ double excessKurtosis(const std::vector<float>& values) {
   return fourth / (second * second) - 3.0;
 }
 
-/// Returns the excess kurtosis of the stored values that `synth` makes.
-double synthKurtosis(const Workplace& workplace, const std::string& bundle, const Arguments& more) {
-  succeed(Arguments{"synth", bundle, "-o", workplace.path("synth.exr"), "--size", "256x256"} +
-          more);
-  auto image = std::get<LinearImage>(readImage(workplace.path("synth.exr")).value().pixels);
-  for (float& value : image.values)
-    value = linearToSrgb(value);
-  return excessKurtosis(image.values);
-}
-
 /// Returns the base colour's PNG in a GLB.
 SrgbImage previewOf(const Workplace& workplace, const std::string& name) {
   const std::string file = workplace.read(name);
@@ -67,11 +57,6 @@ SrgbImage previewOf(const Workplace& workplace, const std::string& name) {
                                              view.at("byteLength").get<std::size_t>()));
   return std::get<SrgbImage>(readImage(workplace.path("preview.png")).value().pixels);
 }
-
-// A Poisson process of L impacts on a grain of normally distributed coefficients has an excess
-// kurtosis of about 3 / L ([GLM14]: flatness / L). Stratified impacts, one per cell, have less.
-constexpr double kFewImpacts = 2.0;
-constexpr double kFewExcess = 3.0 / kFewImpacts;
 
 } // namespace
 
@@ -90,21 +75,6 @@ TEST_CASE("synth uses the material's impacts and points, unless options override
   CHECK(usual.values ==
         synth(workplace, sparse, {"--size", "64x64", "--impacts", "30", "--points", "stratified"})
             .values);
-}
-
-TEST_CASE("fewer impacts and a Poisson process give less normal values") {
-  const Workplace workplace;
-  const std::string bundle = bakeTexton(workplace, "grain.glb");
-  const double poisson =
-      synthKurtosis(workplace, bundle, {"--impacts", "2", "--points", "poisson"});
-  const double stratified =
-      synthKurtosis(workplace, bundle, {"--impacts", "2", "--points", "stratified"});
-  const double many = synthKurtosis(workplace, bundle, {"--impacts", "400", "--points", "poisson"});
-  // About 256 supports, whose local variances vary by one or two standard deviations: a third
-  // either side.
-  CHECK(poisson > 0.6 * kFewExcess);
-  CHECK(stratified < poisson - 0.4 * kFewExcess);
-  CHECK(std::abs(many) < 0.1 * kFewExcess);
 }
 
 TEST_CASE("the preview, the measures and the report use the material's impacts") {
