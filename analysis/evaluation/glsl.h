@@ -6,101 +6,78 @@
 // chapters 5 and 8.
 #pragma once
 
-#include "sampling/texels.h"
-
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <type_traits>
+#include "glsl_scalars.h"
 
 namespace lichen::glsl {
+namespace { // as the scalars are
 
-using uint = std::uint32_t;
-
-/// A float whose arithmetic with literals such as 0.5 stays in single precision.
-struct Float {
-  float v;
-  Float() = default;
-  template <class T>
-  requires std::is_arithmetic_v<T>
-  constexpr Float(T number) : v(float(number)) {}
-  template <class T>
-  requires std::is_arithmetic_v<T>
-  explicit constexpr operator T() const { return T(v); }
-  constexpr Float operator-() const { return -v; }
-  constexpr Float& operator+=(Float b) { return v += b.v, *this; }
-  constexpr Float& operator-=(Float b) { return v -= b.v, *this; }
-  constexpr Float& operator*=(Float b) { return v *= b.v, *this; }
-  constexpr Float& operator/=(Float b) { return v /= b.v, *this; }
-  friend constexpr Float operator+(Float a, Float b) { return a.v + b.v; }
-  friend constexpr Float operator-(Float a, Float b) { return a.v - b.v; }
-  friend constexpr Float operator*(Float a, Float b) { return a.v * b.v; }
-  friend constexpr Float operator/(Float a, Float b) { return a.v / b.v; }
-  friend constexpr bool operator==(Float a, Float b) { return a.v == b.v; }
-  friend constexpr bool operator<(Float a, Float b) { return a.v < b.v; }
-  friend constexpr bool operator>(Float a, Float b) { return a.v > b.v; }
-  friend constexpr bool operator<=(Float a, Float b) { return a.v <= b.v; }
-  friend constexpr bool operator>=(Float a, Float b) { return a.v >= b.v; }
-};
-
-inline Float abs(Float x) { return std::fabs(x.v); }
+#define LICHEN_ORDERED(T)                                                                          \
+  inline T min(T a, T b) { return chosen(b < a, b, a); }                                           \
+  inline T max(T a, T b) { return chosen(a < b, b, a); }                                           \
+  inline T clamp(T x, T low, T high) { return min(max(x, low), high); }
+LICHEN_ORDERED(Float)
+LICHEN_ORDERED(Int)
+LICHEN_ORDERED(uint)
+#undef LICHEN_ORDERED
+inline Int abs(Int x) { return chosen(x < 0, -x, x); }
+inline uint floatBitsToUint(Float x) { return std::bit_cast<uint>(x); }
+inline Float uintBitsToFloat(uint x) { return std::bit_cast<Float>(x); }
 /// By conversion: without SSE 4.1 std::floor is a call. Floats from 2^23 on are whole.
 inline Float floor(Float x) {
   constexpr float kWhole = 8388608.0f;
-  if (!(std::fabs(x.v) < kWhole))
-    return x;
-  const auto whole = float(int(x.v));
-  return whole > x.v ? whole - 1.0f : whole;
+  const Truth isSmall = abs(x) < kWhole;
+  const auto whole = Float(Int(chosen(isSmall, x, Float(0.0f))));
+  return chosen(isSmall, chosen(whole > x, whole - 1.0f, whole), x);
 }
 inline Float ceil(Float x) { return -floor(-x); }
 inline Float fract(Float x) { return x - floor(x); }
 /// For |x| < 2^22, in the default rounding mode; larger floats lose their last bits.
 inline Float roundEven(Float x) {
   constexpr float kWhole = 12582912.0f; // 1.5 2^23
-  return (x.v + kWhole) - kWhole;
+  return (x + kWhole) - kWhole;
 }
-inline Float sqrt(Float x) { return std::sqrt(x.v); }
-inline Float inversesqrt(Float x) { return 1.0f / std::sqrt(x.v); }
-inline Float exp2(Float x) { return std::exp2(x.v); }
-inline Float log2(Float x) { return std::log2(x.v); }
-inline Float pow(Float x, Float y) { return std::pow(x.v, y.v); }
-inline Float min(Float a, Float b) { return b.v < a.v ? b.v : a.v; }
-inline Float max(Float a, Float b) { return a.v < b.v ? b.v : a.v; }
-inline Float step(Float edge, Float x) { return x.v < edge.v ? 0.0f : 1.0f; }
-inline Float clamp(Float x, Float low, Float high) { return min(max(x, low), high); }
+inline Float sqrt(Float x) {
+  return eachLane([&](int k) { return std::sqrt(lane(x, k)); });
+}
+inline Float inversesqrt(Float x) { return 1.0f / sqrt(x); }
+/// f of each number; called once where all are alike, as in one footprint.
+template <class F>
+Float byLane(F f, Float x) {
+  const float first = lane(x, 0);
+  if (kLanes == 1 || all(x == Float(first)))
+    return f(first);
+  return eachLane([&](int k) { return f(lane(x, k)); });
+}
+inline Float exp2(Float x) {
+  return byLane([](float number) { return std::exp2(number); }, x);
+}
+inline Float log2(Float x) {
+  return byLane([](float number) { return std::log2(number); }, x);
+}
+inline Float pow(Float x, Float y) {
+  return eachLane([&](int k) { return std::pow(lane(x, k), lane(y, k)); });
+}
+inline Float step(Float edge, Float x) { return chosen(x < edge, Float(0.0f), Float(1.0f)); }
 inline Float mix(Float a, Float b, Float t) { return a + t * (b - a); }
-inline uint floatBitsToUint(Float x) { return std::bit_cast<uint>(x.v); }
-inline Float uintBitsToFloat(uint x) { return std::bit_cast<float>(x); }
 
-inline int abs(int x) { return x < 0 ? -x : x; }
-inline int min(int a, int b) { return b < a ? b : a; }
-inline int max(int a, int b) { return a < b ? b : a; }
-inline int clamp(int x, int low, int high) { return min(max(x, low), high); }
-inline uint min(uint a, uint b) { return b < a ? b : a; }
-inline uint max(uint a, uint b) { return a < b ? b : a; }
-inline bool all(bool x) { return x; }
-template <class T>
-T chosen(bool isFirst, T first, T second) {
-  return isFirst ? first : second;
-}
-
+} // namespace
 } // namespace lichen::glsl
 
 #include "glsl_vectors.h"
 
 namespace lichen::glsl {
+namespace {
 
 using vec2 = Vec<Float, 2>;
 using vec3 = Vec<Float, 3>;
 using vec4 = Vec<Float, 4>;
-using ivec2 = Vec<int, 2>;
-using ivec3 = Vec<int, 3>;
-using ivec4 = Vec<int, 4>;
+using ivec2 = Vec<Int, 2>;
+using ivec3 = Vec<Int, 3>;
+using ivec4 = Vec<Int, 4>;
 using uvec2 = Vec<uint, 2>;
 using uvec3 = Vec<uint, 3>;
 using uvec4 = Vec<uint, 4>;
-using bvec2 = Vec<bool, 2>;
+using bvec2 = Vec<Truth, 2>;
 
 /// C columns of R rows.
 template <int C, int R>
@@ -161,15 +138,28 @@ inline mat3 inverse(const mat3& m) {
   return mat3(vec3(a.x, b.x, c.x) * d, vec3(a.y, b.y, c.y) * d, vec3(a.z, b.z, c.z) * d);
 }
 
-inline vec4 asVec(const Texel& texel) { return {texel[0], texel[1], texel[2], texel[3]}; }
+/// The texels that fetch(k) gives at point k. Points that took another's branch may be anywhere.
+template <class Fetch>
+vec4 gathered(Fetch fetch) {
+  if (haveDiverged())
+    return vec4(0.0f);
+  std::array<StoredTexel, std::size_t(kLanes)> texels;
+  for (int k = 0; k < kLanes; ++k)
+    texels[std::size_t(k)] = std::bit_cast<StoredTexel>(Texel(fetch(k)));
+  const std::array<Float, 4> channels = transposed(texels);
+  return {channels[0], channels[1], channels[2], channels[3]};
+}
 inline vec4 sampled(const RepeatingImage& image, const vec2& uv, Float level) {
-  return asVec(image.at(uv.x.v, uv.y.v, level.v));
+  return gathered([&](int k) { return image.at(lane(uv.x, k), lane(uv.y, k), lane(level, k)); });
 }
 inline vec4 sampled(const ClampedVolume& table, const vec3& uvw, Float level) {
-  return asVec(table.at({uvw.x.v, uvw.y.v, uvw.z.v}, level.v));
+  return gathered([&](int k) {
+    return table.at({lane(uvw.x, k), lane(uvw.y, k), lane(uvw.z, k)}, lane(level, k));
+  });
 }
 inline vec4 fetched(const RepeatingImage& image, const ivec2& texel) {
-  return asVec(image.texel(texel.x, texel.y));
+  return gathered([&](int k) { return image.texel(lane(texel.x, k), lane(texel.y, k)); });
 }
 
+} // namespace
 } // namespace lichen::glsl

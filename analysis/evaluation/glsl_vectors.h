@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The vectors of GLSL over any scalar. Included by glsl.h after its scalars, whose functions it calls.
+// The vectors of GLSL over any scalar. Included by glsl.h after its scalars, whose functions it
+// calls.
 #pragma once
 
 #include <concepts>
 #include <type_traits>
 
 namespace lichen::glsl {
+namespace { // as the scalars are
 
 // Members and not an array: GCC keeps arrays that loops index in memory.
 template <class T, int N>
@@ -39,10 +41,6 @@ template <class A>
 inline constexpr int kSize = 1;
 template <class T, int N>
 inline constexpr int kSize<Vec<T, N>> = N;
-
-/// The type in which T wraps around without undefined behaviour.
-template <class T>
-using Wrapping = std::conditional_t<std::is_same_v<T, int>, unsigned, T>;
 
 template <class T, int N>
 struct Vec : Components<T, N> {
@@ -207,8 +205,8 @@ auto equal(const Vec<T, N>& a, const Vec<T, N>& b) {
   return Vec<decltype(a.x == b.x), N>::each([&](int k) { return a[k] == b[k]; });
 }
 template <int N>
-bool all(const Vec<bool, N>& v) {
-  return v == Vec<bool, N>(true);
+bool all(const Vec<Truth, N>& v) {
+  return v == Vec<Truth, N>(true);
 }
 /// Exact, unlike the mix by a number.
 template <class T, int N, class Truth>
@@ -217,4 +215,5 @@ Vec<T, N> mix(const Vec<T, N>& a, const Vec<T, N>& b,
   return Vec<T, N>::each([&](int k) { return chosen(isB[k], b[k], a[k]); });
 }
 
+} // namespace
 } // namespace lichen::glsl

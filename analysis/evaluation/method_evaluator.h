@@ -2,6 +2,8 @@
 // A noise of one method at points, with the parameters of any material.
 #pragma once
 
+#include "sampling/texels.h"
+
 #include <lichen/noise_evaluator.h>
 
 namespace lichen {
@@ -26,6 +28,10 @@ public:
   [[nodiscard]] virtual Value evaluate(std::size_t map, const Material& material,
                                        const Footprint& at, const MixPlace& mix = {}) const = 0;
 
+  /// The same at points of a plane; `values` has as many.
+  virtual void evaluate(std::size_t map, const Material& material,
+                        std::span<const PlanePoint> points, std::span<Value> values) const = 0;
+
   /// evaluate() before decoding.
   [[nodiscard]] virtual Gaussian gaussian(std::size_t map, const Material& material,
                                           const Footprint& at, const MixPlace& mix = {}) const = 0;
@@ -48,5 +54,22 @@ using MethodEvaluatorMaker = std::shared_ptr<const MethodEvaluator>(const Bundle
                                                                     const EvaluationOptions&);
 MethodEvaluatorMaker tilingEvaluator, textonEvaluator, localRandomPhaseEvaluator,
     multipleKernelsEvaluator, quiltingEvaluator;
+
+/// A map of a noise, as one material uses it.
+struct WideMap {
+  const shader::LichenNoise& noise;
+  const shader::LichenMaterial& material;
+  const shader::LichenMap& map;
+  const RepeatingImage& image;
+  const ClampedVolume& table;
+  bool nearestTableLevel;
+};
+
+/// The values at the first points; how many. Not the last ones, if their number is no multiple of
+/// the lanes, and none from points on that take different branches.
+using WideEvaluation = std::size_t(const WideMap&, std::span<const PlanePoint>,
+                                   std::span<NoiseEvaluator::Value>);
+/// Each in its method's evaluate_wide.cpp.
+WideEvaluation tilingWide, localRandomPhaseWide;
 
 } // namespace lichen

@@ -85,6 +85,14 @@ Value NoiseEvaluator::evaluate(std::size_t map, const Footprint& at, const MixPl
   return layered(map, at);
 }
 
+void NoiseEvaluator::evaluate(std::size_t map, std::span<const PlanePoint> points,
+                              std::span<Value> values) const {
+  if (indices_.empty())
+    return layers_[0].method->evaluate(map, layers_[0].material, points, values);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    values[k] = layered(map, points[k].at);
+}
+
 /// What lichenLayeredValue (shaders_glsl/mapping/layered.glsl) makes of images in descriptors.
 Value NoiseEvaluator::layered(std::size_t map, const Footprint& at) const {
   Library library;

@@ -18,7 +18,9 @@ class ShaderEvaluator final : public MethodEvaluator {
   using vec4 = glsl::vec4;
 
 public:
-  ShaderEvaluator(const Bundle& bundle, std::size_t index, const EvaluationOptions& options) {
+  ShaderEvaluator(const Bundle& bundle, std::size_t index, const EvaluationOptions& options,
+                  WideEvaluation* wide = nullptr)
+      : wide_(wide) {
     const Noise& noise = bundle.noises[index];
     const shader::LichenNoiseConstants constants = shaderConstants(bundle, index);
     noise_ = std::bit_cast<Library::LichenNoise>(constants.noise);
@@ -51,6 +53,19 @@ public:
     const Library::LichenShadingPoint shading = shadingAt(material, at, mix);
     const Map& m = maps_[map];
     return asArray(library_.lichenValue(m.image, m.table, shading, m.constants));
+  }
+
+  void evaluate(std::size_t map, const Material& material, std::span<const PlanePoint> points,
+                std::span<Value> values) const override {
+    const Map& m = maps_[map];
+    std::size_t k = 0;
+    if (wide_ != nullptr)
+      k = wide_({std::bit_cast<shader::LichenNoise>(noise_), material.material,
+                 std::bit_cast<shader::LichenMap>(m.constants), m.image, m.table,
+                 library_.nearestTableLevel},
+                points, values);
+    for (; k < points.size(); ++k)
+      values[k] = onPlane(map, material, points[k].at, points[k].mix);
   }
 
   [[nodiscard]] Gaussian gaussian(std::size_t map, const Material& material, const Footprint& at,
@@ -130,6 +145,7 @@ private:
     return shading;
   }
 
+  WideEvaluation* wide_;
   Library::LichenNoise noise_;
   std::vector<Map> maps_;
   RepeatingImage cells_; ///< of quilting

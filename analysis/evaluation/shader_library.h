@@ -81,25 +81,34 @@
 #pragma GCC diagnostic ignored "-Wunused-but-set-variable"
 #pragma GCC diagnostic ignored "-Wunused-function"
 #pragma GCC diagnostic ignored "-Wundef"
+#ifdef __clang__
+#pragma GCC diagnostic ignored "-Wkeyword-macro"
+#endif
 namespace lichen::glsl {
 namespace { // each method's file has its own
 
 #define float Float
+#define int Int
+#define bool Truth
 struct ShaderLibrary {
 #include "interface/structs.glsl"
 
   const RepeatingImage* cells = nullptr;      // of quilting
   const std::uint32_t* tileOffsets = nullptr; // likewise, LICHEN_MAX_OFFSETS
-  bool nearestTableLevel = false;
+  Truth nearestTableLevel = false;
 
 #include "mapping/mix.glsl"
 #include "mapping/solid.glsl"
 #include "mapping/surface.glsl"
 #include "mapping/triplanar.glsl"
 #include "mapping/uv.glsl"
+#ifndef LICHEN_WIDE // it indexes vectors
 #include "noise/layers.glsl"
+#endif
 };
 #undef float
+#undef int
+#undef bool
 
 } // namespace
 } // namespace lichen::glsl

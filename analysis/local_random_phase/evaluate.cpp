@@ -9,7 +9,7 @@ namespace lichen {
 std::shared_ptr<const MethodEvaluator> localRandomPhaseEvaluator(const Bundle& bundle,
                                                                  std::size_t noise,
                                                                  const EvaluationOptions& options) {
-  return std::make_shared<ShaderEvaluator>(bundle, noise, options);
+  return std::make_shared<ShaderEvaluator>(bundle, noise, options, localRandomPhaseWide);
 }
 
 } // namespace lichen

@@ -12,6 +12,7 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <span>
 
 namespace lichen {
 namespace {
@@ -21,6 +22,7 @@ constexpr double kMiddle = 0.5; // of a mix
 /// Pixels between two calls of the progress: up to a second's work, with enough rows for many
 /// threads.
 constexpr int kPixelsPerStrip = 1 << 20;
+constexpr int kPointsAtOnce = 64;
 /// A smaller periodic lattice would need less than three columns and four rows.
 constexpr double kLeastPeriodTiles = 0.5;
 
@@ -120,20 +122,28 @@ Result<LinearImage> evaluatePixels(const Bundle& bundle, const SynthesisOptions&
   LinearImage image(options.width, options.height,
                     int(bundle.noises[options.material.noise].maps[map].channels.size()));
   const auto evaluateRow = [&](int y) {
-    TileFootprint at;
-    at.dx = {float(1.0 / pixelsPerTile[0]), 0.0f};
-    at.dy = {0.0f, float(1.0 / pixelsPerTile[1])};
-    at.position[1] = float(start[1] + (double(y) * options.stride + 0.5) / pixelsPerTile[1]);
+    PlanePoint first;
+    first.at.dx = {float(1.0 / pixelsPerTile[0]), 0.0f};
+    first.at.dy = {0.0f, float(1.0 / pixelsPerTile[1])};
+    first.at.position[1] = float(start[1] + (double(y) * options.stride + 0.5) / pixelsPerTile[1]);
     const double mixRise = options.mix[1] - options.mix[0];
-    MixPlace mix;
-    mix.gradient[0] = float(mixRise * pixelsPerTile[0] / (double(options.width) * options.stride));
-    for (int x = 0; x < image.width; ++x) {
-      const double along =
-          (double(x) * options.stride + 0.5) / (double(options.width) * options.stride);
-      mix.weight = float(options.mix[0] + mixRise * along);
-      at.position[0] = float(start[0] + (double(x) * options.stride + 0.5) / pixelsPerTile[0]);
-      const std::array<float, 4> value = evaluator.value()->evaluate(map, at, mix);
-      std::copy_n(value.begin(), image.channels, image.pixel(x, y));
+    first.mix.gradient[0] =
+        float(mixRise * pixelsPerTile[0] / (double(options.width) * options.stride));
+    std::array<PlanePoint, kPointsAtOnce> points;
+    points.fill(first);
+    std::array<NoiseEvaluator::Value, kPointsAtOnce> values;
+    for (int begin = 0; begin < image.width; begin += kPointsAtOnce) {
+      const int count = std::min(kPointsAtOnce, image.width - begin);
+      for (int k = 0; k < count; ++k) {
+        const double pixel = double(begin + k) * options.stride + 0.5;
+        const double along = pixel / (double(options.width) * options.stride);
+        PlanePoint& point = points[std::size_t(k)];
+        point.mix.weight = float(options.mix[0] + mixRise * along);
+        point.at.position[0] = float(start[0] + pixel / pixelsPerTile[0]);
+      }
+      evaluator.value()->evaluate(map, std::span(points).first(std::size_t(count)), values);
+      for (int k = 0; k < count; ++k)
+        std::copy_n(values[std::size_t(k)].begin(), image.channels, image.pixel(begin + k, y));
     }
   };
   const ProgressPart progress(options.progress);

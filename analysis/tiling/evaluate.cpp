@@ -7,7 +7,7 @@ namespace lichen {
 
 std::shared_ptr<const MethodEvaluator> tilingEvaluator(const Bundle& bundle, std::size_t noise,
                                                        const EvaluationOptions& options) {
-  return std::make_shared<ShaderEvaluator>(bundle, noise, options);
+  return std::make_shared<ShaderEvaluator>(bundle, noise, options, tilingWide);
 }
 
 } // namespace lichen
