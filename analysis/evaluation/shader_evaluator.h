@@ -6,7 +6,11 @@
 #include "method_evaluator.h"
 #include "shader_library.h"
 
+#include <lichen/bfloat16_pair.h>
+
 #include <bit>
+#include <cstring>
+#include <limits>
 
 namespace lichen {
 namespace { // as ShaderLibrary is
@@ -30,7 +34,10 @@ public:
       Map map{std::bit_cast<Library::LichenMap>(shaderMap(bundle, noise, m)), {}, {}};
       // A view of a Gaussian image shows its last channel as alpha.
       const Alpha alpha = noise.method() == Method::tiling ? Alpha::lastChannel : Alpha::one;
-      map.image = RepeatingImage(bundle.tables[imageTableOf(stored)], alpha);
+      const Table& image = bundle.tables[imageTableOf(stored)];
+      map.image = noise.method() == Method::localRandomPhase
+                      ? RepeatingImage(withZeros(image, noise.as<LocalRandomPhaseNoise>()))
+                      : RepeatingImage(image, alpha);
       if (const std::optional<std::size_t> table = decodingTableOf(stored))
         map.table = ClampedVolume(bundle.tables[*table]);
       else if (isMix(noise))
@@ -97,6 +104,24 @@ private:
     RepeatingImage image;
     ClampedVolume table;
   };
+
+  /// An image of cosines with 0 where bfloat16Pair() wrote the smallest normal number. That has
+  /// subnormal products, with which processors take five times as long. Of floats that 0 makes
+  /// subnormal, only the bits are used.
+  static Table withZeros(Table image, const LocalRandomPhaseNoise& noise) {
+    const CosineImageLayout layout(noise);
+    for (std::size_t row = 0; row < layout.cosineRows; ++row)
+      for (std::size_t word = 0; word < 4 * std::size_t(layout.cosineColumns); ++word) {
+        std::byte* const at = &image.texels[4 * (4 * row * layout.width + word)];
+        float pair = 0.0f;
+        std::memcpy(&pair, at, sizeof pair);
+        if (fromBfloat16Pair(pair)[0] == std::numeric_limits<float>::min()) {
+          const std::uint32_t second = std::bit_cast<std::uint32_t>(pair) & 0xFFFFu;
+          std::memcpy(at, &second, sizeof second);
+        }
+      }
+    return image;
+  }
 
   static vec2 asVec(const std::array<float, 2>& v) { return {v[0], v[1]}; }
   static vec3 asVec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
