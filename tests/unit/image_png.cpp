@@ -146,10 +146,9 @@ TEST_CASE("a PNG that claims more than deflate can produce is an error before de
 }
 
 TEST_CASE("a constant PNG, close to deflate's limit, decodes") {
-  const Result<Bytes> png = encodePng(SrgbImage(2048, 2048, 1), 8);
-  REQUIRE(png);
-  CHECK(png.value().size() * 900 < std::size_t(2048) * 2048);
-  CHECK(decode(png.value()).image.values == std::vector<float>(std::size_t(2048) * 2048, 0.0f));
+  const Bytes png = makePng({.width = 2048, .height = 2048, .colourType = 0, .constant = true});
+  CHECK(png.size() * 900 < std::size_t(2048) * 2048);
+  CHECK(decode(png).image.values == std::vector<float>(std::size_t(2048) * 2048, 0.0f));
 }
 
 TEST_CASE("a PNG with too few rows, a bad checksum or a bad header is an error") {

@@ -18,7 +18,8 @@ struct Png {
   int width = 8;
   int height = 8;
   int bitDepth = 8;
-  int colourType = 2; ///< as in IHDR: 0 grey, 2 RGB, 3 palette, 4 grey + alpha, 6 RGB + alpha
+  int colourType = 2;    ///< as in IHDR: 0 grey, 2 RGB, 3 palette, 4 grey + alpha, 6 RGB + alpha
+  bool constant = false; ///< every code is 0
   bool interlaced = false;
   bool transparency = false; ///< a tRNS chunk: code 1 (palette: alpha 128 for entry 1)
   bool colourChunks = false; ///< gAMA and cHRM that would change every pixel if they were applied

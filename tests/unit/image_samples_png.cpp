@@ -89,6 +89,8 @@ std::uint32_t checksum(const std::byte* first, std::size_t size) {
 } // namespace
 
 unsigned pngCode(const Png& png, int x, int y, int c) {
+  if (png.constant)
+    return 0;
   // A step of 257 fills both bytes of 16-bit codes; odd factors reach every code.
   const auto i = unsigned(x + y * png.width) * 257u + unsigned(c) * 91u;
   return i & ((1u << png.bitDepth) - 1u);
