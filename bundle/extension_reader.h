@@ -6,6 +6,11 @@
 
 namespace lichen {
 
+/// Reads the readable parts of a file and records every fault. Returns nothing if the file is no
+/// complete glTF.
+[[nodiscard]] std::optional<Bundle> inspectBundle(std::span<const std::byte> file,
+                                                  ExternalFile externalFile, FindingList& findings);
+
 /// Reads and checks the extension of a document, and its tables. The result is valid only if no
 /// error was recorded.
 [[nodiscard]] Bundle readExtension(const nlohmann::json& root, GltfTables& source,

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The container of .glb and .gltf; see gltf_container.h. Input is hostile: every length and nesting
 // depth is checked before use.
+#include "gltf_container.h"
+
 #include "json_builder.h"
 #include "object_reader.h"
-
-#include <lichen/gltf_container.h>
 
 #include <algorithm>
 #include <cstring>
@@ -16,14 +16,6 @@ namespace lichen {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::uint32_t kGlbMagic = 0x46546C67u;     // "glTF"
-constexpr std::uint32_t kGlbChunkJson = 0x4E4F534Au; // "JSON"
-constexpr std::uint32_t kGlbChunkBin = 0x004E4942u;  // "BIN"
-constexpr std::uint32_t kGlbVersion = 2;
-constexpr std::size_t kGlbHeaderBytes = 12;
-constexpr std::size_t kGlbChunkHeaderBytes = 8;
-constexpr std::size_t kGlbAlignment = 4; // of chunks
 
 /// Exporters stay below this limit unless they embed large buffers as data URIs.
 constexpr std::size_t kMaxJsonBytes = std::size_t(64) << 20;
@@ -40,12 +32,6 @@ std::uint32_t word(std::span<const std::byte> bytes, std::size_t offset) {
   std::uint32_t value = 0;
   std::memcpy(&value, bytes.data() + offset, sizeof value);
   return value;
-}
-
-void appendWord(std::vector<std::byte>& bytes, std::size_t value) {
-  const auto narrow = std::uint32_t(value);
-  const auto view = std::as_bytes(std::span(&narrow, 1));
-  bytes.insert(bytes.end(), view.begin(), view.end());
 }
 
 /// Thrown to stop reading a container.
@@ -113,7 +99,7 @@ void splitText(std::span<const std::byte> file, GltfContainer& container) {
     return std::string_view(" \t\r\n").find(char(b)) == std::string_view::npos;
   });
   if (first == file.end() || char(*first) != '{')
-    fail(kNotGltf, kindOf(file) + "; expected a .glb or .gltf");
+    fail("not-gltf", kindOf(file) + "; expected a .glb or .gltf");
   container.text = file;
 }
 
@@ -160,82 +146,6 @@ std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file) {
   } catch (const std::bad_alloc&) {
     return Finding{Finding::Severity::error, "memory", "", "not enough memory to read it"};
   }
-}
-
-std::vector<std::byte> frameGlb(std::string text, std::span<const std::byte> binary,
-                                std::span<const std::byte> otherChunks) {
-  const auto padded = [](std::size_t size) {
-    return (size + kGlbAlignment - 1) / kGlbAlignment * kGlbAlignment;
-  };
-  text.resize(padded(text.size()), ' ');
-  const std::size_t binarySize = padded(binary.size());
-  const std::size_t binaryChunkSize = binary.empty() ? 0 : kGlbChunkHeaderBytes + binarySize;
-  std::vector<std::byte> glb;
-  appendWord(glb, kGlbMagic);
-  appendWord(glb, kGlbVersion);
-  appendWord(glb, kGlbHeaderBytes + kGlbChunkHeaderBytes + text.size() + binaryChunkSize +
-                      otherChunks.size());
-  appendWord(glb, text.size());
-  appendWord(glb, kGlbChunkJson);
-  const auto textBytes = std::as_bytes(std::span(text));
-  glb.insert(glb.end(), textBytes.begin(), textBytes.end());
-  if (!binary.empty()) {
-    appendWord(glb, binarySize);
-    appendWord(glb, kGlbChunkBin);
-    glb.insert(glb.end(), binary.begin(), binary.end());
-    glb.resize(glb.size() + binarySize - binary.size());
-  }
-  glb.insert(glb.end(), otherChunks.begin(), otherChunks.end());
-  return glb;
-}
-
-std::optional<std::string> pathOfUri(const std::string& uri) {
-  if (uri.find(':') != std::string::npos)
-    return std::nullopt;
-  const auto hexDigit = [](char c) {
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    return kDigits.find(c >= 'A' && c <= 'F' ? char(c - 'A' + 'a') : c);
-  };
-  std::string path;
-  for (std::size_t i = 0; i < uri.size(); ++i) {
-    char c = uri[i];
-    if (c == '%') {
-      if (i + 2 >= uri.size())
-        return std::nullopt;
-      const std::size_t high = hexDigit(uri[i + 1]);
-      const std::size_t low = hexDigit(uri[i + 2]);
-      if (high == std::string_view::npos || low == std::string_view::npos)
-        return std::nullopt;
-      c = char(high * 16 + low);
-      i += 2;
-    }
-    if (c == '\0')
-      return std::nullopt;
-    path.push_back(c);
-  }
-  return path;
-}
-
-std::optional<std::filesystem::path> fileInside(const std::filesystem::path& folder,
-                                                const std::filesystem::path& relative) {
-  if (folder.empty() || relative.empty() || relative.has_root_path())
-    return std::nullopt;
-  std::error_code error;
-  const auto root = std::filesystem::weakly_canonical(folder, error);
-  if (error)
-    return std::nullopt;
-  const auto target = std::filesystem::weakly_canonical(root / relative, error);
-  if (error)
-    return std::nullopt;
-  const auto [rootEnd, targetEnd] =
-      std::mismatch(root.begin(), root.end(), target.begin(), target.end());
-  if (rootEnd != root.end() || targetEnd == target.end())
-    return std::nullopt;
-  return target;
-}
-
-std::filesystem::path folderOf(const std::filesystem::path& file) {
-  return file.has_parent_path() ? file.parent_path() : ".";
 }
 
 } // namespace lichen

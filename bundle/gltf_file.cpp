@@ -4,11 +4,12 @@
 // Source: glTF 2.0 specification, section 3.6.
 #include "gltf_file.h"
 
-#include <lichen/base64.h>
+#include "data_uri.h"
+
 #include <lichen/counted.h>
-#include <lichen/files.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace lichen {
 namespace {
@@ -22,19 +23,6 @@ constexpr std::size_t kMaxStoredBytes = std::size_t(4) << 30;
 
 /// [glTF 2.0, section 5.11.4]
 constexpr std::uint64_t kMaxStride = 252, kStrideStep = 4;
-
-bool isDataUri(const std::string& uri) { return uri.starts_with("data:"); }
-
-Result<std::vector<std::byte>> readDataUri(const std::string& uri) {
-  constexpr std::string_view kMarker = ";base64,";
-  const std::size_t marker = uri.find(kMarker);
-  std::optional<std::vector<std::byte>> bytes;
-  if (marker != std::string::npos)
-    bytes = decodeBase64(std::string_view(uri).substr(marker + kMarker.size()));
-  if (!bytes)
-    return Error{ErrorKind::badInput, "data URI with invalid base64"};
-  return std::move(*bytes);
-}
 
 /// A non-negative integer member, `fallback` if absent, or nothing for another type.
 std::optional<std::uint64_t> countMember(const json& object, const char* key,
@@ -65,15 +53,43 @@ std::string quoted(const std::string& text) {
   return json(shown).dump(-1, ' ', true, json::error_handler_t::replace);
 }
 
-std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
-                                       std::filesystem::path folder, FindingList& findings) {
+std::optional<std::string> pathOfUri(const std::string& uri) {
+  if (uri.find(':') != std::string::npos)
+    return std::nullopt;
+  std::string path;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    char c = uri[i];
+    if (c == '%') {
+      unsigned char code = 0;
+      const char* const digits = uri.data() + i + 1;
+      if (i + 2 >= uri.size() || std::from_chars(digits, digits + 2, code, 16).ptr != digits + 2)
+        return std::nullopt;
+      c = char(code);
+      i += 2;
+    }
+    if (c == '\0')
+      return std::nullopt;
+    path.push_back(c);
+  }
+  return path;
+}
+
+Error unresolvedUri(const std::string& uri) {
+  return {ErrorKind::badInput,
+          "URI " + quoted(uri) +
+              (pathOfUri(uri) ? " points outside the file's folder"
+                              : "; expected a relative path or a base64 data URI")};
+}
+
+std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file, ExternalFile externalFile,
+                                       FindingList& findings) {
   std::variant<GltfContainer, Finding> opened = openGltf(file);
   if (const auto* fault = std::get_if<Finding>(&opened)) {
     findings.error(fault->code, fault->pointer, fault->message);
     return std::nullopt;
   }
   GltfFile gltf;
-  gltf.folder_ = std::move(folder);
+  gltf.externalFile_ = std::move(externalFile);
   gltf.container_ = std::get<GltfContainer>(std::move(opened));
   const json& document = gltf.document();
   if (const auto list = document.find("buffers"); list != document.end() && list->is_array()) {
@@ -92,25 +108,12 @@ std::optional<GltfFile> GltfFile::open(std::span<const std::byte> file,
   return gltf;
 }
 
-Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri,
-                                                 std::optional<std::size_t> length) const {
+Result<std::vector<std::byte>> GltfFile::readUri(const std::string& uri, std::size_t length) const {
   if (isDataUri(uri))
     return readDataUri(uri);
-  const Result<std::filesystem::path> path = pathOf(uri);
-  if (!path)
-    return path.error();
-  return length ? readFileStart(path.value(), *length) : readFile(path.value());
-}
-
-Result<std::filesystem::path> GltfFile::pathOf(const std::string& uri) const {
-  const auto relative = pathOfUri(uri);
-  if (!relative)
-    return Error{ErrorKind::badInput,
-                 "URI " + quoted(uri) + "; expected a relative path or a base64 data URI"};
-  const auto path = fileInside(folder_, *relative);
-  if (!path)
-    return Error{ErrorKind::badInput, "URI " + quoted(uri) + " points outside the file's folder"};
-  return *path;
+  if (!externalFile_ || !pathOfUri(uri))
+    return unresolvedUri(uri);
+  return externalFile_(uri, length);
 }
 
 std::optional<Finding> GltfFile::loadBuffer(std::size_t index, Buffer& target) {

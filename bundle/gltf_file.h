@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The JSON document of a glTF asset, and the bytes of its buffers from the GLB chunk, files or data
-// URIs.
+// The JSON document of a glTF asset, and the bytes of its buffers from the GLB chunk, data URIs or
+// a function that supplies external files.
 #pragma once
 
 #include "findings.h"
-
-#include <lichen/gltf_container.h>
+#include "gltf_container.h"
 
 namespace lichen {
+
+/// The error of a URI that names no file in the asset's folder.
+[[nodiscard]] Error unresolvedUri(const std::string& uri);
 
 /// An asset whose JSON is well-formed and an object. Buffers load on first use, so that unused ones
 /// are not read.
 class GltfFile {
 public:
-  /// Resolves buffer files in `folder`, which may be empty if there is none. Borrows `file`. If the
-  /// container is invalid, records the fault and returns nothing.
+  /// Borrows `file`. `externalFile` may be empty. If the container is invalid, records the fault
+  /// and returns nothing.
   [[nodiscard]] static std::optional<GltfFile>
-  open(std::span<const std::byte> file, std::filesystem::path folder, FindingList& findings);
+  open(std::span<const std::byte> file, ExternalFile externalFile, FindingList& findings);
 
   [[nodiscard]] const nlohmann::json& document() const { return container_.document; }
   [[nodiscard]] const GltfContainer& container() const { return container_; }
@@ -38,12 +40,6 @@ public:
   /// The bytes of a buffer. Records faults as bufferView() does.
   [[nodiscard]] std::optional<std::span<const std::byte>> wholeBuffer(std::size_t index,
                                                                       FindingList& findings);
-  /// Resolves a relative URI to a file inside the folder. Errors: badInput.
-  [[nodiscard]] Result<std::filesystem::path> pathOf(const std::string& uri) const;
-  /// Reads a URI, a file inside the folder or a data URI. If `length` is given, reads only the
-  /// first bytes of a file, and a shorter file is an error.
-  [[nodiscard]] Result<std::vector<std::byte>>
-  readUri(const std::string& uri, std::optional<std::size_t> length = {}) const;
   /// Total bytes of the buffers loaded so far.
   [[nodiscard]] std::size_t loadedBytes() const;
 
@@ -55,10 +51,13 @@ private:
     std::span<const std::byte> bytes;
   };
 
+  /// Reads a data URI, or the first bytes of an external file.
+  [[nodiscard]] Result<std::vector<std::byte>> readUri(const std::string& uri,
+                                                       std::size_t length) const;
   /// Fills `target`, or returns the fault.
   [[nodiscard]] std::optional<Finding> loadBuffer(std::size_t index, Buffer& target);
 
-  std::filesystem::path folder_;
+  ExternalFile externalFile_;
   GltfContainer container_;
   std::vector<Buffer> buffers_;
   std::vector<std::string> compressions_; ///< of buffer views, required

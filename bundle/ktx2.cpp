@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-// KTX2 container <-> table, uncompressed formats only. A file has the header, level index, data
-// format descriptor and key/value data, then the mip levels, smallest first, each aligned to its
-// texel size.
-// Sources: KTX File Format Specification 2.0; Khronos Data Format Specification 1.3, section 5.
-#include <lichen/bundle.h>
+// KTX2 container -> table; see ktx2.h. Input is hostile: every field is checked before use.
+#include "ktx2.h"
+
 #include <lichen/counted.h>
 
 #include <algorithm>
@@ -13,38 +11,6 @@
 
 namespace lichen {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "KTX2 and GLB fields are little-endian");
-
-constexpr std::array<unsigned char, 12> kIdentifier = {0xAB, 'K',  'T',  'X',  ' ',  '2',
-                                                       '0',  0xBB, '\r', '\n', 0x1A, '\n'};
-
-/// The header and index of the specification, byte for byte.
-struct Header {
-  std::array<unsigned char, 12> identifier = kIdentifier;
-  std::uint32_t vkFormat = 0;
-  std::uint32_t typeSize = 1;
-  std::uint32_t pixelWidth = 0;
-  std::uint32_t pixelHeight = 0;
-  std::uint32_t pixelDepth = 0;
-  std::uint32_t layerCount = 0;
-  std::uint32_t faceCount = 1;
-  std::uint32_t levelCount = 1;
-  std::uint32_t supercompressionScheme = 0;
-  std::uint32_t dfdByteOffset = 0;
-  std::uint32_t dfdByteLength = 0;
-  std::uint32_t kvdByteOffset = 0;
-  std::uint32_t kvdByteLength = 0;
-  std::uint64_t sgdByteOffset = 0;
-  std::uint64_t sgdByteLength = 0;
-};
-static_assert(sizeof(Header) == 80);
-
-struct LevelIndexEntry {
-  std::uint64_t byteOffset = 0;
-  std::uint64_t byteLength = 0;
-  std::uint64_t uncompressedByteLength = 0;
-};
 
 struct FormatEntry {
   TexelFormat format;
@@ -64,69 +30,10 @@ constexpr std::array<FormatEntry, 8> kFormats = {{{TexelFormat::r8Unorm, 9, 1, f
 const FormatEntry& entryOf(TexelFormat format) { return kFormats[std::size_t(format)]; }
 
 template <class T>
-void append(std::vector<std::byte>& bytes, const T& value) {
-  const auto view = std::as_bytes(std::span(&value, 1));
-  bytes.insert(bytes.end(), view.begin(), view.end());
-}
-
-template <class T>
 T read(std::span<const std::byte> bytes, std::size_t offset) {
   T value;
   std::memcpy(&value, bytes.data() + offset, sizeof value);
   return value;
-}
-
-void padTo(std::vector<std::byte>& bytes, std::size_t alignment) {
-  bytes.resize((bytes.size() + alignment - 1) / alignment * alignment);
-}
-
-std::size_t levelAlignment(TexelFormat format) {
-  return std::lcm(texelBytes(format), std::size_t(4));
-}
-
-/// The data format descriptor with its leading total size: one basic descriptor block (Data Format
-/// 1.3, section 5), colour model RGBSDA, BT.709 primaries, straight alpha, one sample per channel.
-std::vector<std::uint32_t> describeFormat(TexelFormat format) {
-  constexpr std::uint32_t kVersion1_3 = 2;
-  constexpr std::uint32_t kModelRgbsda = 1;
-  constexpr std::uint32_t kPrimariesBt709 = 1;
-  constexpr std::uint32_t kTransferLinear = 1;
-  constexpr std::uint32_t kChannelAlpha = 15;
-  constexpr std::uint32_t kQualifierSigned = 0x40;
-  constexpr std::uint32_t kQualifierFloat = 0x80;
-  const FormatEntry& entry = entryOf(format);
-  const auto channels = std::uint32_t(channelCount(format));
-  const std::uint32_t blockBytes = 24 + 16 * channels;
-  std::vector<std::uint32_t> words = {blockBytes + 4, // total size, with this word
-                                      0,              // Khronos, basic format
-                                      kVersion1_3 | blockBytes << 16u,
-                                      kModelRgbsda | kPrimariesBt709 << 8u | kTransferLinear << 16u,
-                                      0, // texel block of 1 x 1 x 1 x 1
-                                      std::uint32_t(texelBytes(format)), // bytes of plane 0
-                                      0};
-  for (std::uint32_t channel = 0; channel < channels; ++channel) {
-    const bool alpha = channel == 3;
-    const std::uint32_t bits = 8 * entry.typeSize;
-    std::uint32_t type = alpha ? kChannelAlpha : channel;
-    if (entry.isFloat)
-      type |= kQualifierFloat | kQualifierSigned;
-    words.push_back(channel * bits | (bits - 1) << 16u | type << 24u);
-    words.push_back(0); // sample position
-    // The values of black and white: the full range of UNORM, -1 to 1 for floats.
-    words.push_back(entry.isFloat ? std::bit_cast<std::uint32_t>(-1.0f) : 0u);
-    words.push_back(entry.isFloat ? std::bit_cast<std::uint32_t>(1.0f) : 255u);
-  }
-  return words;
-}
-
-std::vector<std::byte> keyValueData() {
-  constexpr std::string_view kWriter("KTXwriter\0lichen\0", 17);
-  std::vector<std::byte> bytes;
-  append(bytes, std::uint32_t(kWriter.size()));
-  const auto text = std::as_bytes(std::span(kWriter));
-  bytes.insert(bytes.end(), text.begin(), text.end());
-  padTo(bytes, 4);
-  return bytes;
 }
 
 Error refusal(const std::string& name, const std::string& what) {
@@ -139,7 +46,7 @@ bool contains(std::size_t size, std::uint64_t offset, std::uint64_t length) {
 
 /// Checks everything in the header that does not depend on the rest of the file. Returns a table
 /// without texels.
-Result<Table> tableFromHeader(const Header& header, const std::string& name) {
+Result<Table> tableFromHeader(const Ktx2Header& header, const std::string& name) {
   const std::optional<TexelFormat> format = texelFormatFrom(header.vkFormat);
   if (!format)
     return refusal(name, "vkFormat " + std::to_string(header.vkFormat) +
@@ -182,7 +89,7 @@ Result<Table> tableFromHeader(const Header& header, const std::string& name) {
 /// Whether a descriptor equals the format's, except for primaries, flags and version. The transfer
 /// function and the samples must match, because they define what the texels mean.
 bool descriptorMatches(std::span<const std::byte> descriptor, TexelFormat format) {
-  const std::vector<std::uint32_t> expected = describeFormat(format);
+  const std::vector<std::uint32_t> expected = describeKtx2(format);
   const auto expectedBytes = std::as_bytes(std::span(expected));
   if (descriptor.size() != expectedBytes.size())
     return false;
@@ -226,11 +133,10 @@ std::string keyValueFault(std::span<const std::byte> data, bool is3d) {
 /// Copies the mip levels from the file. They must be smallest first, aligned, after `firstByte`,
 /// and end at the end of the file.
 Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size_t firstByte) {
-  const std::size_t alignment = levelAlignment(table.format);
+  const std::size_t alignment = ktx2Alignment(table.format);
   std::uint64_t end = firstByte;
   for (std::uint32_t level = table.mipLevels; level-- > 0;) {
-    const auto entry =
-        read<LevelIndexEntry>(file, sizeof(Header) + level * sizeof(LevelIndexEntry));
+    const auto entry = read<Ktx2Level>(file, sizeof(Ktx2Header) + level * sizeof(Ktx2Level));
     const std::string which = "mip level " + std::to_string(level);
     const std::size_t size = levelRange(table, level).size;
     if (entry.byteLength != size || entry.uncompressedByteLength != size)
@@ -252,8 +158,7 @@ Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size
   const LevelRange last = levelRange(table, table.mipLevels - 1);
   table.texels.resize(last.offset + last.size);
   for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
-    const auto entry =
-        read<LevelIndexEntry>(file, sizeof(Header) + level * sizeof(LevelIndexEntry));
+    const auto entry = read<Ktx2Level>(file, sizeof(Ktx2Header) + level * sizeof(Ktx2Level));
     const LevelRange range = levelRange(table, level);
     std::memcpy(table.texels.data() + range.offset, file.data() + entry.byteOffset, range.size);
   }
@@ -261,16 +166,16 @@ Result<Table> readLevels(Table table, std::span<const std::byte> file, std::size
 }
 
 Result<Table> decode(std::span<const std::byte> file, const std::string& name) {
-  if (file.size() < sizeof(Header))
+  if (file.size() < sizeof(Ktx2Header))
     return refusal(name, counted(file.size(), "byte") + "; a header has " +
-                             std::to_string(sizeof(Header)));
-  const auto header = read<Header>(file, 0);
-  if (header.identifier != kIdentifier)
+                             std::to_string(sizeof(Ktx2Header)));
+  const auto header = read<Ktx2Header>(file, 0);
+  if (header.identifier != kKtx2Identifier)
     return refusal(name, "the file identifier is absent");
   Result<Table> table = tableFromHeader(header, name);
   if (!table)
     return table;
-  const std::size_t indexEnd = sizeof(Header) + table.value().mipLevels * sizeof(LevelIndexEntry);
+  const std::size_t indexEnd = sizeof(Ktx2Header) + table.value().mipLevels * sizeof(Ktx2Level);
   if (file.size() < indexEnd)
     return refusal(name, "the file ends inside its level index");
   if (header.dfdByteOffset != indexEnd ||
@@ -300,6 +205,43 @@ Result<Table> decode(std::span<const std::byte> file, const std::string& name) {
 
 } // namespace
 
+std::size_t ktx2Alignment(TexelFormat format) {
+  return std::lcm(texelBytes(format), std::size_t(4));
+}
+
+std::vector<std::uint32_t> describeKtx2(TexelFormat format) {
+  constexpr std::uint32_t kVersion1_3 = 2;
+  constexpr std::uint32_t kModelRgbsda = 1;
+  constexpr std::uint32_t kPrimariesBt709 = 1;
+  constexpr std::uint32_t kTransferLinear = 1;
+  constexpr std::uint32_t kChannelAlpha = 15;
+  constexpr std::uint32_t kQualifierSigned = 0x40;
+  constexpr std::uint32_t kQualifierFloat = 0x80;
+  const FormatEntry& entry = entryOf(format);
+  const auto channels = std::uint32_t(channelCount(format));
+  const std::uint32_t blockBytes = 24 + 16 * channels;
+  std::vector<std::uint32_t> words = {blockBytes + 4, // total size, with this word
+                                      0,              // Khronos, basic format
+                                      kVersion1_3 | blockBytes << 16u,
+                                      kModelRgbsda | kPrimariesBt709 << 8u | kTransferLinear << 16u,
+                                      0, // texel block of 1 x 1 x 1 x 1
+                                      std::uint32_t(texelBytes(format)), // bytes of plane 0
+                                      0};
+  for (std::uint32_t channel = 0; channel < channels; ++channel) {
+    const bool alpha = channel == 3;
+    const std::uint32_t bits = 8 * entry.typeSize;
+    std::uint32_t type = alpha ? kChannelAlpha : channel;
+    if (entry.isFloat)
+      type |= kQualifierFloat | kQualifierSigned;
+    words.push_back(channel * bits | (bits - 1) << 16u | type << 24u);
+    words.push_back(0); // sample position
+    // The values of black and white: the full range of UNORM, -1 to 1 for floats.
+    words.push_back(entry.isFloat ? std::bit_cast<std::uint32_t>(-1.0f) : 0u);
+    words.push_back(entry.isFloat ? std::bit_cast<std::uint32_t>(1.0f) : 255u);
+  }
+  return words;
+}
+
 std::uint32_t vkFormatOf(TexelFormat format) { return entryOf(format).vkFormat; }
 
 std::optional<TexelFormat> texelFormatFrom(std::uint32_t vkFormat) {
@@ -307,40 +249,6 @@ std::optional<TexelFormat> texelFormatFrom(std::uint32_t vkFormat) {
     if (entry.vkFormat == vkFormat)
       return entry.format;
   return std::nullopt;
-}
-
-std::vector<std::byte> encodeKtx2(const Table& table) {
-  const std::vector<std::uint32_t> descriptor = describeFormat(table.format);
-  const std::vector<std::byte> keyValues = keyValueData();
-  const std::size_t indexBytes = table.mipLevels * sizeof(LevelIndexEntry);
-  Header header;
-  header.vkFormat = entryOf(table.format).vkFormat;
-  header.typeSize = entryOf(table.format).typeSize;
-  header.pixelWidth = table.width;
-  header.pixelHeight = table.height;
-  header.pixelDepth = table.depth;
-  header.levelCount = table.mipLevels;
-  header.dfdByteOffset = std::uint32_t(sizeof(Header) + indexBytes);
-  header.dfdByteLength = std::uint32_t(descriptor.size() * sizeof(std::uint32_t));
-  header.kvdByteOffset = header.dfdByteOffset + header.dfdByteLength;
-  header.kvdByteLength = std::uint32_t(keyValues.size());
-
-  std::vector<std::byte> file;
-  append(file, header);
-  file.resize(sizeof(Header) + indexBytes);
-  const auto descriptorBytes = std::as_bytes(std::span(descriptor));
-  file.insert(file.end(), descriptorBytes.begin(), descriptorBytes.end());
-  file.insert(file.end(), keyValues.begin(), keyValues.end());
-  for (std::uint32_t level = table.mipLevels; level-- > 0;) {
-    padTo(file, levelAlignment(table.format));
-    const LevelRange range = levelRange(table, level);
-    const LevelIndexEntry entry{file.size(), range.size, range.size};
-    std::memcpy(file.data() + sizeof(Header) + level * sizeof(LevelIndexEntry), &entry,
-                sizeof entry);
-    const auto texels = std::span(table.texels).subspan(range.offset, range.size);
-    file.insert(file.end(), texels.begin(), texels.end());
-  }
-  return file;
 }
 
 Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& name) {

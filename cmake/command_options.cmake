@@ -10,4 +10,4 @@ add_library(lichen::command_options ALIAS lichen_command_options)
 target_include_directories(lichen_command_options PUBLIC
   ${folder} ${PROJECT_SOURCE_DIR}/analysis/include)
 target_link_libraries(lichen_command_options
-  PUBLIC lichen::bundle lichen::front_end CLI11::CLI11 fmt::fmt PRIVATE lichen::warnings)
+  PUBLIC lichen::bundle_files lichen::front_end CLI11::CLI11 fmt::fmt PRIVATE lichen::warnings)

@@ -8,6 +8,7 @@
 #include "steps_shown.h"
 
 #include <lichen/apply_noise.h>
+#include <lichen/bundle_files.h>
 #include <lichen/counted.h>
 #include <lichen/layered_noise.h>
 

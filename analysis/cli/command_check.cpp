@@ -3,7 +3,7 @@
 #include "command.h"
 #include "options.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 #include <lichen/counted.h>
 #include <lichen/escaped.h>
 

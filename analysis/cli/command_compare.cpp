@@ -9,6 +9,7 @@
 
 #include <lichen/apply_noise.h>
 #include <lichen/bake_material.h>
+#include <lichen/bundle_files.h>
 #include <lichen/noise_comparison.h>
 
 #include <fmt/format.h>

@@ -6,10 +6,8 @@
 #include "options.h"
 #include "table_words.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 #include <lichen/counted.h>
-#include <lichen/files.h>
-#include <lichen/gltf_container.h>
 #include <lichen/layered_noise.h>
 
 #include <fmt/format.h>
@@ -53,32 +51,6 @@ int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
   if (const auto& layers = bundle.noises[noise].layers)
     for (const LayerNode& node : layers->nodes)
       sum += fetchesPerPixel(bundle, node.index, bundle.noises[node.index].maps.front());
-  return sum;
-}
-
-/// Returns the size of the file and, for a .gltf, of the buffers in separate files that exist.
-Result<std::size_t> bytesOnDisk(const std::string& path) {
-  const Result<std::vector<std::byte>> file = readFile(path);
-  if (!file)
-    return file.error();
-  std::size_t sum = file.value().size();
-  const std::variant<GltfContainer, Finding> opened = openGltf(file.value());
-  const auto* container = std::get_if<GltfContainer>(&opened);
-  if (container == nullptr || !container->document.contains("buffers"))
-    return sum;
-  for (const nlohmann::json& buffer : container->document["buffers"]) {
-    // Reading the bundle did not validate buffers without tables.
-    if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string())
-      continue;
-    const auto relative = pathOfUri(buffer["uri"].get_ref<const std::string&>());
-    const auto beside = relative ? fileInside(folderOf(path), *relative) : std::nullopt;
-    if (!beside)
-      continue;
-    std::error_code absent;
-    const std::uintmax_t bytes = std::filesystem::file_size(*beside, absent);
-    if (!absent)
-      sum += std::size_t(bytes);
-  }
   return sum;
 }
 

@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include <lichen/bake_material.h>
+#include <lichen/bundle_files.h>
 #include <lichen/bundle_merge.h>
 #include <lichen/index_map.h>
 #include <lichen/layered_noise.h>

@@ -5,6 +5,7 @@
 #include "progress_line.h"
 
 #include <lichen/bake_material.h>
+#include <lichen/bundle_files.h>
 #include <lichen/bundle_merge.h>
 #include <lichen/counted.h>
 

@@ -7,6 +7,7 @@
 #include "progress_line.h"
 
 #include <lichen/apply_noise.h>
+#include <lichen/bundle_files.h>
 #include <lichen/files.h>
 #include <lichen/image_io.h>
 #include <lichen/shader_parameters.h>

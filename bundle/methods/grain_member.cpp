@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Grain <-> the member `grain`: `x`, `y` or absent.
+// The member `grain` -> Grain: `x`, `y` or absent.
 #include "grain_member.h"
 
 #include <optional>
@@ -15,11 +15,6 @@ Grain readGrain(ObjectReader& reader) {
   if (name && !grain)
     reader.error("noise-grain", "grain", quoted(*name) + "; expected x or y");
   return grain.value_or(Grain::none);
-}
-
-void writeGrain(Grain grain, nlohmann::ordered_json& json) {
-  if (grain != Grain::none)
-    json["grain"] = nameOf(grain);
 }
 
 } // namespace lichen

@@ -2,7 +2,9 @@
 // Vertex arrays -> accessors and bufferViews of one buffer; see mesh_scene.h.
 #include "mesh_scene.h"
 
-#include <lichen/gltf_container.h>
+#include <lichen/gltf_files.h>
+
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

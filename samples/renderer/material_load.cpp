@@ -5,6 +5,7 @@
 
 #include "printable.h"
 
+#include <lichen/gltf_files.h>
 #include <lichen/image_io.h>
 
 #include <algorithm>
@@ -269,7 +270,7 @@ private:
     std::uintmax_t total = 0;
     file_.root().each("images", [&](const Place& image, std::size_t) {
       const std::string uri = image.string("uri").value_or("");
-      const Result<std::filesystem::path> path = file_.gltf().pathOf(uri);
+      const Result<std::filesystem::path> path = fileOfUri(file_.path(), uri);
       std::error_code absent;
       const std::uintmax_t size =
           path ? std::filesystem::file_size(path.value(), absent) : uri.size() / 4 * 3;
@@ -314,7 +315,7 @@ private:
       image.fail("expected exactly one of uri and bufferView");
     if (view)
       return file_.view(*view);
-    Result<std::vector<std::byte>> read = file_.gltf().readUri(*uri);
+    Result<std::vector<std::byte>> read = readUri(file_.path(), *uri);
     if (!read) {
       if (read.error().kind == ErrorKind::resources)
         throw Fault{image.pointer() + ": " + read.error().message, ErrorKind::resources};

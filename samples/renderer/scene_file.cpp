@@ -5,6 +5,8 @@
 #include "printable.h"
 #include "scene.h"
 
+#include <lichen/gltf_files.h>
+
 namespace lichen::renderer {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr std::uint64_t kMaxBytes = std::numeric_limits<std::uint32_t>::max();
 SceneFile::SceneFile(std::vector<std::byte> bytes, std::filesystem::path path)
     : path_(std::move(path)), bytes_(std::move(bytes)) {
   FindingList findings;
-  gltf_ = GltfFile::open(bytes_, folderOf(path_), findings);
+  gltf_ = GltfFile::open(bytes_, filesBeside(path_), findings);
   if (!gltf_)
     fail(*findings.firstError(), "");
 }
@@ -41,7 +43,7 @@ void SceneFile::checkBuffers() {
 void SceneFile::loadBuffer(const Place& buffer, std::size_t index) {
   const std::optional<std::string> uri = buffer.string("uri");
   if (uri && !uri->starts_with("data:")) {
-    const Result<std::filesystem::path> path = gltf_->pathOf(*uri);
+    const Result<std::filesystem::path> path = fileOfUri(path_, *uri);
     std::error_code ignored;
     if (!path || !std::filesystem::is_regular_file(path.value(), ignored))
       buffer.fail("its file \"" + printable(pathOfUri(*uri).value_or(*uri)) +

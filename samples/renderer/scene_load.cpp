@@ -7,6 +7,7 @@
 #include "scene_file.h"
 
 #include <lichen/files.h>
+#include <lichen/gltf_files.h>
 
 #include <algorithm>
 #include <array>

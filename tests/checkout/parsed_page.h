@@ -3,7 +3,8 @@
 // and without entities other than the four that texts need. Anything else fails the test.
 #pragma once
 
-#include <lichen/base64.h>
+#include "bundle/data_uri.h"
+
 #include <lichen/escaped.h>
 #include <lichen/image_io.h>
 
@@ -134,10 +135,9 @@ private:
   constexpr std::string_view kStart = "data:image/png;base64,";
   for (const auto& [key, value] : element.attributes)
     if (const std::size_t at = value.find(kStart); at != std::string::npos) {
-      const std::string text = value.substr(at + kStart.size());
-      const auto file = decodeBase64(std::string_view(text).substr(0, text.find(')')));
+      const auto file = readDataUri(value.substr(at, value.find(')', at) - at));
       REQUIRE(file);
-      return std::get<SrgbImage>(decodeImage(*file, "picture").value().pixels);
+      return std::get<SrgbImage>(decodeImage(file.value(), "picture").value().pixels);
     }
   FAIL("no picture in " << element.name);
   return {};

@@ -3,7 +3,7 @@
 #include "apply_run.h"
 #include "bundle_example.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 #include <lichen/bundle_writer.h>
 
 #include <catch2/catch.hpp>

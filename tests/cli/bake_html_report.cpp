@@ -4,7 +4,7 @@
 #include "command_run.h"
 #include "parsed_page.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,7 @@
 // The risks that a bake reports for its exemplar, and the effect of --flatten.
 #include "command_run.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>

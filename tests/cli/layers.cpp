@@ -2,7 +2,7 @@
 // `lichen bake --layers` and `lichen layer`.
 #include "command_run.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 #include "bundle_example.h"
 #include "command_run.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 
 #include <catch2/catch.hpp>
 

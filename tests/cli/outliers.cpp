@@ -2,7 +2,7 @@
 // What a bake does with parts of a photograph that occur once.
 #include "command_run.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 #include <lichen/image_io.h>
 
 #include <catch2/catch.hpp>

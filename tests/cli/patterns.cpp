@@ -2,7 +2,7 @@
 // `lichen bake --method multiple-kernels` with patterns, and with spectra in words and colours.
 #include "command_run.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 
 #include <catch2/catch.hpp>
 

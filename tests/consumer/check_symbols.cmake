@@ -1,5 +1,6 @@
-# Run with cmake -P. Fails if the shared library LIBRARY needs a vk symbol, or if its exported
-# symbols, of any kind, are not exactly the functions that the headers in INCLUDE declare.
+# Run with cmake -P. Fails if the shared library LIBRARY needs a vk symbol or a function of files, or
+# if its exported symbols, of any kind, are not exactly the functions that the headers in INCLUDE
+# declare.
 execute_process(COMMAND ${NM} -D ${LIBRARY} OUTPUT_VARIABLE symbols RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "nm cannot read ${LIBRARY}")
@@ -7,6 +8,11 @@ endif()
 string(REGEX MATCHALL "[^\n]* vk[A-Z][^\n]*" vulkan "${symbols}")
 if(vulkan)
   message(FATAL_ERROR "Vulkan symbols in ${LIBRARY}: ${vulkan}")
+endif()
+string(REGEX MATCHALL
+  "[^\n]* (_Z[A-Z]+St10filesystem|(f?open|read|write|rename|f?stat)(64)?@)[^\n]*" files "${symbols}")
+if(files)
+  message(FATAL_ERROR "${LIBRARY} uses files: ${files}")
 endif()
 
 set(declared "")

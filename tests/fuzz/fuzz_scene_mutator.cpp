@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Mutates scenes for libFuzzer: half of the time a JSON value, so that the file stays valid glTF;
 // else bytes of the binary chunk or of the whole file.
+#include "bundle/gltf_container.h"
 #include "mutation.h"
 
-#include <lichen/gltf_container.h>
+#include <lichen/gltf_files.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // fuzz_scene_replay: mutations of valid scenes; see replay(). The corpus also has the glTF files of
 // Debian's assimp-testmodels if installed.
+#include "bundle/gltf_container.h"
 #include "bundle_example.h"
 #include "mutation.h"
 #include "render_gltf.h"
 
 #include <lichen/base64.h>
 #include <lichen/files.h>
-#include <lichen/gltf_container.h>
+#include <lichen/gltf_files.h>
 
 #include <filesystem>
 

@@ -4,6 +4,7 @@
 #include "bundle_example.h"
 #include "checkout_paths.h"
 
+#include <lichen/bundle_files.h>
 #include <lichen/files.h>
 
 #include <catch2/catch.hpp>

@@ -28,7 +28,8 @@ std::string textOf(const fs::path& path) {
 /// Our own C++, by path relative to the root. Not shaders and tests, which have folders by method.
 std::map<std::string, std::string> sources() {
   std::map<std::string, std::string> texts;
-  for (const char* folder : {"analysis", "bundle", "engine_plugin", "image", "files", "samples"})
+  for (const char* folder :
+       {"analysis", "bundle", "bundle_files", "engine_plugin", "image", "files", "samples"})
     for (const auto& entry : fs::recursive_directory_iterator(sourcePath(folder)))
       if (const fs::path extension = entry.path().extension();
           extension == ".cpp" || extension == ".h" || extension == ".js")
@@ -95,6 +96,15 @@ TEST_CASE("no method's folder includes another's") {
           CHECK((other == method || (*hit)[1].str().rfind(fileNameOf(other), 0) != 0));
         }
     }
+}
+
+TEST_CASE("the reader of bundles knows no files, and no JSON type in its public headers") {
+  const std::regex files("#include <(filesystem|fstream|cstdio)>"), json("nlohmann");
+  for (const auto& [path, text] : sources()) {
+    INFO(path);
+    CHECK((path.find("bundle/") != 0 || !std::regex_search(text, files)));
+    CHECK((path.find("bundle/include/") != 0 || !std::regex_search(text, json)));
+  }
 }
 
 TEST_CASE("only the command names its options in messages") {

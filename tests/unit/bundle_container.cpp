@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The container of a bundle: GLB framing, JSON limits, data URIs, and files next to a .gltf.
+#include "bundle/data_uri.h"
+#include "bundle/gltf_container.h"
 #include "bundle_example.h"
 #include "bundle_surgery.h"
 #include "temporary_folder.h"
 
 #include <lichen/base64.h>
+#include <lichen/bundle_files.h>
 #include <lichen/files.h>
-#include <lichen/gltf_container.h>
 
 #include <catch2/catch.hpp>
 
@@ -51,23 +53,24 @@ TEST_CASE("a document equals the result of nlohmann's own parser") {
 }
 
 TEST_CASE("base64 is that of RFC 4648, section 10") {
+  const std::string kStart = "data:;base64,";
   const std::string_view text = "foobar";
   for (std::size_t length = 0;
        const char* coded : {"", "Zg==", "Zm8=", "Zm9v", "Zm9vYg==", "Zm9vYmE=", "Zm9vYmFy"}) {
     const auto bytes = std::as_bytes(std::span(text.substr(0, length++)));
     CHECK(encodeBase64(bytes) == coded);
-    const auto decoded = decodeBase64(coded);
-    REQUIRE(decoded.has_value());
-    CHECK(std::equal(decoded->begin(), decoded->end(), bytes.begin(), bytes.end()));
+    const auto decoded = readDataUri(kStart + coded);
+    REQUIRE(decoded.ok());
+    CHECK(std::equal(decoded.value().begin(), decoded.value().end(), bytes.begin(), bytes.end()));
   }
   CHECK(encodeBase64(std::array{std::byte(0xfb), std::byte(0xff)}) == "+/8=");
   std::vector<std::byte> all(256);
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = std::byte(i);
-  CHECK(decodeBase64(encodeBase64(all)) == all);
-  CHECK(decodeBase64("Zm8") == decodeBase64("Zm8="));
+  CHECK(readDataUri(kStart + encodeBase64(all)).value() == all);
+  CHECK(readDataUri(kStart + "Zm8").value() == readDataUri(kStart + "Zm8=").value());
   for (const char* wrong : {"Z", "Zm9v=Zm9", "Zm 9", "Zm9-", "====", "Zm9vZ==="})
-    CHECK_FALSE(decodeBase64(wrong).has_value());
+    CHECK_FALSE(readDataUri(kStart + wrong).ok());
 }
 
 TEST_CASE("every truncated length of a GLB is refused") {
@@ -205,6 +208,32 @@ TEST_CASE("buffers in data URIs are read, of any length modulo three") {
     REQUIRE(bundle.ok());
     CHECK(bundle.value().tables[0].texels == example::smallest().bundle.tables[0].texels);
   }
+}
+
+TEST_CASE("the function of the caller supplies the files that a .gltf in memory names") {
+  GlbParts parts(smallFile());
+  parts.json["buffers"][0] = {{"byteLength", parts.binary.size()}, {"uri", "my%20own.bin"}};
+  const std::string text = parts.json.dump();
+  const auto readWith = [&](const ExternalFile& externalFile) {
+    const auto bundle = parseBundle(std::as_bytes(std::span(text)), "x", externalFile);
+    return bundle ? "" : bundle.error().message;
+  };
+  CHECK(readWith([&](const std::string& uri, std::size_t length) {
+          CHECK(uri == "my%20own.bin");
+          CHECK(pathOfUri(uri) == "my own.bin");
+          CHECK(length == parts.binary.size());
+          std::vector<std::byte> more = parts.binary;
+          more.resize(length + 1);
+          return Result(more);
+        }).empty());
+  const std::string place = "x: /buffers/0/";
+  CHECK(readWith([](const std::string&, std::size_t) -> Result<std::vector<std::byte>> {
+          return Error{ErrorKind::badInput, "my own.bin is locked"};
+        }) == place + "uri: my own.bin is locked");
+  CHECK(
+      readWith([](const std::string&, std::size_t) { return Result(std::vector<std::byte>(3)); }) ==
+      place + "byteLength: " + std::to_string(parts.binary.size()) + " bytes; available: 3");
+  CHECK(readWith({}) == place + "uri: URI \"my%20own.bin\" points outside the file's folder");
 }
 
 TEST_CASE("a buffer file outside the folder of the .gltf is never read") {

@@ -4,6 +4,7 @@
 #include "bundle_surgery.h"
 #include "temporary_folder.h"
 
+#include <lichen/bundle_files.h>
 #include <lichen/bundle_merge.h>
 #include <lichen/files.h>
 

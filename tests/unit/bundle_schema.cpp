@@ -5,7 +5,7 @@
 #include "checkout_paths.h"
 #include "temporary_folder.h"
 
-#include <lichen/bundle.h>
+#include <lichen/bundle_files.h>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>

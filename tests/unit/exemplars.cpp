@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "bundle/gltf_container.h"
 #include "landscape.h"
 #include "materials.h"
-
-#include <lichen/gltf_container.h>
 
 #include <catch2/catch.hpp>
 

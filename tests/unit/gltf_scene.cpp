@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Scenes from other programs: what a change preserves, what is written, and which scenes are
 // rejected.
+#include "bundle/gltf_container.h"
 #include "bundle_example.h"
+#include "bundle_files/gltf_output.h"
 #include "exhausted_memory.h"
 #include "opened_scene.h"
 #include "tiny_scene.h"
 
+#include <lichen/bundle_files.h>
 #include <lichen/files.h>
-#include <lichen/gltf_container.h>
 #include <lichen/gltf_scene.h>
 
 #include <catch2/catch.hpp>
@@ -16,7 +18,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <gltf_output.h>
 #include <limits>
 #include <random>
 

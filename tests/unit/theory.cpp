@@ -29,8 +29,8 @@ const std::map<std::string, std::string>& sources() {
   static const std::map<std::string, std::string> all = [] {
     const std::set<std::string> extensions{".cpp", ".h", ".c", ".glsl", ".comp", ".frag", ".vert"};
     std::map<std::string, std::string> found;
-    for (const char* folder : {"analysis", "bundle", "engine_plugin", "files", "image", "result",
-                               "samples", "shaders_glsl", "tests"})
+    for (const char* folder : {"analysis", "bundle", "bundle_files", "engine_plugin", "files",
+                               "image", "result", "samples", "shaders_glsl", "tests"})
       for (const auto& entry : fs::recursive_directory_iterator(kRepository / folder))
         if (extensions.count(entry.path().extension().string()) == 1)
           found[entry.path().lexically_relative(kRepository).generic_string()] =

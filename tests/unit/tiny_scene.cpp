@@ -4,7 +4,7 @@
 
 #include "bundle_example.h"
 
-#include <lichen/gltf_container.h>
+#include <lichen/gltf_files.h>
 
 namespace lichen::example {
 

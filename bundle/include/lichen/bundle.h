@@ -16,7 +16,7 @@
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -352,14 +352,24 @@ struct Bundle {
 /// Total bytes of the texels of all tables: their GPU memory, without driver overhead.
 [[nodiscard]] std::size_t texelBytes(const Bundle& bundle);
 
-/// Reads the extension from a .glb or .gltf file. Buffers may be embedded, in the GLB chunk, or in
-/// files inside the .gltf's folder; the reader never follows a path out of that folder. Errors:
-/// badInput, with the first error that checkBundle() reports; resources when memory does not
-/// suffice. Thread-safe.
-[[nodiscard]] Result<Bundle> readBundle(const std::filesystem::path& path);
-/// As readBundle(), from memory: a GLB, or a .gltf whose buffers are data URIs. Messages begin with
-/// `name`.
-[[nodiscard]] Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name);
+/// Supplies a file that a .gltf names: its first `length` bytes, or an Error, whose message becomes
+/// the finding's. Fewer bytes are a fault of the .gltf too; further bytes are ignored. `uri` is
+/// relative, as the .gltf has it. pathOfUri() decodes it to a path, which the function must refuse
+/// if it leaves the folder that it may read: the reader does not check that. May throw
+/// std::bad_alloc only.
+using ExternalFile =
+    std::function<Result<std::vector<std::byte>>(const std::string& uri, std::size_t length)>;
+
+/// Decodes the %XX escapes of a relative URI to a path. Returns nothing for a URI with a scheme
+/// (such as data:), a malformed escape or a NUL. Throws std::bad_alloc.
+[[nodiscard]] std::optional<std::string> pathOfUri(const std::string& uri);
+
+/// Reads the extension from the bytes of a .glb or .gltf. Buffers may be in the GLB chunk, in data
+/// URIs, or in files that `externalFile` supplies; without it, a buffer in a file is an error.
+/// Messages begin with `name`. Errors: badInput, with the first error that checkBundle() reports;
+/// resources when memory does not suffice. Thread-safe.
+[[nodiscard]] Result<Bundle> parseBundle(std::span<const std::byte> file, const std::string& name,
+                                         const ExternalFile& externalFile = {});
 
 /// One fault of a file, with a stable code such as "noise-index" and a JSON pointer to its
 /// location.
@@ -371,10 +381,8 @@ struct Finding {
 };
 
 /// Reports every fault of the extension and its tables that can be detected without the exemplar.
-/// Returns an Error only if the file cannot be read, or is not a complete GLB or glTF 2 JSON.
-/// Thread-safe.
-[[nodiscard]] Result<std::vector<Finding>> checkBundle(const std::filesystem::path& path);
-/// As checkBundle() of a path, from memory. An unreadable file is reported as a finding too.
-[[nodiscard]] std::vector<Finding> checkBundle(std::span<const std::byte> file);
+/// An unreadable file is one too. Reads as parseBundle() does. Thread-safe.
+[[nodiscard]] std::vector<Finding> checkBundle(std::span<const std::byte> file,
+                                               const ExternalFile& externalFile = {});
 
 } // namespace lichen

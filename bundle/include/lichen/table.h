@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The textures of a bundle, and their KTX2 encoding.
+// The textures of a bundle, and their decoding from KTX2.
 #pragma once
 
 #include <lichen/result.h>
@@ -69,9 +69,8 @@ struct LevelRange {
 void appendTexels(std::vector<std::byte>& texels, TexelFormat format,
                   std::span<const float> values);
 
-/// KTX2 encoding of a table (throws std::bad_alloc), and decoding. `name` becomes Table::name and
-/// appears in messages.
-[[nodiscard]] std::vector<std::byte> encodeKtx2(const Table& table);
+/// Decodes a KTX2 file, uncompressed formats only. `name` becomes Table::name and appears in
+/// messages. Errors: badInput; resources when memory does not suffice.
 [[nodiscard]] Result<Table> decodeKtx2(std::span<const std::byte> file, const std::string& name);
 
 } // namespace lichen

@@ -5,6 +5,7 @@
 #include "object_reader.h"
 
 #include <lichen/files.h>
+#include <lichen/gltf_files.h>
 
 #include <algorithm>
 #include <limits>
@@ -85,7 +86,7 @@ private:
       if (stringMember(image, "uri") == nullptr || state_.imagesLeft.contains(i))
         continue;
       const Result<std::vector<std::byte>> bytes =
-          state_.file->readUri(*stringMember(image, "uri"));
+          readUri(state_.path, *stringMember(image, "uri"));
       if (!bytes)
         return fileError(state_.path,
                          "/images/" + std::to_string(i) + "/uri: " + bytes.error().message,
@@ -235,14 +236,14 @@ std::vector<UnusableImage> GltfScene::unusableImages() const {
     if (uri == nullptr)
       continue;
     const bool isFile = namesFile(document()["images"][i]);
-    const Result<std::filesystem::path> file = state_->file->pathOf(*uri);
+    const Result<std::filesystem::path> file = fileOfUri(state_->path, *uri);
     std::error_code ignored;
     if (isFile && file && !std::filesystem::exists(file.value(), ignored)) {
       unusable.push_back({i, "the file " + quoted(*uri) + " is missing"});
       continue;
     }
     const auto start =
-        state_->file->readUri(*uri, isFile ? std::optional(kSignature) : std::nullopt);
+        readUri(state_->path, *uri, isFile ? std::optional(kSignature) : std::nullopt);
     if (!start || !mediaTypeOf(start.value()))
       unusable.push_back({i, (isFile ? quoted(*uri) : "the data URI") +
                                  " is not a readable PNG, JPEG, WebP or KTX2"});

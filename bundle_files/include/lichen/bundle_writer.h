@@ -5,6 +5,8 @@
 
 #include <lichen/bundle.h>
 
+#include <filesystem>
+
 namespace lichen {
 
 enum class PreviewShape {
@@ -33,8 +35,11 @@ struct BundleFile {
   std::string generator; ///< asset.generator, such as "lichen 0.1.0"
 };
 
+/// Encodes a table as a KTX2 file. Throws std::bad_alloc.
+[[nodiscard]] std::vector<std::byte> encodeKtx2(const Table& table);
+
 /// Encodes a GLB, with deterministic bytes. Errors: usage, with the reason, when the parts are
-/// inconsistent or readBundle() would reject the result; resources if a large allocation fails.
+/// inconsistent or parseBundle() would reject the result; resources if a large allocation fails.
 [[nodiscard]] Result<std::vector<std::byte>> encodeGlb(const BundleFile& file);
 
 /// Writes a .glb, or a .gltf with its binary beside it in STEM.HASH.bin, where HASH depends on the

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The members of a tiling noise and of its maps as JSON.
-#include "methods/grain_member.h"
-#include "methods/method_writer.h"
+#include "method_writer.h"
 
 namespace lichen {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-void writeNoise(const Noise& noise, Json& json) { writeGrain(noise.as<TilingNoise>().grain, json); }
+void writeNoise(const Noise& noise, Json& json) {
+  if (const Grain grain = noise.as<TilingNoise>().grain; grain != Grain::none)
+    json["grain"] = nameOf(grain);
+}
 
 void writeMap(const NoiseMap& map, Json& json) {
   const auto& tiling = map.as<TilingMap>();

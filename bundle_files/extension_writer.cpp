@@ -4,6 +4,8 @@
 
 #include "methods/method_writer.h"
 
+#include <lichen/bundle_writer.h>
+
 namespace lichen {
 namespace {
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The members of a quilting noise and of its maps as JSON.
-#include "methods/grain_member.h"
-#include "methods/method_writer.h"
+#include "method_writer.h"
 
 namespace lichen {
 namespace {
@@ -10,7 +9,8 @@ using Json = nlohmann::ordered_json;
 
 void writeNoise(const Noise& noise, Json& json) {
   const auto& shared = noise.as<QuiltingNoise>();
-  writeGrain(shared.grain, json);
+  if (shared.grain != Grain::none)
+    json["grain"] = nameOf(shared.grain);
   json["reach"] = shared.reach;
   if (shared.correlation > 0.0)
     json["correlation"] = shared.correlation;

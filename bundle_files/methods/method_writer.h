@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How the format writes a method's data. Each method has a MethodWriter in its folder;
-// method_writers.cpp lists them.
+// How the format writes a method's data. Each method has a MethodWriter, which method_writers.cpp
+// lists.
 #pragma once
 
 #include <lichen/bundle.h>

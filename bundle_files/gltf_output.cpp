@@ -2,10 +2,10 @@
 // Writes a .gltf and its binary; see gltf_output.h.
 #include "gltf_output.h"
 
+#include "gltf_container.h"
 #include "object_reader.h"
 
 #include <lichen/files.h>
-#include <lichen/gltf_container.h>
 
 #include <algorithm>
 

@@ -9,7 +9,7 @@
 #include <lichen/bundle_writer.h>
 #include <lichen/counted.h>
 #include <lichen/files.h>
-#include <lichen/gltf_container.h>
+#include <lichen/gltf_files.h>
 
 #include <limits>
 
@@ -101,7 +101,7 @@ Result<Encoded> encode(const BundleFile& file) {
   return Encoded{std::move(root), std::move(builder.binary)};
 }
 
-/// Frames the document as a GLB, and checks that readBundle() accepts it.
+/// Frames the document as a GLB, and checks that parseBundle() accepts it.
 Result<std::vector<std::byte>> framed(const Encoded& encoded) {
   const std::string text = encoded.root.dump();
   constexpr std::size_t kFraming = 64; // headers and padding

@@ -6,9 +6,12 @@
 #include "json_builder.h"
 
 #include <lichen/bundle_merge.h>
+#include <lichen/bundle_writer.h>
 #include <lichen/files.h>
+#include <lichen/gltf_files.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace lichen {
@@ -184,10 +187,12 @@ Result<GltfScene> GltfScene::open(const std::filesystem::path& path) {
       return bytes.error();
     state->bytes = std::move(bytes).value();
     FindingList findings;
-    state->file = GltfFile::open(state->bytes, folderOf(path), findings);
+    state->file = GltfFile::open(state->bytes, filesBeside(path), findings);
     if (state->file) {
       SkeletonCheck(state->document(), findings).run();
-      if (const auto fault = buildOrderedJson(state->file->container().text, state->edited))
+      constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
+      if (const auto fault =
+              buildJson(state->file->container().text, kNoLimit, kNoLimit, state->edited))
         findings.error("json-name", "",
                        "JSON object with two members " + quoted(fault->name) + "; expected one");
     }

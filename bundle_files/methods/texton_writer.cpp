@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The members of a texton noise and of its maps as JSON.
-#include "methods/method_writer.h"
+#include "method_writer.h"
 
 namespace lichen {
 namespace {

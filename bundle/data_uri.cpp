@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Three bytes <-> four digits; see base64.h.
-#include <lichen/base64.h>
+// Four digits -> three bytes; see data_uri.h.
+#include "data_uri.h"
 
 #include <cstdint>
+#include <string_view>
 
 namespace lichen {
 namespace {
 
 constexpr std::string_view kDigits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-
-} // namespace
-
-std::string encodeBase64(std::span<const std::byte> bytes) {
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = i; k < i + 3; ++k)
-      three = three << 8u | (k < bytes.size() ? std::to_integer<std::uint32_t>(bytes[k]) : 0u);
-    for (std::size_t digit = 0; digit < 4; ++digit)
-      text += i + digit > bytes.size() ? '=' : kDigits[three >> (18u - 6u * digit) & 63u];
-  }
-  return text;
-}
 
 std::optional<std::vector<std::byte>> decodeBase64(std::string_view text) {
   for (int padding = 0; padding < 2 && text.ends_with('='); ++padding)
@@ -46,6 +32,21 @@ std::optional<std::vector<std::byte>> decodeBase64(std::string_view text) {
     }
   }
   return bytes;
+}
+
+} // namespace
+
+bool isDataUri(const std::string& uri) { return uri.starts_with("data:"); }
+
+Result<std::vector<std::byte>> readDataUri(const std::string& uri) {
+  constexpr std::string_view kMarker = ";base64,";
+  const std::size_t marker = uri.find(kMarker);
+  std::optional<std::vector<std::byte>> bytes;
+  if (marker != std::string::npos)
+    bytes = decodeBase64(std::string_view(uri).substr(marker + kMarker.size()));
+  if (!bytes)
+    return Error{ErrorKind::badInput, "data URI with invalid base64"};
+  return std::move(*bytes);
 }
 
 } // namespace lichen
