@@ -8,11 +8,9 @@ namespace {
 #ifdef LICHEN_FFT_KISS
 constexpr auto* kForward = forwardKissFft;
 constexpr auto* kInverse = inverseKissFft;
-constexpr auto* kPatch = patchKissFft;
 #else
 constexpr auto* kForward = forwardFftw;
 constexpr auto* kInverse = inverseFftw;
-constexpr auto* kPatch = patchFftw;
 #endif
 
 } // namespace
@@ -33,19 +31,5 @@ HalfSpectrum forwardFft(std::span<const float> plane, int width, int height) {
 }
 
 std::vector<float> inverseFft(const HalfSpectrum& spectrum) { return kInverse(spectrum); }
-
-PatchFft::PatchFft(int width, int height, int patchWidth, int patchHeight)
-    : transform_(kPatch(width, height, patchWidth, patchHeight)) {}
-PatchFft::PatchFft(PatchFft&&) noexcept = default;
-PatchFft& PatchFft::operator=(PatchFft&&) noexcept = default;
-PatchFft::~PatchFft() = default;
-
-void PatchFft::forward(std::span<const float> patch, HalfSpectrum& spectrum) {
-  transform_->forward(patch, spectrum);
-}
-
-void PatchFft::inverse(const HalfSpectrum& spectrum, std::span<float> patch) {
-  transform_->inverse(spectrum, patch);
-}
 
 } // namespace lichen

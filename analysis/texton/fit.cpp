@@ -115,8 +115,6 @@ public:
                 normalMatrix(height, model.height(), order)),
         work_(model.channels) {
     coefficients_ = {width, height, int(model.channels.size()), {}};
-    for (std::size_t c = 0; c < model.channels.size(); ++c)
-      transforms_.emplace_back(model.width(), model.height(), width, height);
     coefficients_.values.resize(patchSize() * model.channels.size());
   }
 
@@ -218,15 +216,17 @@ private:
 
   void coefficientsToWork() {
     tbb::parallel_for(std::size_t(0), work_.size(), [&](std::size_t c) {
-      transforms_[c].forward(std::span(coefficients_.values).subspan(c * patchSize(), patchSize()),
-                             work_[c]);
+      work_[c] = channelSpectrum(coefficients_, c, model_.width(), model_.height());
     });
   }
 
   void workToPatches() {
     tbb::parallel_for(std::size_t(0), work_.size(), [&](std::size_t c) {
-      transforms_[c].inverse(work_[c],
-                             std::span(coefficients_.values).subspan(c * patchSize(), patchSize()));
+      const std::vector<float> plane = inverseFft(work_[c]);
+      const auto width = std::size_t(coefficients_.width);
+      for (std::size_t i = 0; i < patchSize(); ++i)
+        coefficients_.values[c * patchSize() + i] =
+            plane[i / width * std::size_t(model_.width()) + i % width];
     });
   }
 
@@ -263,7 +263,6 @@ private:
   NormalSolver solverX_;
   NormalSolver solverY_;
   BorderPenalty border_;
-  std::vector<PatchFft> transforms_;
   Spectra work_;
   TextonCoefficients coefficients_;
 };

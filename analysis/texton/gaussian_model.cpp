@@ -39,17 +39,22 @@ double meanPower(const GaussianModel& model, const Power& power) {
 
 } // namespace
 
+HalfSpectrum channelSpectrum(const TextonCoefficients& coefficients, std::size_t channel, int width,
+                             int height) {
+  const auto columns = std::size_t(coefficients.width), rows = std::size_t(coefficients.height);
+  std::vector<float> plane(std::size_t(width) * std::size_t(height), 0.0f);
+  for (std::size_t y = 0; y < rows; ++y)
+    std::copy_n(coefficients.values.data() + (channel * rows + y) * columns, columns,
+                plane.data() + y * std::size_t(width));
+  return forwardFft(plane, width, height);
+}
+
 GaussianModel noiseModel(const TextonCoefficients& coefficients, int order, int width, int height) {
   const std::vector<float> kernelX = kernelAmplitudes(order, width);
   const std::vector<float> kernelY = kernelAmplitudes(order, height);
-  const std::size_t size = std::size_t(coefficients.width) * std::size_t(coefficients.height);
-  PatchFft transform(width, height, coefficients.width, coefficients.height);
   GaussianModel model;
   for (int c = 0; c < coefficients.channels; ++c) {
-    HalfSpectrum spectrum{width, height, {}};
-    spectrum.values.resize(std::size_t(spectrum.columns()) * std::size_t(height));
-    transform.forward(std::span(coefficients.values).subspan(std::size_t(c) * size, size),
-                      spectrum);
+    HalfSpectrum spectrum = channelSpectrum(coefficients, std::size_t(c), width, height);
     for (int v = 0; v < height; ++v)
       for (int u = 0; u < spectrum.columns(); ++u)
         spectrum.at(u, v) *= kernelX[std::size_t(u)] * kernelY[std::size_t(v)];

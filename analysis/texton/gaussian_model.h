@@ -45,6 +45,11 @@ struct TextonCoefficients {
   std::vector<float> values;
 };
 
+/// Returns the transform of a channel's coefficients in a plane of zeros of width x height, at
+/// least as large.
+[[nodiscard]] HalfSpectrum channelSpectrum(const TextonCoefficients& coefficients,
+                                           std::size_t channel, int width, int height);
+
 /// Returns the Gaussian texture that the noise of a texton of this order converges to, on a torus
 /// at least as large as the texton: h^ = sqrt(b^) alpha^, [GLM17] eq. 4. Frequency 0 is zero, as in
 /// every model.

@@ -28,11 +28,9 @@ struct Backend {
   const char* name;
   HalfSpectrum (*forward)(std::span<const float>, int, int);
   std::vector<float> (*inverse)(const HalfSpectrum&);
-  std::unique_ptr<PatchTransform> (*patch)(int, int, int, int);
 };
 constexpr std::array<Backend, 2> kBackends{
-    {{"FFTW", forwardFftw, inverseFftw, patchFftw},
-     {"KissFFT", forwardKissFft, inverseKissFft, patchKissFft}}};
+    {{"FFTW", forwardFftw, inverseFftw}, {"KissFFT", forwardKissFft, inverseKissFft}}};
 
 // Odd, even, prime, one row, one column, one pixel.
 constexpr std::array<std::pair<int, int>, 9> kSizes{
@@ -87,62 +85,6 @@ TEST_CASE("both transforms agree with the direct sum, for any size") {
       CHECK(worst < kTolerance * rootEnergy(plane));
     }
   }
-}
-
-TEST_CASE("a patch is transformed as the plane of zeros around it, and cut out of the inverse") {
-  for (const Backend& backend : kBackends) {
-    for (const auto& [width, height] : kSizes) {
-      const int patchWidth = (width + 1) / 2;
-      const int patchHeight = (height + 2) / 3;
-      const auto inPatch = [&, patchColumns = patchWidth](int x, int y) {
-        return std::size_t(y * patchColumns + x);
-      };
-      const std::vector<float> patch = noise(patchWidth, patchHeight, 6);
-      std::vector<float> plane(std::size_t(width * height), 0.0f);
-      for (int y = 0; y < patchHeight; ++y)
-        for (int x = 0; x < patchWidth; ++x)
-          plane[std::size_t(y * width + x)] = patch[inPatch(x, y)];
-      const HalfSpectrum expected = backend.forward(plane, width, height);
-      HalfSpectrum spectrum{width, height, {}};
-      spectrum.values.resize(expected.values.size());
-      const auto transform = backend.patch(width, height, patchWidth, patchHeight);
-      transform->forward(patch, spectrum);
-      double worst = 0.0;
-      for (std::size_t i = 0; i < expected.values.size(); ++i)
-        worst = std::max(worst, double(std::abs(spectrum.values[i] - expected.values[i])));
-      INFO(backend.name << " " << width << " x " << height);
-      CHECK(worst < kTolerance * rootEnergy(plane));
-
-      const std::vector<float> whole = noise(width, height, 7);
-      std::vector<float> back(patch.size());
-      transform->inverse(backend.forward(whole, width, height), back);
-      worst = 0.0;
-      for (int y = 0; y < patchHeight; ++y)
-        for (int x = 0; x < patchWidth; ++x)
-          worst = std::max(worst, std::abs(double(back[inPatch(x, y)]) -
-                                           double(whole[std::size_t(y * width + x)])));
-      CHECK(worst < kTolerance);
-    }
-  }
-}
-
-TEST_CASE("the transforms of a patch allocate nothing") {
-  for (const Backend& backend : kBackends)
-    for (const auto& [width, height] : kSizes) {
-      INFO(backend.name << " " << width << " x " << height);
-      const auto transform = backend.patch(width, height, width, (height + 1) / 2);
-      std::vector<float> patch = noise(width, (height + 1) / 2, 8);
-      HalfSpectrum spectrum{width, height, {}};
-      spectrum.values.resize(std::size_t(spectrum.columns()) * std::size_t(height));
-      bool allocated = false;
-      {
-        const test::ExhaustedMemory none(1);
-        transform->forward(patch, spectrum);
-        transform->inverse(spectrum, patch);
-        allocated = test::ExhaustedMemory::reached();
-      }
-      CHECK_FALSE(allocated);
-    }
 }
 
 TEST_CASE("a host may plan with its own FFTW while the library transforms") {

@@ -4,7 +4,6 @@
 
 #include <complex>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -46,28 +45,5 @@ struct HalfSpectrum {
 /// Returns the smallest number >= `size` without a prime factor above 5: such transforms are fast.
 /// `size` must be at least 1.
 [[nodiscard]] int fastTransformSize(int size);
-
-/// Computes many transforms between half spectra of width x height and the same patch of the plane.
-/// The rest of the plane is zero (forward) or discarded (inverse). Plans and buffers are created
-/// once, and rows outside the patch cost nothing. Not thread-safe: use one object per thread.
-class PatchFft {
-public:
-  /// The patch is the plane's first patchWidth x patchHeight pixels, from 1 x 1 to width x height.
-  /// The constructor throws std::bad_alloc. The transforms do not throw; they allocate only what
-  /// KissFFT needs for sizes with a prime factor above 5.
-  PatchFft(int width, int height, int patchWidth, int patchHeight);
-  PatchFft(PatchFft&&) noexcept;
-  PatchFft& operator=(PatchFft&&) noexcept;
-  ~PatchFft();
-
-  /// Computes forwardFft() of the plane, up to rounding. `patch` holds patchWidth * patchHeight
-  /// values row by row; `spectrum` has the constructor's width and height.
-  void forward(std::span<const float> patch, HalfSpectrum& spectrum);
-  /// Computes the patch of inverseFft(spectrum), up to rounding.
-  void inverse(const HalfSpectrum& spectrum, std::span<float> patch);
-
-private:
-  std::unique_ptr<class PatchTransform> transform_;
-};
 
 } // namespace lichen
