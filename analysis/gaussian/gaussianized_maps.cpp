@@ -87,12 +87,12 @@ bool detectsGaussian(std::size_t maps, GaussianOnly wanted) {
 }
 
 MapKind kindOf(const MapExemplar& map, const exemplar::ColorSpace& space,
-               const GaussianizationOptions& options, bool mayBeGaussian, ProgressPart progress) {
+               const GaussianizationOptions& options, bool mayBeGaussian) {
   if (options.gaussian == GaussianOnly::yes)
     return MapKind::gaussianOnly;
   if (space.dimensions() == 0)
     return MapKind::constant;
-  if (mayBeGaussian && spansAll(map) && gaussian::isGaussian(exemplar::asStored(map), progress))
+  if (mayBeGaussian && spansAll(map) && gaussian::isGaussian(exemplar::asStored(map)))
     return MapKind::gaussianOnly;
   if (space.dimensions() == 1)
     return MapKind::sorted;
@@ -108,7 +108,7 @@ struct MapWork {
 };
 
 /// Work of the Gaussian test, relative to the whole bake: 16 projections of 6 ns per pixel on two
-/// cores. Twenty times as much if surrogates decide, which is rare.
+/// cores.
 constexpr double kKindWork = 0.02;
 
 /// The work of a map. With `others` before it, it correlates with them and reuses their share.
@@ -229,13 +229,10 @@ std::vector<PlannedMap> plannedMaps(std::span<const MapExemplar> maps,
                                     const GaussianizationOptions& options, ProgressPart progress) {
   std::vector<PlannedMap> planned;
   const bool mayBeGaussian = detectsGaussian(maps.size(), options.gaussian);
-  const auto count = double(maps.size());
   for (const MapExemplar& map : maps) {
-    const double begin = double(planned.size()) / count;
-    const ProgressPart part = progress.part(begin, begin + 1.0 / count);
-    part.reach(0.0);
+    progress.reach(double(planned.size()) / double(maps.size()));
     const exemplar::ColorSpace space = exemplar::colorSpaceOf(map);
-    planned.push_back({map, space, kindOf(map, space, options, mayBeGaussian, part)});
+    planned.push_back({map, space, kindOf(map, space, options, mayBeGaussian)});
   }
   return planned;
 }

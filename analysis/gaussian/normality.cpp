@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Map (width * height * channels) -> its distance to a Gaussian, and whether the distance is
-// significant. Surrogates with the exemplar's spectrum and random phases [GGM11] are Gaussian
-// except for their finite number of pixels, and as correlated as the exemplar: a Monte Carlo test
-// [B63].
+// Map (width * height * channels) -> its distance to a Gaussian.
 #include "normality.h"
 
 #include "exemplar/color_space.h"
 #include "gaussian_distribution.h"
 #include "transport/random.h"
-
-#include <lichen/spectrum.h>
 
 #include <tbb/parallel_for.h>
 
@@ -21,17 +16,10 @@ namespace lichen::gaussian {
 namespace {
 
 /// Rounding to 8 bits moves a value by at most half a step. Data closer to a Gaussian than that is
-/// Gaussian in the file. Beyond a whole step a value has another code, which may be visible, so the
-/// exemplar's finite size does not excuse it (docs/decisions/002-inverse-tables.md).
+/// Gaussian in the file (docs/decisions/002-inverse-tables.md).
 constexpr double kInvisible = 0.5 / 255.0;
-constexpr double kTolerated = 1.0 / 255.0;
-/// Share of a surrogate's progress: a transform per channel against a histogram per direction.
-constexpr double kPhasesOfProgress = 0.3;
 /// 8-bit normals have components in [-1, 1].
 constexpr double kSlopeSpan = 2.0;
-
-/// In 5 % of Gaussian exemplars, the exemplar's distance is by chance the largest of 20.
-constexpr std::uint32_t kSurrogates = 19;
 
 std::vector<exemplar::ChannelVector> directionsFor(int channels) {
   // Evenly spaced angles average exactly whatever has up to seven periods in half a circle. For
@@ -128,48 +116,15 @@ double distanceToGaussian(const std::vector<float>& values, int channels) {
   return std::sqrt(sum / double(squares.size()));
 }
 
-/// Returns whether any Gaussian image with the map's size, spectra and cross-spectra is at least as
-/// far from Gaussian.
-bool chanceReaches(double distance, const MapExemplar& map, ProgressPart progress) {
-  const std::size_t channels = map.channels.size();
-  std::vector<HalfSpectrum> spectra;
-  for (std::size_t c = 0; c < channels; ++c) {
-    std::vector<float> plane;
-    for (std::size_t i = c; i < map.values.size(); i += channels)
-      plane.push_back(map.values[i]);
-    spectra.push_back(forwardFft(plane, map.width, map.height));
-  }
-  std::vector<float> values(map.values.size());
-  for (std::uint32_t surrogate = 0; surrogate < kSurrogates; ++surrogate) {
-    const ProgressPart part =
-        progress.part(double(surrogate) / kSurrogates, double(surrogate + 1) / kSurrogates);
-    for (std::size_t c = 0; c < channels; ++c) {
-      part.reach(kPhasesOfProgress * double(c) / double(channels));
-      const std::vector<float> plane = phaseRandomizedPlane(spectra[c], surrogate);
-      for (std::size_t i = 0; i < plane.size(); ++i)
-        values[i * channels + c] = plane[i];
-    }
-    part.reach(kPhasesOfProgress);
-    if (distanceToGaussian(values, int(channels)) >= distance)
-      return true;
-  }
-  return false;
-}
-
 } // namespace
 
 double distanceToGaussian(const MapExemplar& map) {
   return distanceToGaussian(map.values, int(map.channels.size()));
 }
 
-bool isGaussian(const MapExemplar& map, ProgressPart progress) {
-  constexpr double kDistanceOfProgress = 1.0 / (1.0 + kSurrogates);
+bool isGaussian(const MapExemplar& map) {
   const double span = map.encoding == ValueEncoding::slope ? kSlopeSpan : 1.0;
-  progress.reach(0.0);
-  const double distance = distanceToGaussian(map) / span;
-  if (distance <= kInvisible || distance > kTolerated)
-    return distance <= kInvisible;
-  return chanceReaches(distance * span, map, progress.part(kDistanceOfProgress, 1.0));
+  return distanceToGaussian(map) <= kInvisible * span;
 }
 
 } // namespace lichen::gaussian

@@ -2,8 +2,6 @@
 // Tests whether an exemplar's stored values already are Gaussian.
 #pragma once
 
-#include "progress_part.h"
-
 #include <lichen/exemplar.h>
 
 namespace lichen::gaussian {
@@ -14,9 +12,8 @@ namespace lichen::gaussian {
 /// where z are the normal deviates in the order of x.
 [[nodiscard]] double distanceToGaussian(const MapExemplar& map);
 
-/// Returns whether the map needs no inverse table (docs/decisions/002-inverse-tables.md): either
-/// the distance is below half a step of 8 bits, or it is below one step and no larger than chance
-/// produces in Gaussian images of the same spectrum and size, at a level of 5 %.
-[[nodiscard]] bool isGaussian(const MapExemplar& map, ProgressPart progress = {});
+/// Returns whether the map needs no inverse table, because the distance is at most half a step of
+/// 8 bits (docs/decisions/002-inverse-tables.md).
+[[nodiscard]] bool isGaussian(const MapExemplar& map);
 
 } // namespace lichen::gaussian
