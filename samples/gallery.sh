@@ -38,7 +38,7 @@ generate() {
   local name
   for name in "$@"; do
     case $name in
-      *-* | carpet | one_stone | paving | planks | sloping_light | text | weave | wood)
+      *-* | carpet | landscape | one_stone | paving | planks | sloping_light | text | weave | wood)
         "$bin/lichen-test-exemplars" "$work" 512 "$name" >/dev/null ;;
       *) "$bin/lichen-exemplars" "$work" "$name" >/dev/null ;;
     esac

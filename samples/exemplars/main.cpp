@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // lichen-exemplars OUTDIR [--size N] [NAME...]: writes the project's example exemplars as PNG, and
 // meshes to use them on.
-#include "landscape.h"
 #include "materials.h"
 #include "scanned_shape.h"
 #include "terrain.h"
@@ -37,7 +36,6 @@ int fail(ErrorKind kind, const std::string& message) {
 /// Names of the meshes.
 constexpr const char* kScan = "scan";
 constexpr const char* kTerrain = "terrain"; // written together with its mask
-constexpr const char* kLandscape = "landscape";
 
 std::vector<exemplars::Material> pictures() {
   std::vector<exemplars::Material> all(exemplars::kMaterials.begin(), exemplars::kMaterials.end());
@@ -82,8 +80,6 @@ int writeFiles(const std::filesystem::path& folder, int side, const std::set<std
     code = writeMesh(kTerrain, exemplars::terrainGlb());
   if (code == 0 && isNamed(kTerrain))
     code = writePicture(std::string(kTerrain) + "_mask", exemplars::terrainMask(side));
-  if (code == 0 && isNamed(kLandscape))
-    code = writeMesh(kLandscape, exemplars::landscapeGlb());
   return code;
 }
 
@@ -107,7 +103,6 @@ int run(int argc, char** argv) {
     known.emplace_back(picture.name);
   known.emplace_back(kScan);
   known.emplace_back(kTerrain);
-  known.emplace_back(kLandscape);
 
   CLI::App app("Writes the project's example exemplars (8-bit sRGB PNG) and meshes to use them on.",
                "lichen-exemplars");

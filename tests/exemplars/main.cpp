@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // lichen-test-exemplars OUTDIR SIZE NAME...: writes generated photographs as PNG for the gallery's
 // sheets. NAME is `photographs` for the sixty of photographs.h, a name of unsuitable.h, the name of
-// a structured material such as bond-whole, or bond-whole-maps for a folder with its maps.
+// a structured material such as bond-whole, bond-whole-maps for a folder with its maps, or
+// `landscape` for a mesh.
+#include "landscape.h"
 #include "photographs.h"
 #include "structured.h"
 #include "unsuitable.h"
 
+#include <lichen/files.h>
 #include <lichen/image_io.h>
 
 #include <algorithm>
@@ -20,13 +23,16 @@ namespace {
 using namespace lichen;
 using namespace lichen::exemplars;
 
-bool write(const std::filesystem::path& path, const SrgbImage& image) {
-  std::error_code error; // the write fails if there is no folder
-  std::filesystem::create_directories(path.parent_path(), error);
-  const Result<void> written = writeImage(path, image);
+bool isWritten(const Result<void>& written) {
   if (!written)
     std::fprintf(stderr, "lichen-test-exemplars: %s\n", written.error().message.c_str());
   return written.ok();
+}
+
+bool write(const std::filesystem::path& path, const SrgbImage& image) {
+  std::error_code error; // the write fails if there is no folder
+  std::filesystem::create_directories(path.parent_path(), error);
+  return isWritten(writeImage(path, image));
 }
 
 bool writePhotographs(const std::filesystem::path& folder, int side) {
@@ -45,6 +51,8 @@ bool writeMaps(const std::filesystem::path& folder, const StructuredMaps& maps) 
 bool writeNamed(const std::filesystem::path& folder, int side, const std::string& name) {
   if (name == "photographs")
     return writePhotographs(folder, side);
+  if (name == "landscape")
+    return isWritten(replaceFile(folder / "landscape.glb", landscapeGlb()));
   for (const Unsuitable& picture : kUnsuitable)
     if (name == picture.name)
       return write(folder / (name + ".png"), picture.generate(side));

@@ -3,14 +3,13 @@
 // similar size on screen. Literals are art direction, as in materials.h.
 #include "landscape.h"
 
-#include "mesh_scene.h"
-#include "periodic.h"
-#include "space_noise.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mesh_scene.h>
 #include <numbers>
+#include <periodic.h>
+#include <space_noise.h>
 
 namespace lichen::exemplars {
 namespace {
