@@ -245,8 +245,6 @@ Result<void> VulkanDevice::createDevice(const VulkanDeviceOptions& options) {
                  device + " does not have a feature that this program requires"};
   VkPhysicalDeviceFeatures features = options.features;
   features.fullDrawIndexUint32 = available.fullDrawIndexUint32;
-  features.tessellationShader = available.tessellationShader;
-  tessellates_ = available.tessellationShader == VK_TRUE;
 
   const float priority = 1.0f;
   VkDeviceQueueCreateInfo queue{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};

@@ -55,8 +55,6 @@ void addOptions(CLI::App& app, Command& command) {
   addValue(app, "--displace", command.depth, number({0.0, kMaxDepth}), "0",
            "Move surfaces out along their normals by the height of their noise times so many "
            "metres");
-  addFlag(app, "--no-tessellation", command.noTessellation,
-          "With --displace: refine the mesh on the CPU even if the device can tessellate");
   Choices<std::string> views;
   for (const std::string_view name : debugViewNames())
     views.emplace_back(name, name);

@@ -20,7 +20,6 @@ struct Command {
   double exposureEv = 0.0;
   int frames = 0;
   double depth = 0.0; ///< of displacement, in metres
-  bool noTessellation = false;
   std::string debugView;
   std::string device;
   bool listDevices = false;

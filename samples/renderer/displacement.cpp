@@ -157,8 +157,7 @@ private:
 
 /// Replaces the primitives of `scene`, whose materials have their displacement. Returns false if
 /// they would have too many vertices.
-bool refinePrimitives(const Scene& source, const PixelView& all, float spacing, bool tessellated,
-                      Scene& scene) {
+bool refinePrimitives(const Scene& source, const PixelView& all, float spacing, Scene& scene) {
   PixelView view = all;
   scene.primitives.clear();
   std::vector<std::optional<std::size_t>> unchanged(source.primitives.size());
@@ -180,11 +179,10 @@ bool refinePrimitives(const Scene& source, const PixelView& all, float spacing, 
       return refine(own, instance.worldFromObject, material.displacement, view, pixels);
     };
     weld(own.vertices);
-    // Both ways of displacement find borders of texture coordinates on the same mesh.
-    if (!refined(kTessellationParts * spacing))
+    if (!refined(kFadeSpacings * spacing))
       return false;
     VertexDirections(own, material).set();
-    if (!tessellated && !refined(spacing))
+    if (!refined(spacing))
       return false;
     const std::size_t added = own.vertices.size() - primitive.vertices.size();
     if (added > view.mostVertices)
@@ -197,7 +195,7 @@ bool refinePrimitives(const Scene& source, const PixelView& all, float spacing, 
 } // namespace
 
 Result<Scene> displacedScene(const Scene& scene, const Displacement& displacement,
-                             const DisplacementView& view, bool tessellated) {
+                             const DisplacementView& view) {
   Scene result = scene;
   for (Material& material : result.materials)
     material.displacement = material.noiseHasHeight ? displacement.depth : 0.0f;
@@ -217,7 +215,7 @@ Result<Scene> displacedScene(const Scene& scene, const Displacement& displacemen
   PixelView pixels = pixelViewOf(camera.value(), view);
   pixels.mostVertices = displacement.mostVertices;
   float spacing = displacement.spacing;
-  while (!refinePrimitives(scene, pixels, spacing, tessellated, result))
+  while (!refinePrimitives(scene, pixels, spacing, result))
     spacing *= 2.0f;
   if (spacing > displacement.spacing)
     result.notes.push_back(fmt::format(

@@ -11,22 +11,18 @@
 
 namespace lichen::renderer {
 
-/// Distance of displaced vertices in pixels, at most. Edges behind the tessellator are up to 1.2
-/// times as long, and a triangle misses the surface by at most 1 / sqrt(3) of its longest edge
-/// times the steepness of the relief: by a pixel where that is 1. It is also the width of the
-/// footprint that heights are filtered by.
+/// Distance of displaced vertices in pixels, at most. A triangle misses the surface by at most
+/// 1 / sqrt(3) of its longest edge times the steepness of the relief: by less than a pixel where
+/// that is 1. It is also the width of the footprint that heights are filtered by.
 inline constexpr float kVertexSpacing = 1.4f;
 
-/// Every device that tessellates divides an edge into so many parts
-/// [Vulkan, maxTessellationGenerationLevel].
-inline constexpr float kTessellationParts = 64.0f;
+/// Over so many distances of vertices, at most, the relief fades to a border.
+inline constexpr float kFadeSpacings = 64.0f;
 
 struct Displacement {
   float depth = 0.0f; ///< world units by which the height 1 moves a surface; 0: no displacement
-  /// The device places vertices where it can; false: always refine the mesh on the CPU.
-  bool tessellates = true;
   float spacing = kVertexSpacing; ///< pixels
-  /// That the CPU may add: 0.4 GB, and in the worst case 0.3 GB of indices. If more are needed, the
+  /// That may be added: 0.4 GB, and in the worst case 0.3 GB of indices. If more are needed, the
   /// spacing is doubled until they suffice, with a note.
   std::size_t mostVertices = std::size_t(1) << 22;
 };
@@ -39,10 +35,10 @@ struct DisplacementView {
 };
 
 /// The scene with Material::displacement and Primitive::displacement set wherever a noise has a
-/// height map, and the triangles in view refined: to `spacing`, or if `tessellated`, to what a
-/// device can divide further. Each instance that is displaced has a primitive of its own. Notes are
-/// added to the scene's. Errors: badInput if no noise has a height map; errors of chooseCamera().
+/// height map, and the triangles in view refined to `spacing`. Each instance that is displaced has
+/// a primitive of its own. Notes are added to the scene's. Errors: badInput if no noise has a
+/// height map; errors of chooseCamera().
 [[nodiscard]] Result<Scene> displacedScene(const Scene& scene, const Displacement& displacement,
-                                           const DisplacementView& view, bool tessellated);
+                                           const DisplacementView& view);
 
 } // namespace lichen::renderer

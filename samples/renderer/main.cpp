@@ -92,7 +92,6 @@ Result<void> run(const Command& command) {
   settings.toneMap = std::filesystem::path(command.output).extension() == ".png";
   settings.debugView = command.debugView;
   settings.displacement.depth = float(command.depth);
-  settings.displacement.tessellates = !command.noTessellation;
   if (!command.environment.empty()) {
     std::vector<std::string> notes;
     Result<LinearImage> panorama = readPanorama(command.environment, notes);

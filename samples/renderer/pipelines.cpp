@@ -23,9 +23,6 @@
 #include <depth.vert.h>
 #include <displaced.vert.h>
 #include <optional>
-#include <patch.tesc.h>
-#include <patch.tese.h>
-#include <patch.vert.h>
 #include <scene.frag.bare.h>
 #include <scene.frag.cosines.h>
 #include <scene.frag.h>
@@ -55,8 +52,6 @@ constexpr float kSlopeBias = 2.0f;
 struct Description {
   VkPipelineLayout layout = VK_NULL_HANDLE;
   VkShaderModule vertex = VK_NULL_HANDLE;
-  VkShaderModule control = VK_NULL_HANDLE; ///< of tessellation; null without it
-  VkShaderModule evaluation = VK_NULL_HANDLE;
   VkShaderModule fragment = VK_NULL_HANDLE; ///< null for depth-only passes
   const VkSpecializationInfo* specialization = nullptr;
   std::span<const VkVertexInputAttributeDescription> attributes;
@@ -117,8 +112,6 @@ VkPipelineColorBlendAttachmentState blending(bool enabled) {
 VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   std::vector<VkPipelineShaderStageCreateInfo> stages;
   for (const auto& [which, module] : {std::pair{VK_SHADER_STAGE_VERTEX_BIT, d.vertex},
-                                      {VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT, d.control},
-                                      {VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT, d.evaluation},
                                       {VK_SHADER_STAGE_FRAGMENT_BIT, d.fragment}})
     if (module != VK_NULL_HANDLE) {
       stages.push_back(stage(which, module));
@@ -136,17 +129,7 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   input.pVertexAttributeDescriptions = d.attributes.data();
   VkPipelineInputAssemblyStateCreateInfo assembly{
       VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO};
-  const bool tessellates = d.control != VK_NULL_HANDLE;
-  assembly.topology =
-      tessellates ? VK_PRIMITIVE_TOPOLOGY_PATCH_LIST : VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  // Triangles keep the winding of their patch.
-  VkPipelineTessellationDomainOriginStateCreateInfo domain{
-      VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_DOMAIN_ORIGIN_STATE_CREATE_INFO};
-  domain.domainOrigin = VK_TESSELLATION_DOMAIN_ORIGIN_LOWER_LEFT;
-  VkPipelineTessellationStateCreateInfo tessellation{
-      VK_STRUCTURE_TYPE_PIPELINE_TESSELLATION_STATE_CREATE_INFO};
-  tessellation.pNext = &domain;
-  tessellation.patchControlPoints = 3;
+  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkPipelineViewportStateCreateInfo viewport{VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO};
   viewport.viewportCount = viewport.scissorCount = 1;
   VkPipelineRasterizationStateCreateInfo raster{
@@ -182,7 +165,6 @@ VkPipeline graphics(ObjectOwner& objects, const Description& d) {
   info.pStages = stages.data();
   info.pVertexInputState = &input;
   info.pInputAssemblyState = &assembly;
-  info.pTessellationState = tessellates ? &tessellation : nullptr;
   info.pViewportState = &viewport;
   info.pRasterizationState = &raster;
   info.pMultisampleState = &samples;
@@ -264,23 +246,13 @@ Constants constantsOf(const SurfaceConstants& shared, const NoiseSwitches& noise
           .objectSpaces = shared.noises.objectSpaces};
 }
 
-/// Sets the stages before the fragment shader, with this vertex shader for surfaces that are not
-/// displaced.
-void setStages(ObjectOwner& objects, bool displaces, bool tessellates,
-               std::span<const std::uint32_t> vertex, Description& d) {
-  if (!displaces) {
-    d.attributes = kAttributes;
-    d.vertex = objects.shader(vertex);
-    return;
-  }
-  d.attributes = kDisplacedAttributes;
-  if (!tessellates) {
-    d.vertex = objects.shader(displaced_vert);
-    return;
-  }
-  d.vertex = objects.shader(patch_vert);
-  d.control = objects.shader(patch_tesc);
-  d.evaluation = objects.shader(patch_tese);
+/// Sets the vertex shader and its attributes, with this shader for surfaces that are not displaced.
+void setVertexStage(ObjectOwner& objects, bool displaces, std::span<const std::uint32_t> vertex,
+                    Description& d) {
+  d.attributes = kAttributes;
+  if (displaces)
+    d.attributes = kDisplacedAttributes;
+  d.vertex = objects.shader(displaces ? displaced_vert : vertex);
 }
 
 /// The pipeline of that key in `stored`, which `create` makes the first time.
@@ -305,7 +277,7 @@ VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d;
     d.layout = shared_.sceneLayout;
-    setStages(objects_, (kind & 8) != 0, constants.tessellates, scene_vert, d);
+    setVertexStage(objects_, (kind & 8) != 0, scene_vert, d);
     d.fragment = objects_.shader(isLayered  ? layeredCodeFor(noises)
                                  : hasNoise ? fragmentCodeFor(noises).surface
                                             : scene_frag_bare);
@@ -322,7 +294,7 @@ VkPipeline PipelineStore::depth(const SurfaceConstants& constants, std::size_t k
     const Constants values = constantsOf(constants, noises);
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d = depthDescription(shared_.sceneLayout);
-    setStages(objects_, (kind & 4) != 0, constants.tessellates, depth_vert, d);
+    setVertexStage(objects_, (kind & 4) != 0, depth_vert, d);
     if ((kind & 1) != 0)
       d.fragment =
           objects_.shader((kind & 2) != 0 ? fragmentCodeFor(noises).depth : depth_frag_bare);
@@ -334,7 +306,7 @@ VkPipeline PipelineStore::depth(const SurfaceConstants& constants, std::size_t k
 void PipelineStore::createShared(const PipelineLayouts& layouts) {
   Pipelines made;
   const std::array sceneSets{layouts.frame, layouts.material, noises_.setLayout()};
-  made.sceneLayout = objects_.pipelineLayout(sceneSets, kDrawStages, kDrawBytes);
+  made.sceneLayout = objects_.pipelineLayout(sceneSets, VK_SHADER_STAGE_VERTEX_BIT, kDrawBytes);
   made.accumulateLayout = objects_.pipelineLayout(
       std::span(&layouts.accumulate, 1), VK_SHADER_STAGE_COMPUTE_BIT, sizeof(AccumulateSettings));
 

@@ -15,10 +15,7 @@ inline constexpr VkFormat kColorFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 inline constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 inline constexpr VkFormat kSumFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 
-/// Push constants of surfaces: one of the structs of scene_interface.h, for the stages that draw.
-inline constexpr VkShaderStageFlags kDrawStages = VK_SHADER_STAGE_VERTEX_BIT |
-                                                  VK_SHADER_STAGE_TESSELLATION_CONTROL_BIT |
-                                                  VK_SHADER_STAGE_TESSELLATION_EVALUATION_BIT;
+/// Push constants of surfaces: one of the structs of scene_interface.h, for the vertex shader.
 inline constexpr std::uint32_t kDrawBytes = 128; // as many as every device has
 
 /// Push constants of accumulate.comp.
@@ -36,8 +33,8 @@ struct SurfaceKind {
   bool isLayered = false; ///< the noise
 
   [[nodiscard]] std::size_t index() const {
-    return std::size_t(isLayered) * 16 + std::size_t(displaces) * 8 + std::size_t(hasNoise) * 4 + std::size_t(hasNormalMap) * 2 +
-           std::size_t(blends);
+    return std::size_t(isLayered) * 16 + std::size_t(displaces) * 8 + std::size_t(hasNoise) * 4 +
+           std::size_t(hasNormalMap) * 2 + std::size_t(blends);
   }
 };
 
@@ -80,7 +77,6 @@ struct PipelineLayouts {
 struct SurfaceConstants {
   int debugView = 0; ///< one of the shaders' DEBUG_ constants
   NoiseFeatures noises;
-  bool tessellates = false; ///< displaced surfaces
   [[nodiscard]] bool operator==(const SurfaceConstants&) const = default;
 };
 

@@ -29,8 +29,7 @@ Result<Picture> renderScene(VulkanDevice& device, const Scene& scene,
     std::optional<Scene> displaced;
     if (settings.displacement.depth > 0.0f)
       displaced = take(displacedScene(scene, settings.displacement,
-                                      {settings.camera, settings.width, settings.height},
-                                      settings.displacement.tessellates && device.tessellates()));
+                                      {settings.camera, settings.width, settings.height}));
     SceneRenderer renderer(device, displaced ? *displaced : scene, settings);
     Picture picture;
     picture.notes = renderer.notes();

@@ -14,12 +14,8 @@ namespace {
 
 constexpr std::uint32_t kAccumulateGroup = 8; // local size in accumulate.comp
 
-// A patch has up to 2,145 vertices. Behind the tessellator lavapipe (Mesa 22.3) numbers the
-// vertices of a draw in 16 bits, and takes time in proportion to their square.
-constexpr std::uint32_t kPatchesPerDraw = 4;
-
-// Least distance of displaced vertices in a depth map, in texels: a shadow's filter is wider.
-constexpr float kDepthSpacing = 2.0f;
+// Least footprint of a height in a depth map, in texels: a shadow's filter is wider.
+constexpr float kDepthFootprint = 2.0f;
 
 void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView color,
                     VkImageView depth, float depthClear) {
@@ -88,12 +84,7 @@ void SceneRenderer::bindGeometry(VkCommandBuffer commands) const {
 
 void SceneRenderer::drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const {
   const GpuPrimitive& range = gpu_.primitives[primitive];
-  std::uint32_t most = range.indexCount; // indices of a draw
-  if (tessellates_ && !scene_.primitives[primitive].displacement.empty())
-    most = 3 * kPatchesPerDraw;
-  for (std::uint32_t first = 0; first < range.indexCount; first += most)
-    vkCmdDrawIndexed(commands, std::min(most, range.indexCount - first), 1,
-                     range.firstIndex + first, range.vertexOffset, 0);
+  vkCmdDrawIndexed(commands, range.indexCount, 1, range.firstIndex, range.vertexOffset, 0);
 }
 
 const Material& SceneRenderer::materialOf(const Instance& instance) const {
@@ -117,18 +108,19 @@ DepthKind SceneRenderer::depthKindOf(std::size_t material) const {
   return {hasGaps, (hasGaps || moves) && noises_.hasNoise(material), moves};
 }
 
-/// Pushes what a displaced surface in a view of `size` pixels needs.
+/// Pushes what a displaced surface in a view of `size` pixels needs, whose heights have a footprint
+/// of so many pixels.
 void SceneRenderer::pushDisplaced(VkCommandBuffer commands, const glm::mat4& clipFromWorld,
-                                  glm::vec2 size, const VertexPixels& vertices,
+                                  glm::vec2 size, float footprint,
                                   const glm::mat4& worldFromObject) const {
   const glm::mat4 rows = glm::transpose(worldFromObject);
-  const float pixels = pixelsPerUnit(clipFromWorld, size);
   const shader::DisplacedData draw{
       clipFromWorld,
       {rows[0], rows[1], rows[2]},
-      {pixels / vertices.spacing, vertices.footprint / pixels, 0.0f, 0.0f}};
+      {footprint / pixelsPerUnit(clipFromWorld, size), 0.0f, 0.0f, 0.0f}};
   static_assert(sizeof draw == kDrawBytes);
-  vkCmdPushConstants(commands, pipelines_.sceneLayout, kDrawStages, 0, sizeof draw, &draw);
+  vkCmdPushConstants(commands, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
+                     &draw);
 }
 
 void SceneRenderer::bindMaterial(const FrameCommands& frame, VkPipelineLayout layout,
@@ -151,14 +143,14 @@ float SceneRenderer::spacingOfSubject(const FrameView& view) const {
   const glm::vec4 center(relativeTo(inputs_.origin, inputs_.subject.center), 1.0f);
   const float nearest =
       glm::dot(depth, center) - glm::length(glm::vec3(depth)) * inputs_.subject.radius;
-  return std::max(nearest, 0.0f) * vertices_.spacing /
+  return std::max(nearest, 0.0f) * kVertexSpacing /
          pixelsPerUnit(clip, {inputs_.width, inputs_.height});
 }
 
 void SceneRenderer::recordDepthMap(const FrameCommands& frame, VkImageView view, std::uint32_t side,
                                    const glm::mat4& clipFromWorld, float spacing) const {
   const float texel = 2.0f * inputs_.subject.radius / float(side); // in world units
-  const float texels = std::max(spacing / texel, kDepthSpacing);
+  const float texels = std::max(spacing / texel, kDepthFootprint);
   beginRendering(frame.buffer, {side, side}, VK_NULL_HANDLE, view, 1.0f);
   bindGeometry(frame.buffer);
   for (const Instance& instance : scene_.instances) {
@@ -172,9 +164,10 @@ void SceneRenderer::recordDepthMap(const FrameCommands& frame, VkImageView view,
     const glm::mat4 placed = relativeTo(inputs_.origin, instance.worldFromObject);
     const shader::DepthData draw{clipFromWorld * placed, placed};
     if (kind.displaces)
-      pushDisplaced(frame.buffer, clipFromWorld, glm::vec2(float(side)), {texels, texels}, placed);
+      pushDisplaced(frame.buffer, clipFromWorld, glm::vec2(float(side)), texels, placed);
     else
-      vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, kDrawStages, 0, sizeof draw, &draw);
+      vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
+                         sizeof draw, &draw);
     drawPrimitive(frame.buffer, instance.primitive);
   }
   vkCmdEndRendering(frame.buffer);
@@ -183,7 +176,7 @@ void SceneRenderer::recordDepthMap(const FrameCommands& frame, VkImageView view,
 void SceneRenderer::recordDepthMaps(const FrameCommands& frame, const FrameView& view) const {
   transition(frame.buffer, lightMaps_.sunDepth, discarded(kSampled), kDepthTarget);
   transition(frame.buffer, lightMaps_.skyDepth, discarded(kSampled), kDepthTarget);
-  const float spacing = spacingOfSubject(view); // shadows need no finer vertices
+  const float spacing = spacingOfSubject(view); // shadows need no finer heights
   recordDepthMap(frame, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun, spacing);
   for (std::size_t k = 0; k < std::size_t(view.data.counts.y); ++k)
     recordDepthMap(frame, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k],
@@ -203,10 +196,11 @@ void SceneRenderer::drawSurface(const FrameCommands& frame, const FrameView& vie
   vkCmdSetFrontFace(frame.buffer,
                     mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
   if (displaces(m))
-    pushDisplaced(frame.buffer, view.data.clipFromWorld, {inputs_.width, inputs_.height}, vertices_,
-                  draw.worldFromObject);
+    pushDisplaced(frame.buffer, view.data.clipFromWorld, {inputs_.width, inputs_.height},
+                  kVertexSpacing, draw.worldFromObject);
   else
-    vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, kDrawStages, 0, sizeof draw, &draw);
+    vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
+                       sizeof draw, &draw);
   drawPrimitive(frame.buffer, instance.primitive);
 }
 

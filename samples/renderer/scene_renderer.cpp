@@ -25,9 +25,7 @@ constexpr float kHazeDistance = 80.0f;
 SceneRenderer::SceneRenderer(VulkanDevice& device, const Scene& scene,
                              const RenderSettings& settings)
     : device_(device), scene_(scene), exposureEv_(settings.exposureEv), toneMap_(settings.toneMap),
-      debugView_(take(debugViewValue(settings.debugView))),
-      tessellates_(settings.displacement.tessellates && device.tessellates()),
-      vertices_{settings.displacement.spacing, kVertexSpacing}, objects_(device.device()),
+      debugView_(take(debugViewValue(settings.debugView))), objects_(device.device()),
       store_(settings.pipelines ? *settings.pipelines : ownStore_.emplace(device)),
       noises_(device, objects_, store_.noiseContext(), scene),
       gpu_(uploadScene(device, objects_, scene)) {
@@ -128,9 +126,8 @@ PipelinesUsed SceneRenderer::pipelinesUsed() const {
 }
 
 void SceneRenderer::choosePipelines() {
-  const bool tessellates = tessellates_ && gpu_.displacements.handle != VK_NULL_HANDLE;
   pipelines_ = store_.pipelinesFor({frameLayout_, gpu_.materialLayout, accumulateLayout_},
-                                   {debugView_, noises_.features(), tessellates}, pipelinesUsed());
+                                   {debugView_, noises_.features()}, pipelinesUsed());
 }
 
 void SceneRenderer::setSize(std::uint32_t width, std::uint32_t height) {

@@ -21,12 +21,6 @@
 
 namespace lichen::renderer {
 
-/// A displaced surface, in pixels: the distance of vertices, and the footprint of their heights.
-struct VertexPixels {
-  float spacing = kVertexSpacing;
-  float footprint = kVertexSpacing;
-};
-
 /// Every non-const function may throw a Failure with the errors of renderScene(); after that the
 /// object may only be destroyed. Not thread-safe. What a recorded frame reads is its slot's or does
 /// not change, so all but setSize() and drawFrame() may be called while frames are in flight.
@@ -90,7 +84,7 @@ private:
                     std::size_t material) const;
   void drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const;
   void pushDisplaced(VkCommandBuffer commands, const glm::mat4& clipFromWorld, glm::vec2 size,
-                     const VertexPixels& vertices, const glm::mat4& worldFromObject) const;
+                     float footprint, const glm::mat4& worldFromObject) const;
   void drawSurface(const FrameCommands& frame, const FrameView& view, const Instance& instance,
                    VkCullModeFlags cull) const;
   void drawOpaque(const FrameCommands& frame, const FrameView& view,
@@ -109,8 +103,6 @@ private:
   float exposureEv_;
   bool toneMap_;
   int debugView_;
-  bool tessellates_;      ///< displaced surfaces
-  VertexPixels vertices_; ///< of displaced surfaces in the picture
   ObjectOwner objects_;
   std::optional<PipelineStore> ownStore_; ///< unless the settings have one
   PipelineStore& store_;

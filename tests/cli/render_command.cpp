@@ -117,7 +117,7 @@ TEST_CASE("a fault in a noise is bad input, and the error states its JSON pointe
                path + ": /extensions/LICHEN_materials_exemplar_noise/noises/0/maps/0/gaussian");
 }
 
-TEST_CASE("displacement needs a height map, and works with and without a tessellator") {
+TEST_CASE("displacement needs a height map") {
   if (!hasDevice())
     return;
   const TemporaryFolder folder;
@@ -127,12 +127,10 @@ TEST_CASE("displacement needs a height map, and works with and without a tessell
   const std::string path = writeInto(folder, "dune.glb", dune.glb()).string();
   const std::string picture = (folder.path() / "o.png").string();
   const std::string small = " --size 16 --frames 1 --validate -o " + picture;
-  for (const char* how : {" --displace 0.1", " --displace 0.1 --no-tessellation"}) {
-    const Outcome outcome = run(path + how + small);
-    INFO(outcome.output);
-    CHECK(outcome.exitCode == 0);
-    CHECK(isOneLine(outcome.output)); // no note
-  }
+  const Outcome outcome = run(path + " --displace 0.1" + small);
+  INFO(outcome.output);
+  CHECK(outcome.exitCode == 0);
+  CHECK(isOneLine(outcome.output)); // no note
   const std::string flat = writeInto(folder, "flat.glb", triangleScene().glb()).string();
   checkRefused(flat + " --displace 0.1" + small, 3,
                flat + ": no mesh has a noise with a height map");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Displaced surfaces: their outlines against points that the noise displaces in C++, the
-// tessellator against refined meshes, finer vertices, cracks, and which surfaces are displaced.
+// Displaced surfaces: their outlines against points that the noise displaces in C++, finer
+// vertices, cracks, and which surfaces are displaced.
 #include "../unit/bundle_example.h"
 #include "rendered.h"
 #include "synthetic_noise.h"
@@ -53,11 +53,10 @@ std::vector<std::byte> ballScene(const BundleFile& file) {
   return scene.glb();
 }
 
-renderer::RenderSettings displaced(float depth, bool tessellates,
-                                   float spacing = renderer::kVertexSpacing) {
+renderer::RenderSettings displaced(float depth, float spacing = renderer::kVertexSpacing) {
   renderer::RenderSettings settings = settingsOf(kSide, kSide, 1);
   settings.debugView = "roughness"; // no pixel of the ball is black
-  settings.displacement = {depth, tessellates, spacing};
+  settings.displacement = {depth, spacing};
   return settings;
 }
 
@@ -145,9 +144,9 @@ Difference difference(const Outline& a, const Outline& b) {
 }
 
 /// Pixels that a convex body covers, but not the same body displaced outwards.
-int holesOf(const std::vector<std::byte>& scene, bool tessellates) {
-  const LinearImage body = render(scene, displaced(0.0f, tessellates));
-  const LinearImage moved = render(scene, displaced(kDepth, tessellates));
+int holesOf(const std::vector<std::byte>& scene) {
+  const LinearImage body = render(scene, displaced(0.0f));
+  const LinearImage moved = render(scene, displaced(kDepth));
   int holes = 0;
   for (int y = 0; y < kSide; ++y)
     for (int x = 0; x < kSide; ++x)
@@ -173,20 +172,17 @@ std::array<BundleFile, 3> heightMaps() {
 
 } // namespace
 
-TEST_CASE("the outline of a displaced ball is that of points displaced on the CPU, by each method "
-          "and both with and without a tessellator") {
+TEST_CASE(
+    "the outline of a displaced ball is that of points displaced on the CPU, by each method") {
   for (const BundleFile& file : heightMaps()) {
     INFO(file.bundle.noises[0].name);
     const auto noise = NoiseEvaluator::create(file.bundle, *file.bundle.materials[0]).value();
     const Outline expected = expectedOutline(*noise, double(kDepth));
     const std::vector<std::byte> scene = ballScene(file);
-    for (const bool tessellates : {true, false}) {
-      const Outline drawn = outlineOf(render(scene, displaced(kDepth, tessellates)));
-      const Difference error = difference(drawn, expected);
-      INFO("tessellated " << tessellates << ": mean " << error.mean << ", most " << error.most);
-      CHECK(error.mean < 0.5);
-      CHECK(error.most < 3.0);
-    }
+    const Difference error = difference(outlineOf(render(scene, displaced(kDepth))), expected);
+    INFO("mean " << error.mean << ", most " << error.most);
+    CHECK(error.mean < 0.5);
+    CHECK(error.most < 3.0);
     // The relief is much larger than those errors.
     const Outline flat = expectedOutline(*noise, 0.0);
     double least = kSide, most = 0.0;
@@ -202,41 +198,35 @@ TEST_CASE("the outline of a displaced ball is that of points displaced on the CP
 TEST_CASE("vertices closer together move the outline by less than a pixel") {
   const BundleFile file = heightMaps()[0];
   const std::vector<std::byte> scene = ballScene(file);
-  for (const bool tessellates : {true, false}) {
-    const Outline drawn = outlineOf(render(scene, displaced(kDepth, tessellates)));
-    const Outline finer =
-        outlineOf(render(scene, displaced(kDepth, tessellates, renderer::kVertexSpacing / 4)));
-    const Outline coarser =
-        outlineOf(render(scene, displaced(kDepth, tessellates, renderer::kVertexSpacing * 16)));
-    const Difference error = difference(drawn, finer);
-    INFO("tessellated " << tessellates << ": mean " << error.mean << ", most " << error.most);
-    CHECK(error.mean < 0.25);
-    CHECK(error.most < 2.0); // either outline is rounded to pixels
-    CHECK(difference(coarser, finer).mean > 2.0 * error.mean);
-  }
+  const auto at = [&](float spacing) {
+    return outlineOf(render(scene, displaced(kDepth, spacing)));
+  };
+  const Outline finer = at(renderer::kVertexSpacing / 4);
+  const Difference error = difference(at(renderer::kVertexSpacing), finer);
+  INFO("mean " << error.mean << ", most " << error.most);
+  CHECK(error.mean < 0.25);
+  CHECK(error.most < 2.0); // either outline is rounded to pixels
+  CHECK(difference(at(renderer::kVertexSpacing * 16), finer).mean > 2.0 * error.mean);
 }
 
 TEST_CASE("displaced surfaces have no cracks, at hard edges and borders of texture coordinates") {
   for (const BundleFile& onBall : heightMaps()) {
     BundleFile file = onBall;
     INFO(file.bundle.noises[0].name);
-    for (const bool tessellates : {true, false}) {
-      GltfScene ball(encodeGlb(onBall).value());
-      // A pole and, aslant, the border of texture coordinates face the camera.
-      ball.addBall(0, {{"rotation", {0.31599, -0.35960, -0.13088, 0.86816}}});
-      ball.addCamera(kDistance, kFieldOfView);
-      CHECK(holesOf(ball.glb(), tessellates) == 0);
-      file.bundle.materials[0]->mapping = Mapping::triplanar;
-      GltfScene box(encodeGlb(file).value());
-      box.addBox(0, {{"rotation", {0.5, 0.1, 0.1, 0.8544004}}});
-      box.addCamera(kDistance, kFieldOfView);
-      CHECK(holesOf(box.glb(), tessellates) == 0);
-    }
+    GltfScene ball(encodeGlb(onBall).value());
+    // A pole and, aslant, the border of texture coordinates face the camera.
+    ball.addBall(0, {{"rotation", {0.31599, -0.35960, -0.13088, 0.86816}}});
+    ball.addCamera(kDistance, kFieldOfView);
+    CHECK(holesOf(ball.glb()) == 0);
+    file.bundle.materials[0]->mapping = Mapping::triplanar;
+    GltfScene box(encodeGlb(file).value());
+    box.addBox(0, {{"rotation", {0.5, 0.1, 0.1, 0.8544004}}});
+    box.addCamera(kDistance, kFieldOfView);
+    CHECK(holesOf(box.glb()) == 0);
   }
 }
 
-TEST_CASE("triplanar and surface mapping displace in world and object space, with a tessellator as "
-          "without") {
+TEST_CASE("triplanar and surface mapping displace in world and object space") {
   BundleFile file = heightMaps()[1];
   MaterialNoise& use = *file.bundle.materials[0];
   for (const Mapping mapping : {Mapping::triplanar, Mapping::surface})
@@ -245,12 +235,7 @@ TEST_CASE("triplanar and surface mapping displace in world and object space, wit
       use.space = space;
       INFO(nameOf(mapping) << ", " << nameOf(space));
       const std::vector<std::byte> scene = ballScene(file);
-      const Outline drawn = outlineOf(render(scene, displaced(kDepth, true)));
-      const Difference error =
-          difference(drawn, outlineOf(render(scene, displaced(kDepth, false))));
-      INFO("mean " << error.mean << ", most " << error.most);
-      CHECK(error.mean < 0.5);
-      CHECK(error.most < 3.0);
+      const Outline drawn = outlineOf(render(scene, displaced(kDepth)));
       CHECK(*std::max_element(drawn.begin(), drawn.end()) -
                 *std::min_element(drawn.begin(), drawn.end()) >
             6.0);
@@ -266,7 +251,7 @@ TEST_CASE(
       writeInto(folder, "scene.glb", ballScene(syntheticBundle(std::span(&colors, 1))));
   const auto scene = renderer::readScene(path);
   REQUIRE(scene.ok());
-  const auto picture = renderer::renderScene(testDevice(), scene.value(), displaced(kDepth, true));
+  const auto picture = renderer::renderScene(testDevice(), scene.value(), displaced(kDepth));
   REQUIRE_FALSE(picture.ok());
   CHECK(picture.error().kind == ErrorKind::badInput);
   CHECK(picture.error().message.find(path.string()) == 0);
@@ -274,7 +259,7 @@ TEST_CASE(
   for (const float depth : {0.0f, kDepth}) {
     std::string notes;
     for (const std::string& note :
-         renderPicture(ballScene(heightMaps()[0]), displaced(depth, true)).notes)
+         renderPicture(ballScene(heightMaps()[0]), displaced(depth)).notes)
       notes += note;
     CHECK((notes.find("--displace") != std::string::npos) == (depth == 0.0f));
   }

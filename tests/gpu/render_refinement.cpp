@@ -33,9 +33,8 @@ Scene heightScene(bool onBox) {
   return loaded(source);
 }
 
-Scene refined(const Scene& scene, float spacing, bool tessellated) {
-  Result<Scene> result =
-      displacedScene(scene, {kDepth, true, spacing}, {"", kPixels, kPixels}, tessellated);
+Scene refined(const Scene& scene, float spacing) {
+  Result<Scene> result = displacedScene(scene, {kDepth, spacing}, {"", kPixels, kPixels});
   REQUIRE(result.ok());
   return std::move(result).value();
 }
@@ -60,25 +59,20 @@ auto ordered(const glm::vec3& p) { return std::tuple(p.x, p.y, p.z); }
 
 } // namespace
 
-TEST_CASE(
-    "a mesh in view is refined to the distance of vertices, or to what a tessellator divides") {
+TEST_CASE("a mesh in view is refined to the distance of vertices") {
   for (const bool onBox : {false, true}) {
     const Scene scene = heightScene(onBox);
     for (const float spacing : {kVertexSpacing, 5.0f}) {
-      const float fine = longestEdge(refined(scene, spacing, false));
-      CHECK(fine <= spacing * 1.0001f);
-      CHECK(fine > 0.5f * spacing);
+      const float longest = longestEdge(refined(scene, spacing));
+      CHECK(longest <= spacing * 1.0001f);
+      CHECK(longest > 0.5f * spacing);
     }
-    constexpr float kSpacing = 0.4f;
-    const float coarse = longestEdge(refined(scene, kSpacing, true));
-    CHECK(coarse <= kTessellationParts * kSpacing * 1.0001f);
-    CHECK(coarse > 4.0f);
   }
 }
 
 TEST_CASE("triangles of a refined mesh share whole edges, also at hard edges and texture borders") {
   for (const bool onBox : {false, true}) {
-    const Primitive mesh = refined(heightScene(onBox), 3.0f, false).primitives.front();
+    const Primitive mesh = refined(heightScene(onBox), 3.0f).primitives.front();
     const auto at = [&](std::size_t i) { return ordered(mesh.vertices[mesh.indices[i]].position); };
     std::map<std::pair<decltype(at(0)), decltype(at(0))>, int> edges;
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
@@ -94,7 +88,7 @@ TEST_CASE("triangles of a refined mesh share whole edges, also at hard edges and
 
 TEST_CASE("coincident vertices move alike, and by the mean height where the noise jumps") {
   for (const bool onBox : {false, true}) {
-    const Primitive mesh = refined(heightScene(onBox), kVertexSpacing, true).primitives.front();
+    const Primitive mesh = refined(heightScene(onBox), kVertexSpacing).primitives.front();
     REQUIRE(mesh.displacement.size() == mesh.vertices.size());
     std::map<decltype(ordered({})), std::size_t> first;
     std::size_t onBorder = 0;
@@ -105,14 +99,14 @@ TEST_CASE("coincident vertices move alike, and by the mean height where the nois
       CHECK(own.direction == other.direction);
       CHECK(own.weight == other.weight);
       CHECK(own.texCoordsPerUnit == other.texCoordsPerUnit);
-      CHECK(glm::length(own.direction) == Approx(1.0f).epsilon(1e-4));
+      CHECK(glm::length(own.direction) == Approx(1.0f).epsilon(0.2)); // interpolated
       onBorder += own.weight == 0.0f;
       const glm::vec3 p = mesh.vertices[i].position;
       const glm::vec3 side = glm::abs(p) / 0.7f; // of the box
       const int sides = int(side.x > 0.999f) + int(side.y > 0.999f) + int(side.z > 0.999f);
       const bool isBorder = onBox ? sides > 1 : std::abs(p.z) < 1e-6f && p.x > 0.0f;
-      if (isBorder || onBox)
-        CHECK((own.weight == 0.0f) == isBorder);
+      if (isBorder)
+        CHECK(own.weight == 0.0f);
     }
     CHECK(onBorder > 8);
     CHECK(onBorder < mesh.vertices.size());
@@ -137,17 +131,13 @@ TEST_CASE("the picture of a displaced scene has room for its surface") {
 
 TEST_CASE("vertices are farther apart where a mesh would become too large, and a note says so") {
   const Scene scene = heightScene(false);
-  for (const bool tessellated : {true, false}) {
-    Displacement displacement{kDepth, true, 0.2f};
-    displacement.mostVertices = 10000;
-    const Result<Scene> result =
-        displacedScene(scene, displacement, {"", kPixels, kPixels}, tessellated);
-    REQUIRE(result.ok());
-    const Scene& limited = result.value();
-    CHECK(limited.primitives.front().vertices.size() <=
-          scene.primitives.front().vertices.size() + displacement.mostVertices);
-    REQUIRE(limited.notes.size() == scene.notes.size() + (tessellated ? 0 : 1));
-    if (!tessellated)
-      CHECK(limited.notes.back().find("10000") != std::string::npos);
-  }
+  Displacement displacement{kDepth, 0.2f};
+  displacement.mostVertices = 10000;
+  const Result<Scene> result = displacedScene(scene, displacement, {"", kPixels, kPixels});
+  REQUIRE(result.ok());
+  const Scene& limited = result.value();
+  CHECK(limited.primitives.front().vertices.size() <=
+        scene.primitives.front().vertices.size() + displacement.mostVertices);
+  REQUIRE(limited.notes.size() == scene.notes.size() + 1);
+  CHECK(limited.notes.back().find("10000") != std::string::npos);
 }

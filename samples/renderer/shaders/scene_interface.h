@@ -115,9 +115,7 @@ struct DepthData {
 struct DisplacedData {
   mat4 clipFromWorld;
   vec4 worldRows[3]; // of worldFromObject
-  // At clip w 1: x parts into which an edge of one world unit is divided; y world units that the
-  // footprint of a height measures; zw unused.
-  vec4 pixels;
+  vec4 footprint; // x world units that the footprint of a height measures at clip w 1
 };
 
 #ifdef __cplusplus

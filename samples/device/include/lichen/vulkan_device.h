@@ -26,8 +26,8 @@ struct VulkanDeviceOptions {
   std::string choice;
   bool validation = false; ///< enables the Khronos layer with synchronization validation
   /// Core features that the device must support. dynamicRendering and synchronization2 are always
-  /// enabled. fullDrawIndexUint32 and tessellationShader are enabled where the device supports
-  /// them: limits.maxDrawIndexedIndexValue applies unreduced, and tessellates() says the other.
+  /// enabled. fullDrawIndexUint32 is enabled where the device supports it:
+  /// limits.maxDrawIndexedIndexValue applies unreduced.
   VkPhysicalDeviceFeatures features{};
   std::vector<const char*> instanceExtensions;
   std::vector<const char*> deviceExtensions;
@@ -129,8 +129,6 @@ public:
   [[nodiscard]] VkQueue queue() const { return queue_; }
   [[nodiscard]] std::uint32_t queueFamily() const { return queueFamily_; }
   [[nodiscard]] const VkPhysicalDeviceProperties& properties() const { return properties_; }
-  /// Whether the feature tessellationShader is enabled.
-  [[nodiscard]] bool tessellates() const { return tessellates_; }
   [[nodiscard]] ValidationMessages& messages() { return *messages_; }
   /// The messages, shared so that a caller can read those that device destruction adds.
   [[nodiscard]] std::shared_ptr<const ValidationMessages> keptMessages() const { return messages_; }
@@ -165,7 +163,6 @@ private:
   PFN_vkDestroyDebugUtilsMessengerEXT destroyMessenger_ = nullptr;
   VkPhysicalDevice physicalDevice_ = VK_NULL_HANDLE;
   VkPhysicalDeviceProperties properties_{};
-  bool tessellates_ = false;
   VkDevice device_ = VK_NULL_HANDLE;
   VkQueue queue_ = VK_NULL_HANDLE;
   std::uint32_t queueFamily_ = 0;
