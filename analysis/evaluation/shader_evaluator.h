@@ -106,8 +106,8 @@ private:
   };
 
   /// An image of cosines with 0 where bfloat16Pair() wrote the smallest normal number. That has
-  /// subnormal products, with which processors take five times as long. Of floats that 0 makes
-  /// subnormal, only the bits are used.
+  /// subnormal products, with which processors take five times as long. Floats that 0 makes
+  /// subnormal are used as bits only.
   static Table withZeros(Table image, const LocalRandomPhaseNoise& noise) {
     const CosineImageLayout layout(noise);
     for (std::size_t row = 0; row < layout.cosineRows; ++row)

@@ -31,7 +31,7 @@ std::array<int, 2> sidesOf(const SpectrumPicture& spectrum, double aspect) {
   for (int longer = kFewest;; longer *= 2) {
     const auto width = int(std::lround(longer * std::min(1.0, aspect)));
     const auto height = int(std::lround(longer * std::min(1.0, 1.0 / aspect)));
-    // Of a wave of f cycles per texel, bilinear fetches lose (2 pi f)^2 / 6 along each axis.
+    // Bilinear fetches of a wave of f cycles per texel lose (2 pi f)^2 / 6 along each axis.
     constexpr double kOfSquaredCycles = 4.0 * std::numbers::pi * std::numbers::pi / 6.0;
     const double loss =
         kOfSquaredCycles / power * (ofColumns / width / width + ofRows / height / height);

@@ -30,8 +30,8 @@ public:
   [[nodiscard]] std::optional<Place> follow(const Place& from, const char* key,
                                             const char* array) const;
 
-  /// Of the accessor that `place`, an index, refers to: its number of elements as stated, and its
-  /// type, such as "VEC3".
+  /// The stated number of elements, and the type, such as "VEC3", of the accessor that `place`, an
+  /// index, refers to.
   [[nodiscard]] std::size_t countOf(const Place& place) const;
   [[nodiscard]] std::string typeOf(const Place& place) const;
 

@@ -134,7 +134,7 @@ vec4 lichenDecode(LICHEN_IMAGE_3D table, LichenGaussian gaussian, float contrast
   float within = min(contrast, 1.0);
   vec4 value = lichenDecodeTable(table, gaussian.value, within * within * gaussian.lost.x, map);
   // The variance of c g clamped to the table, over that of g, is 2 c - 1 within 3 % up to c = 2 and
-  // within a quarter up to 4, for near-Gaussian slopes. Of slopes in clusters it is less.
+  // within a quarter up to 4, for near-Gaussian slopes. Slopes in clusters have less.
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     value.z *= max(1.0, 2.0 * contrast - 1.0);
   return value;

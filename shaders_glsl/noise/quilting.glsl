@@ -106,7 +106,7 @@ void lichenSetPoint(LICHEN_OUT(LichenQuiltingPoint) point, vec2 position, vec2 g
       material.contrast * inversesqrt(mix(squares, 1.0, shape.correlation * sharpness));
 }
 
-/// What a texel stands for. Of slopes, z is the variance that the level lost.
+/// What a texel stands for. Where these are slopes, z is the variance that the level lost.
 vec3 lichenQuiltingDecode(vec3 texel, LichenMap map) {
   if (map.encoding == uint(LICHEN_ENCODING_ROOT))
     return texel * texel;

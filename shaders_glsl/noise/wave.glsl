@@ -18,8 +18,8 @@ float lichenBeyondTexel(float squared) {
 }
 
 /// The squared cycles that a pixel with these gradients [tiles / pixel] averages of a frequency f:
-/// x f.x^2 + y f.y^2 + z f.x f.y. Of the footprint's ellipse, what lies beyond a texel along each
-/// of its axes.
+/// x f.x^2 + y f.y^2 + z f.x f.y. It counts what lies beyond a texel along each axis of the
+/// footprint's ellipse.
 vec3 lichenWaveFootprint(vec2 gradientX, vec2 gradientY, vec2 tileTexels) {
   vec2 columns = vec2(gradientX.x, gradientY.x) * tileTexels.x; // [texels / pixel]
   vec2 rows = vec2(gradientX.y, gradientY.y) * tileTexels.y;

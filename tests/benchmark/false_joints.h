@@ -12,7 +12,7 @@ namespace lichen::bench {
 inline constexpr int kInnerPixels = 3;
 
 struct FalseJoints {
-  /// Of the pixels of all cells that the result shows, the share that belongs to a joint. The
+  /// The share of the pixels of all cells that the result shows which belongs to a joint. The
   /// result shows a cell where more than half of the cell's pixels are of one tile; pixels of the
   /// cell count wherever the exemplar has them, even if the result shows another tile there. A
   /// pixel belongs to a joint if at least half of the weight of its tiles does.

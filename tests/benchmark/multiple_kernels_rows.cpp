@@ -20,7 +20,7 @@ namespace {
 constexpr int kSide = 1024; // as the prototype in TARGETS.md: 256 x 256 -> 1024 x 1024
 constexpr std::uint32_t kSeeds = 3;
 
-/// Of the Gaussian values over 16 seeds.
+/// The moments of the Gaussian values over 16 seeds.
 struct Moments {
   double excessKurtosis = 0.0; ///< mean over channels
   double covariance = 0.0;     ///< largest difference from that of independent channels

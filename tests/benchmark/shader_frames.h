@@ -15,7 +15,7 @@ namespace lichen::bench {
 
 inline constexpr std::uint32_t kScreenWidth = 1920;
 inline constexpr std::uint32_t kScreenHeight = 1080;
-/// Of the exemplars that the shaders read.
+/// The side of the exemplars that the shaders read.
 inline constexpr int kShaderExemplarSide = 256;
 
 /// One texel per pixel.

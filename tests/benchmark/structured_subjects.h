@@ -13,7 +13,7 @@ struct StructuredSubject {
   std::string name;     ///< "bond-turned-3"
   std::string material; ///< "bond"
   SrgbImage exemplar;   ///< the part of the photograph that holds whole periods, in even light
-  /// Of the generator, in the photograph; 0 if the material does not repeat, as cobbles. [pixels]
+  /// The generator's, in the photograph; 0 if the material does not repeat, as cobbles. [pixels]
   double shortestPeriod = 0.0;
   /// The cell of each pixel, as StructuredPicture::cells; empty if the material has none or if the
   /// exemplar is not the whole photograph.

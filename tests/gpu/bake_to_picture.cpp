@@ -66,7 +66,7 @@ struct Moments {
   double mean = 0.0, deviation = 0.0;
 };
 
-/// Of every third value from `channel` on.
+/// The moments of every third value from `channel` on.
 Moments momentsOf(const std::vector<float>& values, std::size_t channel) {
   double sum = 0.0, squares = 0.0;
   const double count = double(values.size()) / 3.0;

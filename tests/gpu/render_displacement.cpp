@@ -127,7 +127,7 @@ struct Difference {
   double mean = 0.0, most = 0.0; ///< pixels
 };
 
-/// Of the radii that both have.
+/// The difference of the radii that both have.
 Difference difference(const Outline& a, const Outline& b) {
   Difference result;
   int count = 0;

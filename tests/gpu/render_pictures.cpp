@@ -202,7 +202,7 @@ TEST_CASE("the views of quilting show its tiles, each in one colour, and the cut
       if (weights[c] > 0.95f) {
         ++whole;
         ++of[c];
-        // Of the others at most a twentieth, and at most 0.08 of the colour of lines.
+        // The others have at most a twentieth, and the colour of lines at most 0.08.
         CHECK(cuts.values[3 * i + c] > 0.55f);
       }
   }

@@ -198,7 +198,7 @@ double lobeRatio(const MapExemplar& map, double roughness, double half, SlopeSha
   return far / near;
 }
 
-/// Of the ratio: cosines, the visibility of tilted facets, and the sample of 16 tiles.
+/// The ratio's: cosines, the visibility of tilted facets, and the sample of 16 tiles.
 constexpr double kRatioTolerance = 0.05;
 
 } // namespace

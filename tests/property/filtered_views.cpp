@@ -72,7 +72,7 @@ struct Moments {
   }
   [[nodiscard]] double filteredVariance() const { return ff / count - (f / count) * (f / count); }
   [[nodiscard]] double sampledVariance() const { return ab / count - (a / count) * (b / count); }
-  /// Of the sampled mean about that of the same pixels.
+  /// The standard error of the sampled mean about the mean of the same pixels.
   [[nodiscard]] double standardError() const { return std::sqrt(noise) / count; }
   [[nodiscard]] double meanError() const { return (f - 0.5 * (a + b)) / count; }
   [[nodiscard]] double squaredDifference() const { return (ff - 2.0 * fm + ab) / count; }

@@ -40,8 +40,8 @@ struct FilteredView {
   /// Root mean square difference, relative to the standard deviation that an exact filter would
   /// leave.
   [[nodiscard]] double difference() const;
-  /// Of the mean error of a filter without one: of sampling, and of `pixels` pixels that each
-  /// differ by `difference` deviations.
+  /// The standard error of the mean error of a filter that has none: from sampling, and from
+  /// `pixels` pixels that each differ by `difference` deviations.
   [[nodiscard]] double standardError(double difference, int pixels) const;
   /// The largest mean error that passes: 0.004 (TARGETS.md) and three standard errors. The filter's
   /// own error does not enlarge it.

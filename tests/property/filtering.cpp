@@ -36,10 +36,10 @@ struct NamedPlane {
   double ofRoots = 0.0;      // by how much points are darker than a distant view
   bool stepsInLevel = false; // values jump as a pixel grows
 };
-/// Of kernels and of structure, between a CPU with AVX-512 and one without: the last bit of a
-/// Fourier transform makes another fit.
+/// Kernels and structure differ by so much between a CPU with AVX-512 and one without: the last bit
+/// of a Fourier transform makes another fit.
 constexpr double kOfFits = 0.035;
-/// Of quilting. Its images store roots of light, and a filter between texels averages roots. The
+/// Images of quilting store roots of light, and a filter between texels averages roots. The
 /// square of their mean is less than the mean light, which the last mip level has. Measured on this
 /// exemplar, whose neighbouring texels hardly correlate: points are 0.0133 darker than that level.
 /// The same values stored in linear light differ by 0.0018, from rounding to 8 bits.

@@ -10,7 +10,7 @@
 
 namespace lichen::test {
 
-/// Of each channel; 0 of those that the map does not have.
+/// What was read in each channel; 0 in channels that the map does not have.
 struct GaussianReading {
   Eigen::Vector3d z{0.0, 0.0, 0.0};    ///< deviations from the mean, times the contrast
   Eigen::Vector3d lost{0.0, 0.0, 0.0}; ///< share of the variance, times the squared contrast

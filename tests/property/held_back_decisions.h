@@ -17,7 +17,7 @@ namespace lichen::test {
 struct HeldBackDecision {
   const char* expected; ///< "a sound material has a good verdict"
   int pictures = 0;
-  /// Of the picture with this index: its name and what was decided, or nothing if that is right.
+  /// The name of the picture with this index and what was decided, or nothing if that is right.
   std::string (*mistakeAbout)(int index) = nullptr;
 };
 

@@ -271,7 +271,7 @@ TEST_CASE("local random-phase noise has the spectrum of the exemplar's Gaussian 
 }
 
 TEST_CASE("local random-phase noise has hardly more strokes than random phases make") {
-  // Of the luminance before the table: where its colours change abruptly, edges are coherent too.
+  // In the luminance before the table: where its colours change abruptly, edges are coherent too.
   constexpr int kSide = 512;
   const Eigen::Vector3d luminance = luminanceOfGaussian();
   const auto planes = gaussianPlanes(example(), 1, kSide);

@@ -35,7 +35,7 @@ struct Laying {
   float fewest = 6.0f, most = 12.0f; ///< units along the side of a picture
 };
 
-/// Of a whole number.
+/// `whole` is a whole number.
 inline bool isOdd(float whole) { return std::abs(whole - 2.0f * std::floor(0.5f * whole)) > 0.5f; }
 
 /// The cell of a rectangle with this middle and these half sides.

@@ -396,7 +396,7 @@ TEST_CASE("the four vertices around a point of a solid are those in reach, and t
     library.lichenSetSolidPoint(point, {position[0], position[1], position[2]}, {}, material);
     const Library::LichenSolidVertices vertices = library.lichenSolidVertices(point, 0, material);
     CHECK(std::abs(dot(vertices.windows, vertices.windows).v - 1.0f) < 1e-6f);
-    // Of all vertices around, those within half the diagonal of a cube's face, where windows end.
+    // Vertices within half the diagonal of a cube's face, where windows end.
     const Eigen::Array3f cubes = position * perTile;
     const Eigen::Array3f near = (cubes + cubes.sum() / 3.0f).floor();
     for (int n = 0; n < 7 * 7 * 7; ++n) {

@@ -81,7 +81,7 @@ std::vector<float> planeOf(const Bundle& bundle, std::uint32_t seed, int side, c
   return plane;
 }
 
-/// Of the three channels of a Gaussian value, in standard deviations.
+/// The three channels of a Gaussian value in standard deviations from the mean.
 Eigen::Vector3d deviations(const std::array<float, 3>& value) {
   return 6.0 *
          (Eigen::Vector3d(double(value[0]), double(value[1]), double(value[2])).array() - 0.5);
@@ -230,7 +230,7 @@ TEST_CASE("a pixel of a solid loses the variance that averages over it lose") {
     INFO(texels << " texels: average " << averages << ", filtered " << filtered << ", lost "
                 << lost);
     CHECK(filtered + lost == Approx(1.0).margin(0.05));
-    // Of averages, what of a cosine is left beyond its first zero stays, which is little.
+    // Averages keep the little that is left of a cosine beyond its first zero.
     CHECK(filtered == Approx(averages).margin(0.1));
     // A pixel attenuates a kernel and does not widen it. Those as small as a texel therefore differ
     // from their average.

@@ -230,7 +230,7 @@ TEST_CASE("structure and random part share the variance, and their sum has it ev
     // The highest frequencies of an even size, which have no mirror, are in neither.
     CHECK(random / 3.0 + std::pow(own.structureDeviations[0], 2.0) == Approx(1.0).margin(0.02));
     const auto evaluator = methodEvaluator(bundle, 0);
-    // Of each seed, the mean square of its field. Their spread gives the standard error of the
+    // The mean square of each seed's field. Their spread gives the standard error of the
     // mean.
     std::vector<double> squares;
     for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {

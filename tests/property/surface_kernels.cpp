@@ -95,7 +95,7 @@ TEST_CASE("on any tangent plane the covariance of kernels is that of the plane")
         at.tangent[k] = gaussian(generator);
       }
       at.tangent[3] = 1.0f;
-      // Of a right-handed tangent frame, whose bitangent points up.
+      // In a right-handed tangent frame, whose bitangent points up.
       const Eigen::Vector3f outward = Eigen::Vector3f(at.normal.data()).normalized();
       const Eigen::Vector3f tangent(at.tangent.data());
       const Eigen::Vector3f right = (tangent - outward.dot(tangent) * outward).normalized();

@@ -79,7 +79,7 @@ MatrixXd storedCovariance(const TextonBake& bake) {
   return result;
 }
 
-/// Of the values that a noise stores: roots of light for colours.
+/// The covariance of the values that a noise stores: roots of light for colours.
 MatrixXd exemplarCovariance(std::span<const MapExemplar> maps) {
   std::vector<std::vector<double>> channels;
   for (const MapExemplar& map : exemplar::asStored(maps)) {

@@ -19,7 +19,7 @@ using namespace lichen::gaussian;
 
 namespace {
 
-/// Of a colour's table with all its mip levels: TARGETS.md.
+/// A colour's table with all its mip levels, by TARGETS.md.
 constexpr std::size_t kMostTableBytes = 160 * 1024;
 
 std::array<std::uint32_t, 3> sidesOf(const Table& table) {

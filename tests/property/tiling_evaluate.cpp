@@ -34,7 +34,7 @@ const Bundle& exampleBundle() {
   return bundle;
 }
 
-/// Of the exemplar's light.
+/// The moments of the exemplar's light.
 exemplar::Moments exampleLight() {
   std::vector<float> light = test::threeMaterials(128, 128, 11).values;
   std::transform(light.begin(), light.end(), light.begin(), srgbToLinear);

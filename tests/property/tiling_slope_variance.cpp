@@ -206,7 +206,7 @@ TEST_CASE("twice the exemplar's contrast also moves variance from slopes to roug
   };
   // Without a table, slopes and their variance have no limit. A table ends at the exemplar's
   // greatest slopes: the factor on its variance, 2 contrast - 1, is what remains of contrast^2 for
-  // Gaussian slopes. Of slopes in clusters less remains, and what is hidden is overstated: the
+  // Gaussian slopes. Less remains of slopes in clusters, and what is hidden is overstated: the
   // measured sums are 1.53 and 1.74.
   for (const auto& [map, gaussian, least, most] :
        {Case{gaussianSlopes(), GaussianOnly::yes, 0.8, 1.2},

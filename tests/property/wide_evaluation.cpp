@@ -33,7 +33,8 @@ const Bundle& tiling() {
   return bundle;
 }
 
-/// Of a height map, in whose pairs of amplitudes the first is 0 where the second is a phase.
+/// The noise of a height map, in whose pairs of amplitudes the first is 0 where the second is a
+/// phase.
 const Bundle& cosines(double structure) {
   const auto baked = [](double share) {
     const MapExemplar colors = threeMaterials(kSide, kSide, 11);

@@ -171,7 +171,7 @@ TEST_CASE("the constants of a quilting map have the mean of what its texels stan
   CHECK(meanOf(ValueEncoding::linear, 0.25f) == 0.25f);
   CHECK(meanOf(ValueEncoding::root, 0.25f) == 0.0625f);
   CHECK(meanOf(ValueEncoding::log2, 3.0f) == 7.0f);
-  // Of slopes, the third is their variance, the mean of both axes.
+  // The third value of slopes is their variance, the mean of both axes.
   const Bundle bundle = example::smallestQuilting().bundle;
   const shader::LichenMap normal = shaderMap(bundle, bundle.noises[0], 1);
   CHECK(normal.decoding == LICHEN_DECODING_NONE);

@@ -192,7 +192,7 @@ TEST_CASE("only the bytes of the mapping's block are written") {
     std::array<unsigned char, LICHEN_TRIPLANAR_MATERIAL_BYTES + 16> block;
     block.fill(kUntouched);
     parameters.mapping = mapping;
-    // Of any alignment; no placement is the origin.
+    // The block may have any alignment; no placement is the origin.
     REQUIRE(lichenFillMaterial(&parameters, nullptr, block.data() + 1, nullptr) == LICHEN_SUCCESS);
     CHECK(block.front() == kUntouched);
     CHECK(std::count(block.begin() + 1 + bytes, block.end(), kUntouched) ==

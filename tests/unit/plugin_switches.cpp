@@ -287,7 +287,7 @@ TEST_CASE("switches without materials or a struct to fill are an error, and leav
   CHECK(resultOf(&pointer, 1, &switches) == LICHEN_ERROR_VERSION);
   CHECK(switches.methods == 0);
   CHECK(std::string(switches.text).empty());
-  // Of an older header, without the text.
+  // A struct of an older header, without the text.
   switches.next = nullptr;
   switches.size = offsetof(LichenShaderSwitches, text);
   CHECK(resultOf(&pointer, 1, &switches) == LICHEN_SUCCESS);

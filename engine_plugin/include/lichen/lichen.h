@@ -388,10 +388,10 @@ typedef struct LichenBinding {
   void* next;
   uint32_t binding; /* relative to LICHEN_FIRST_BINDING */
   LichenBindingKind kind;
-  /* Of LICHEN_BINDING_SAMPLER, that sampler; of LICHEN_BINDING_SAMPLED_IMAGE, the sampler that the
-   * shader samples the image with. */
+  /* For LICHEN_BINDING_SAMPLER, that sampler; for LICHEN_BINDING_SAMPLED_IMAGE, the sampler that
+   * the shader samples the image with. */
   LichenSamplerUse sampler;
-  /* Of LICHEN_BINDING_SAMPLED_IMAGE: an image index. If the noise does not have the map, it is a
+  /* For LICHEN_BINDING_SAMPLED_IMAGE: an image index. If the noise does not have the map, it is a
    * placeholder that the shader does not read. */
   uint32_t image;
 } LichenBinding;
@@ -434,7 +434,7 @@ typedef struct LichenMaterialParameters {
    * LICHEN_MAPPING_SOLID; LichenNoiseProperties::mappings says who has it. */
   LichenMapping mapping;
   uint32_t seed; /* any; another seed is another noise of the same look */
-  /* Of tiling: the number of angles by which tiles are rotated: 2 (half turns) or, where
+  /* For tiling: the number of angles by which tiles are rotated: 2 (half turns) or, where
    * LichenNoiseProperties::takesQuarterTurns, 4. 0 and 1: no rotation. */
   uint32_t tileRotation;
   double scale;          /* [1e-6, 1e6] texture-coordinate units that one exemplar spans */
