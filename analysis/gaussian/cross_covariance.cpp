@@ -53,7 +53,7 @@ constexpr double kLargestMove = 0.1;
 constexpr double kDamping = 1e-3;
 
 /// A few exchanges suffice to match points that moved less than the distance to their neighbours.
-constexpr transport::TransportOptions kExchanges{.swapRounds = 2};
+constexpr transport::TransportOptions kExchanges{.swapRounds = 1, .exactRounds = 1};
 
 /// Columns of a field per summed block.
 constexpr Index kColumnsOfBlock = 4096;

@@ -12,15 +12,16 @@
 namespace lichen::transport {
 
 /// How much work assign() does after the multiscale matching. The defaults cost about 6
-/// microseconds per point on one core and leave the transport cost about 0.1 % above the optimum
+/// microseconds per point on one core and leave the transport cost at most 0.1 % above the optimum
 /// (docs/decisions/004-transport.md).
 struct TransportOptions {
-  int swapRounds = 5; ///< rounds of two-opt in small blocks, several blockings per region
+  int swapRounds = 4;  ///< rounds of two-opt in small blocks, several blockings per region
+  int exactRounds = 1; ///< rounds of exact assignment in small blocks
   ProgressPart progress{};
 };
 
 /// Half of the time, and at most 0.4 % above the optimum.
-inline constexpr TransportOptions kFastTransport{.swapRounds = 1};
+inline constexpr TransportOptions kFastTransport{.swapRounds = 1, .exactRounds = 0};
 
 /// Returns a bijection p with a small sum |source[i] - target[p[i]]|^2: near the optimum for every
 /// distribution, exact in one dimension. Both sets have the same size N < 2^32 and finite

@@ -2,6 +2,7 @@
 // Improves a matching in blocks; assignment[i] is the target of source i and changes in place.
 #include "local_blocks.h"
 
+#include "cycle_canceling.h"
 #include "random.h"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -24,6 +25,9 @@ constexpr std::size_t kSwapBlockSize = 64;
 /// fits the first-level cache.
 constexpr std::size_t kRegionSize = 1024;
 constexpr int kRoundsInRegion = 4;
+
+/// Pairs per block that is solved exactly.
+constexpr std::size_t kExactBlockSize = 48;
 
 using Frame = std::array<Point, 3>;
 
@@ -110,13 +114,13 @@ private:
 };
 
 BlockPartition partitionOf(const PointPair& points, std::span<const std::uint32_t> assignment,
-                           std::uint64_t seed) {
+                           std::size_t blockSize, std::uint64_t seed) {
   const Frame frame = randomFrame(seed);
   std::vector<Member> members(assignment.size());
   tbb::parallel_for(std::size_t(0), members.size(), [&](std::size_t i) {
     members[i] = member(points.source[i], points.target[assignment[i]], frame, i);
   });
-  return {std::move(members), kRegionSize};
+  return {std::move(members), blockSize};
 }
 
 /// A block's points in contiguous arrays.
@@ -247,17 +251,39 @@ struct SwapWork {
   }
 };
 
+struct ExactWork {
+  Gathered points;
+  CycleCanceling solver;
+
+  void improve(std::span<const Member> block, std::span<std::uint32_t> assignment, std::uint64_t) {
+    solver.solve(points.source, points.target, points.targetIndex);
+    for (std::size_t i = 0; i < block.size(); ++i)
+      assignment[block[i].index] = points.targetIndex[i];
+  }
+};
+
+template <class Work>
+void improveBlocks(const PointPair& points, std::span<std::uint32_t> assignment,
+                   std::size_t blockSize, std::uint64_t seed) {
+  const BlockPartition partition = partitionOf(points, assignment, blockSize, seed);
+  tbb::enumerable_thread_specific<Work> works;
+  tbb::parallel_for(std::size_t(0), partition.count(), [&](std::size_t b) {
+    Work& work = works.local();
+    work.points.gather(points, assignment, partition.block(b));
+    work.improve(partition.block(b), assignment, randomBits(seed, b));
+  });
+}
+
 } // namespace
 
 void swapInsideRegions(const PointPair& points, std::span<std::uint32_t> assignment,
                        std::uint64_t seed) {
-  const BlockPartition partition = partitionOf(points, assignment, seed);
-  tbb::enumerable_thread_specific<SwapWork> works;
-  tbb::parallel_for(std::size_t(0), partition.count(), [&](std::size_t b) {
-    SwapWork& work = works.local();
-    work.points.gather(points, assignment, partition.block(b));
-    work.improve(partition.block(b), assignment, randomBits(seed, b));
-  });
+  improveBlocks<SwapWork>(points, assignment, kRegionSize, seed);
+}
+
+void solveInsideBlocks(const PointPair& points, std::span<std::uint32_t> assignment,
+                       std::uint64_t seed) {
+  improveBlocks<ExactWork>(points, assignment, kExactBlockSize, seed);
 }
 
 } // namespace lichen::transport

@@ -16,4 +16,9 @@ namespace lichen::transport {
 void swapInsideRegions(const PointPair& points, std::span<std::uint32_t> assignment,
                        std::uint64_t seed);
 
+/// Cuts the pairs into blocks of at most 48 neighbours and solves the assignment problem of each
+/// block exactly.
+void solveInsideBlocks(const PointPair& points, std::span<std::uint32_t> assignment,
+                       std::uint64_t seed);
+
 } // namespace lichen::transport

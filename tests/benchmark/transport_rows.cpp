@@ -19,7 +19,7 @@ using namespace transport;
 constexpr double kStep = 1e-4;
 /// In the auction's matching all but a few pairs are within a step; these rounds exchange the rest.
 /// More rounds gain less than 0.001 %.
-constexpr TransportOptions kExchanges{.swapRounds = 12};
+constexpr TransportOptions kExchanges{.swapRounds = 4, .exactRounds = 8};
 
 /// Mean squared difference of neighbours relative to the variance, summed over channels, with
 /// wraparound.

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <random>
 #include <transport/assignment.h>
+#include <transport/cycle_canceling.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -91,20 +92,21 @@ TEST_CASE("translating all points does not change the matching") {
   CHECK(assign(onGrid(clusters(kCount, 5), 4.0f), target, {}) == atHome);
 }
 
-TEST_CASE("exchanges inside blocks make the multiscale matching cheaper, and more rounds more so") {
+TEST_CASE(
+    "exchanges inside blocks make the multiscale matching cheaper, and exact blocks more so") {
   for (const NamedSet& source : everyKindOfSet(3000, 7)) {
     const Points target = gaussianCloud(3000, 8);
-    const auto cost = [&](int swapRounds) {
-      const TransportOptions options{.swapRounds = swapRounds};
+    const auto cost = [&](int swapRounds, int exactRounds) {
+      const TransportOptions options{.swapRounds = swapRounds, .exactRounds = exactRounds};
       return transportCost(source.points, target, assign(source.points, target, options));
     };
-    const double start = cost(0);
-    const double swapped = cost(1);
+    const double start = cost(0, 0);
+    const double swapped = cost(1, 0);
     INFO(source.name);
     // Exchanges compare preconditioned points, rounded to float: 2^-24 of a product of coordinates
     // around 1, relative to costs around 0.1.
     CHECK(swapped <= start * (1.0 + 1e-6));
-    CHECK(cost(2) <= swapped * (1.0 + 1e-6));
+    CHECK(cost(1, 1) <= swapped * (1.0 + 1e-6));
   }
 }
 
@@ -114,7 +116,7 @@ TEST_CASE("the matching is never worse than its start") {
   const std::vector<std::uint32_t> start = assign(source, target, {});
   // The rounds after those of assign() use other blocks.
   const std::vector<std::uint32_t> improved =
-      improveAssignment(source, target, start, {.swapRounds = 16});
+      improveAssignment(source, target, start, {.swapRounds = 8, .exactRounds = 8});
   CHECK(isBijection(improved));
   // As above, for rounding.
   CHECK(transportCost(source, target, improved) <=
@@ -154,4 +156,34 @@ TEST_CASE("exchanges that gain only by rounding end") {
     target.push_back(first ? place(0.0f, t, 15.0f) : place(t, 0.0f, -15.0f));
   }
   CHECK(assign(source, target, TransportOptions{}).size() == source.size());
+}
+
+TEST_CASE("cycle cancelling ends and finds the optimum from the worst start, with equal points") {
+  constexpr int kMostPoints = 48; // of a block of assign()
+  for (int count = 3; count <= kMostPoints; ++count)
+    for (int places = 2; places <= count; ++places) {
+      // Positions on a circle, some with several points; each point is assigned its farthest
+      // target.
+      Points source, target;
+      for (int i = 0; i < count; ++i) {
+        const float angle = 2.0f * std::numbers::pi_v<float> * float(i % places) / float(places);
+        source.push_back({std::cos(angle), std::sin(angle), 0.0f});
+        target.push_back({-std::cos(angle), -std::sin(angle), 0.0f});
+      }
+      std::vector<std::uint32_t> index(source.size());
+      std::iota(index.begin(), index.end(), 0u);
+      Points solved = target;
+      CycleCanceling().solve(source, solved, index);
+      INFO(count << " points in " << places << " places");
+      REQUIRE(isBijection(index));
+      const auto products = [&](const std::vector<std::uint32_t>& assignment) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < source.size(); ++i)
+          sum += double(dot(source[i], target[assignment[i]]));
+        return sum;
+      };
+      // An exchange below 1e-5 of the largest, 2, counts as rounding; there is one per point.
+      REQUIRE(products(index) ==
+              Approx(products(exactAssignment(source, target))).margin(2e-5 * count));
+    }
 }
