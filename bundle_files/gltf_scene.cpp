@@ -208,7 +208,6 @@ Result<GltfScene> GltfScene::open(const std::filesystem::path& path) {
     state->sortPrimitives();
     state->materialNames = countNames(state->document(), "materials");
     state->meshNames = countNames(state->document(), "meshes");
-    state->nodeNames = countNames(state->document(), "nodes");
     return GltfScene(std::move(state));
   };
   return withinMemory([&] { return path.string() + ": not enough memory to read it"; }, read);
@@ -256,10 +255,6 @@ std::string GltfScene::meshTitle(std::size_t mesh) const {
 
 std::string GltfScene::primitiveTitle(PrimitivePlace place) const {
   return "primitive " + std::to_string(place.primitive) + " of " + meshTitle(place.mesh);
-}
-
-std::string GltfScene::nodeTitle(std::size_t node) const {
-  return titleOf("node", document()["nodes"], node, state_->nodeNames);
 }
 
 const std::vector<PrimitivePlace>& GltfScene::primitivesOf(std::size_t material) const {

@@ -33,7 +33,7 @@ struct GltfScene::State {
 
   SoundAccessors soundAccessors; ///< accessors without errors, as checkVertices() found
   std::vector<std::vector<PrimitivePlace>> primitivesOf; ///< indexed by material
-  NameCounts materialNames, meshNames, nodeNames;
+  NameCounts materialNames, meshNames;
 
   nlohmann::ordered_json edited; ///< the document with all changes except `added`
   GltfBuilder added; ///< views have offsets in its own buffer until the asset is written

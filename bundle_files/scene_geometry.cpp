@@ -138,9 +138,6 @@ std::optional<std::string> compressionOf(const GltfFile& file, const json& primi
   return primitive.contains("indices") ? ofAccessor(primitive["indices"]) : std::nullopt;
 }
 
-template <std::size_t kComponents>
-using Vectors = std::vector<std::array<float, kComponents>>;
-
 /// Returns what `read` reads from a part of the scene, or the first fault that it records.
 template <class Read>
 auto readFrom(const GltfScene& scene, const std::string& title, const Read& read) {
@@ -184,21 +181,6 @@ Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place
              !compression && primitive["attributes"].contains("POSITION")) // or nothing is drawn
       VertexCheck(*state_->file, state_->soundAccessors, findings).run(primitive);
     return compression;
-  });
-}
-
-Result<std::vector<std::array<float, 2>>> GltfScene::vectors2(PrimitivePlace place,
-                                                              const std::string& attribute) {
-  const std::size_t accessor = state_->primitive(place)["attributes"][attribute].get<std::size_t>();
-  return readFrom(*this, primitiveTitle(place), [&](FindingList& findings) {
-    return readVectors<2>(*state_->file, accessor, findings).value_or(Vectors<2>());
-  });
-}
-
-Result<std::vector<std::array<float, 16>>> GltfScene::matrices(std::size_t accessor) {
-  const std::string title = "accessor " + std::to_string(accessor);
-  return readFrom(*this, title, [&](FindingList& findings) {
-    return readVectors<16>(*state_->file, accessor, findings).value_or(Vectors<16>());
   });
 }
 

@@ -98,10 +98,4 @@ notesOnTextures(const GltfScene& scene, std::span<const std::size_t> materials, 
 /// Sets every factor that multiplies a map of the noise to 1, except the alpha of a colour.
 void setFactorsToOne(GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise);
 
-/// Measures the tiles. Adds notes on materials that cannot be measured, and on those whose tile is
-/// too large or too small in the typical view, with a scale that mends the first of them.
-[[nodiscard]] std::vector<MaterialTile>
-measuredTiles(GltfScene& scene, std::span<const std::size_t> materials, const Noise& noise,
-              const MaterialNoise& use, SettingWords words, std::vector<std::string>& notes);
-
 } // namespace lichen::apply

@@ -145,23 +145,12 @@ nlohmann::ordered_json asJson(std::span<const MeshFrames> frames) {
   return list;
 }
 
-nlohmann::ordered_json asJson(std::span<const MaterialTile> tiles) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [material, object, size] : tiles)
-    list.push_back({{"material", material},
-                    {"object", object},
-                    {"metres", size.metres},
-                    {"pixels", size.pixels}});
-  return list;
-}
-
 void report(const Arguments& arguments, const NoiseOnScene& outcome, double seconds) {
   if (arguments.shared.json) {
     const nlohmann::ordered_json json{{"output", arguments.output},
                                       {"noise", outcome.noise.name},
                                       {"newTables", outcome.noise.newTables},
                                       {"materials", outcome.materials},
-                                      {"tiles", asJson(outcome.tiles)},
                                       {"frames", asJson(outcome.frames)},
                                       {"notes", outcome.notes},
                                       {"seconds", seconds}};
@@ -174,8 +163,6 @@ void report(const Arguments& arguments, const NoiseOnScene& outcome, double seco
       fmt::format("{}: {} on {}; {} new table{}, {:.2f} s", arguments.output, outcome.noise.name,
                   shortList(outcome.materials), outcome.noise.newTables,
                   outcome.noise.newTables == 1 ? "" : "s", seconds));
-  for (const std::string& line : linesOn(outcome.tiles, optionOf))
-    say(arguments.shared, line);
 }
 
 struct ChosenNoise {

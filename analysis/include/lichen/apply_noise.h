@@ -6,7 +6,6 @@
 #include <lichen/exemplar_preparation.h>
 #include <lichen/gltf_scene.h>
 #include <lichen/surface_frames.h>
-#include <lichen/tile_size.h>
 
 #include <array>
 #include <optional>
@@ -38,18 +37,10 @@ struct ApplyOptions {
   bool setsFactors = false; ///< whether the factors that multiply the noise become 1
 };
 
-/// The tile of one material that could be measured.
-struct MaterialTile {
-  std::string material; ///< its title
-  std::string object;   ///< "node 'house'", or "its 12 nodes"
-  TileSize size;
-};
-
 /// What was done to the scene.
 struct NoiseOnScene {
   AppliedNoise noise;
   std::vector<std::string> materials; ///< titles of those that have the noise
-  std::vector<MaterialTile> tiles;
   std::vector<MeshFrames> frames; ///< that were added, for surfaces
   std::vector<std::string> notes; ///< for the user, one sentence each
 };
@@ -64,11 +55,6 @@ struct NoiseOnScene {
 [[nodiscard]] Result<NoiseOnScene> applyNoise(GltfScene& scene, const Bundle& bundle,
                                               std::size_t noise, const ApplyOptions& options,
                                               const BakeObserver& observer = {});
-
-/// "wall: one tile is 0.5 m, 120 pixels when node 'house' fills 1920 x 1080 pixels", for the first
-/// few materials. `words` name where the others are listed.
-[[nodiscard]] std::vector<std::string> linesOn(std::span<const MaterialTile> tiles,
-                                               SettingWords words);
 
 /// The usage error of an option of mixes, for a noise that is none.
 [[nodiscard]] Error notMixed(const std::string& option, const Noise& noise);

@@ -61,7 +61,6 @@ public:
   [[nodiscard]] std::string materialTitle(std::size_t material) const;
   [[nodiscard]] std::string meshTitle(std::size_t mesh) const;
   [[nodiscard]] std::string primitiveTitle(PrimitivePlace place) const;
-  [[nodiscard]] std::string nodeTitle(std::size_t node) const;
 
   [[nodiscard]] const std::vector<PrimitivePlace>& primitivesOf(std::size_t material) const;
   /// The accessor of an attribute such as "TANGENT", including one set by setAttribute(); nothing
@@ -86,14 +85,6 @@ public:
   };
   [[nodiscard]] Result<std::optional<Range2>> rangeOf(PrimitivePlace place,
                                                       const std::string& attribute);
-
-  /// The values of a two-component attribute of the primitive. Errors: badInput, naming the
-  /// primitive, for invalid or compressed values; resources when memory does not suffice.
-  [[nodiscard]] Result<std::vector<std::array<float, 2>>> vectors2(PrimitivePlace place,
-                                                                   const std::string& attribute);
-
-  /// The 4 x 4 matrices of an accessor, by columns. Errors as vectors2(), naming the accessor.
-  [[nodiscard]] Result<std::vector<std::array<float, 16>>> matrices(std::size_t accessor);
 
   /// Adds a float accessor and returns its index. Throws std::bad_alloc.
   std::size_t addVertices(std::span<const std::array<float, 3>> values);
