@@ -4,7 +4,6 @@
 #include "accessor_reader.h"
 #include "gltf_scene_state.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace lichen {
@@ -181,27 +180,6 @@ Result<std::optional<std::string>> GltfScene::checkVertices(PrimitivePlace place
              !compression && primitive["attributes"].contains("POSITION")) // or nothing is drawn
       VertexCheck(*state_->file, state_->soundAccessors, findings).run(primitive);
     return compression;
-  });
-}
-
-Result<std::optional<GltfScene::Range2>> GltfScene::rangeOf(PrimitivePlace place,
-                                                            const std::string& attribute) {
-  const json& primitive = state_->primitive(place);
-  return readFrom(*this, primitiveTitle(place), [&](FindingList& findings) {
-    std::optional<Range2> range;
-    if (compressionOf(*state_->file, primitive))
-      return range;
-    const auto values = readVectors<2>(
-        *state_->file, primitive["attributes"][attribute].get<std::size_t>(), findings);
-    if (!values)
-      return range;
-    range = Range2{values->front(), values->front()}; // an accessor is never empty
-    for (const std::array<float, 2>& value : *values)
-      for (std::size_t k = 0; k < 2; ++k) {
-        range->least[k] = std::min(range->least[k], value[k]);
-        range->most[k] = std::max(range->most[k], value[k]);
-      }
-    return range;
   });
 }
 

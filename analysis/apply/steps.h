@@ -53,8 +53,7 @@ struct ChosenMix {
 
 /// Returns the source that the options choose; without options, the source of `use`, whose mapping
 /// and texture coordinates must be final. An image file becomes a texture of the scene. Notes name
-/// materials that are skipped, texture coordinates outside the image, and a direction that is short
-/// for the texture coordinates. Errors: usage for options that contradict each other or do not fit
+/// materials that are skipped. Errors: usage for options that contradict each other or do not fit
 /// the noise; badInput for an unusable image, and as materialsWith().
 [[nodiscard]] Result<ChosenMix> chosenMix(const MixOptions& options, const Noise& noise,
                                           const MaterialNoise& use, const ChosenMaterials& chosen,

@@ -317,40 +317,6 @@ TEST_CASE("sources of a mix's weight that do not exist or do not vary are errors
                 {"--mix-texture: noise 'moss' is not a mix"});
 }
 
-namespace {
-
-/// The texture coordinates of 'wood' run from the one to the other along u, and from 0 to 1 along
-/// v.
-void cover(Apply& apply, float least, float most) {
-  apply.primitive()["attributes"]["TEXCOORD_0"] =
-      apply.scene.addFloats({least, 0.0f, most, 0.0f, most, 1.0f, least, 1.0f}, "VEC2", 2);
-}
-
-} // namespace
-
-TEST_CASE("a note names a mesh that exceeds the mask of a mix, with its range") {
-  Apply apply;
-  const std::string mask = apply.workplace.write("mask.png", smoothGrey(16));
-  const auto notesWith = [&](const std::string& texture) {
-    return apply.notes(made().bundle, "wood", {"--mix-texture", texture});
-  };
-  cover(apply, 0.0f, 1.0f);
-  CHECK_THAT(notesWith(mask), !Catch::Contains("TEXCOORD_0"));
-  cover(apply, -20.0f, 20.5f);
-  CHECK_THAT(notesWith(mask),
-             Catch::Contains("scene.glb: primitive 0 of mesh 'table': TEXCOORD_0 from (-20, 0) to "
-                             "(20.5, 1) exceeds 0 to 1, the range of the mask; outside, its "
-                             "border continues"));
-  // A texture of the scene uses its own sampler; without one it repeats.
-  const std::size_t view = apply.scene.addView(example::tinyPng());
-  apply.scene.json["images"] = {{{"mimeType", "image/png"}, {"bufferView", view}}};
-  apply.scene.json["textures"] = {{{"source", 0}}, {{"source", 0}, {"sampler", 0}}};
-  apply.scene.json["samplers"] = {{{"wrapS", 33071}}};
-  CHECK_THAT(notesWith("0"),
-             Catch::Contains("exceeds 0 to 1") && Catch::Contains("outside, it repeats"));
-  CHECK_THAT(notesWith("1"), Catch::Contains("outside, its border continues"));
-}
-
 TEST_CASE("the direction of a mix needs texture coordinates also with mapping surface") {
   const Apply apply;
   const Arguments surface{"--mapping", "surface"};
@@ -382,22 +348,4 @@ TEST_CASE("all materials skips those whose meshes lack what the weight of a mix 
                 {"has no COLOR_0, which --mix-vertex-color needs; use --mix, --mix-direction or "
                  "--mix-texture"},
                 kBadInput);
-}
-
-TEST_CASE("a note names a mesh on which the direction of a mix is short or ends outside") {
-  Apply apply;
-  cover(apply, 0.0f, 20.0f);
-  const auto notesWith = [&](const char* direction) {
-    return apply.notes(made().bundle, "wood", {"--mix-direction", direction});
-  };
-  CHECK_THAT(notesWith("0,0,1,0"),
-             Catch::Contains("scene.glb: primitive 0 of mesh 'table': --mix-direction spans 5 % of "
-                             "TEXCOORD_0 from (0, 0) to (20, 1); elsewhere the weight is 0 or 1"));
-  CHECK_THAT(notesWith("21,0,22,0"),
-             Catch::Contains("TEXCOORD_0 from (0, 0) to (20, 1) lies outside --mix-direction, so "
-                             "the weight is 0 everywhere"));
-  CHECK_THAT(notesWith("-1,0,-2,0"), Catch::Contains("so the weight is 0 everywhere"));
-  CHECK_THAT(notesWith("-2,0,-1,0"), Catch::Contains("so the weight is 1 everywhere"));
-  for (const char* direction : {"20,0,0,0", "0,0,2,0", "0,0,0,1", "5,0,15,0"})
-    CHECK_THAT(notesWith(direction), !Catch::Contains("mix-direction"));
 }

@@ -78,14 +78,6 @@ public:
   /// resources when memory does not suffice.
   [[nodiscard]] Result<std::optional<std::string>> checkVertices(PrimitivePlace place);
 
-  /// The minimum and maximum of a two-component attribute of the primitive, such as "TEXCOORD_0".
-  /// Returns nothing if an extension compresses the vertices. Errors as checkVertices().
-  struct Range2 {
-    std::array<float, 2> least{}, most{};
-  };
-  [[nodiscard]] Result<std::optional<Range2>> rangeOf(PrimitivePlace place,
-                                                      const std::string& attribute);
-
   /// Adds a float accessor and returns its index. Throws std::bad_alloc.
   std::size_t addVertices(std::span<const std::array<float, 3>> values);
   std::size_t addVertices(std::span<const std::array<float, 4>> values);
