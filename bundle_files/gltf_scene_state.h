@@ -37,7 +37,6 @@ struct GltfScene::State {
 
   nlohmann::ordered_json edited; ///< the document with all changes except `added`
   GltfBuilder added; ///< views have offsets in its own buffer until the asset is written
-  std::set<std::size_t> imagesLeft; ///< images that stay external even in a .glb
 
   [[nodiscard]] const nlohmann::json& document() const { return file->document(); }
   /// Number of elements of an array of the root; 0 if absent.

@@ -83,7 +83,7 @@ private:
   Result<void> takeImages() {
     for (std::size_t i = 0; i < state_.countOf("images"); ++i) {
       const json& image = state_.document()["images"][i];
-      if (stringMember(image, "uri") == nullptr || state_.imagesLeft.contains(i))
+      if (stringMember(image, "uri") == nullptr)
         continue;
       const Result<std::vector<std::byte>> bytes =
           readUri(state_.path, *stringMember(image, "uri"));
@@ -145,8 +145,7 @@ private:
         const json& element = state_.document()[array][i];
         const bool isInside =
             array == std::string_view("images") ? tookImages : takesFirst_ && i == 0;
-        const bool isLeft = array == std::string_view("images") && state_.imagesLeft.contains(i);
-        if (namesFile(element) && !isInside && !isLeft)
+        if (namesFile(element) && !isInside)
           return fileError(path_,
                            state_.path.string() + " refers to files beside it, such as " +
                                quoted(*stringMember(element, "uri")) +
@@ -227,31 +226,6 @@ private:
   std::span<const std::byte> before_; ///< existing bytes of the buffer that receives the additions
   bool takesFirst_ = false;           ///< whether that is the document's first buffer
 };
-
-std::vector<UnusableImage> GltfScene::unusableImages() const {
-  constexpr std::size_t kSignature = 12; // bytes that mediaTypeOf() reads
-  std::vector<UnusableImage> unusable;
-  for (std::size_t i = 0; i < state_->countOf("images"); ++i) {
-    const std::string* uri = stringMember(document()["images"][i], "uri");
-    if (uri == nullptr)
-      continue;
-    const bool isFile = namesFile(document()["images"][i]);
-    const Result<std::filesystem::path> file = fileOfUri(state_->path, *uri);
-    std::error_code ignored;
-    if (isFile && file && !std::filesystem::exists(file.value(), ignored)) {
-      unusable.push_back({i, "the file " + quoted(*uri) + " is missing"});
-      continue;
-    }
-    const auto start =
-        readUri(state_->path, *uri, isFile ? std::optional(kSignature) : std::nullopt);
-    if (!start || !mediaTypeOf(start.value()))
-      unusable.push_back({i, (isFile ? quoted(*uri) : "the data URI") +
-                                 " is not a readable PNG, JPEG, WebP or KTX2"});
-  }
-  return unusable;
-}
-
-void GltfScene::leaveImage(std::size_t image) { state_->imagesLeft.insert(image); }
 
 Result<void> GltfScene::write(const std::filesystem::path& path) {
   return withinMemory([&] { return path.string() + ": not enough memory to write it"; },

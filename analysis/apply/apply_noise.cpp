@@ -97,7 +97,6 @@ Result<NoiseOnScene> applied(GltfScene& scene, const Bundle& bundle, std::size_t
   if (options.setsFactors)
     setFactorsToOne(scene, materials, noise);
   removeCompetingExtensions(scene, materials, noise, done.notes);
-  leaveReplacedImages(scene, materials, noise, use.mix, done.notes);
   noteName(scene, noise.name, done.noise, done.notes);
   for (const std::size_t material : materials)
     done.materials.push_back(scene.materialTitle(material));

@@ -45,51 +45,25 @@ void addGlossyImages(Apply& apply, const json& more) {
 
 } // namespace
 
-TEST_CASE("a missing image is an error unless the noise replaces everything that shows it") {
-  const std::tuple<const char*, const char*, json> shown[] = {
-      {"another material shows it", "/materials/1/emissiveTexture", json{{"index", 0}}},
-      {"its alpha blends", "/materials/0/alphaMode", "BLEND"},
-      {"an extension shows it", "/materials/0/extensions/KHR_materials_sheen/sheenColorTexture",
-       json{{"index", 0}}}};
-  for (const auto& [what, place, value] : shown) {
-    INFO(what);
-    Apply apply;
-    addImage(apply, "old%20bark.png");
-    apply.isText = true;
-    CHECK_THAT(apply.notes(moss(), "wood"),
-               Catch::Contains("/images/0: the file \"old%20bark.png\" is missing, but the noise "
-                               "replaces everything that shows it"));
-    CHECK(apply.output()["images"][0]["uri"] == "old%20bark.png");
-    apply.scene.json[nlohmann::ordered_json::json_pointer(place)] = value;
-    apply.refuses(moss(), "wood", {}, {"scene.gltf: /images/0/uri", "old bark.png"}, kBadInput);
-  }
-}
-
-TEST_CASE(
-    "an image that is no image is an error unless the noise replaces everything that shows it") {
-  for (const std::string uri : {"bark.png", "../bark.png", "https://host/bark.png",
-                                "data:image/png;base64,AAAA", "data:image/png;base64,#"}) {
+TEST_CASE("an image that is missing or no image is an error in a .glb, and stays in a .gltf") {
+  for (const std::string uri :
+       {"old%20bark.png", "bark.png", "../bark.png", "https://host/bark.png",
+        "data:image/png;base64,AAAA", "data:image/png;base64,#"}) {
     INFO(uri);
     Apply apply;
     addImage(apply, uri);
     apply.isText = true;
     apply.workplace.write("bark.png", std::string("not an image"));
-    CHECK_THAT(apply.notes(moss(), "wood"),
-               Catch::Contains("/images/0: ") &&
-                   Catch::Contains("is not a readable PNG, JPEG, WebP or KTX2, but the noise "
-                                   "replaces everything that shows it"));
-    apply.material(1)["emissiveTexture"] = {{"index", 0}};
     apply.refuses(moss(), "wood", {}, {"scene.gltf: /images/0/uri"}, kBadInput);
+    succeed(apply.arguments(moss(), "wood", {}, "out.gltf"));
   }
 }
 
-TEST_CASE("a missing image that the noise replaces does not tie the output to the scene's folder") {
+TEST_CASE("an image beside the scene ties the output to its folder") {
   Apply apply;
   addImage(apply, "bark.png");
   std::filesystem::create_directory(apply.workplace.path("elsewhere"));
-  for (const char* output : {"elsewhere/out.glb", "elsewhere/out.gltf"})
-    succeed(apply.arguments(moss(), "wood", {}, output));
-  apply.workplace.write("bark.png", smooth(8)); // other viewers show it
+  apply.workplace.write("bark.png", smooth(8));
   checkRefusal(apply.arguments(moss(), "wood", {}, "elsewhere/out.glb"), kUsage,
                {"refers to files beside it", "bark.png"});
 }
@@ -144,17 +118,6 @@ TEST_CASE("a specular-glossy material keeps in the core what the noise does not 
   // The core's own description is complete.
   apply.material()["pbrMetallicRoughness"] = {{"metallicFactor", 0.5}};
   CHECK(coreOf(apply.document(moss(), "wood")) == json{{"metallicFactor", 0.5}});
-}
-
-TEST_CASE("images of a removed specular-glossiness may be missing") {
-  Apply apply;
-  addGlossyImages(apply, json::object());
-  apply.isText = true;
-  apply.material(1).erase("extensions");
-  CHECK_THAT(apply.notes(moss(), "wood"),
-             Catch::Contains("diffuse.png") && Catch::Contains("glossiness.png"));
-  // A noise without colours leaves the diffuse texture.
-  apply.refuses(wool(), "wood", {}, {"/images/0/uri", "diffuse.png"}, kBadInput);
 }
 
 TEST_CASE("extensions that add to the core's shading stay, and so do texture transforms") {

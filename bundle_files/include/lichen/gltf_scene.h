@@ -24,13 +24,6 @@ struct PrimitiveGeometry {
   std::vector<std::uint32_t> triangles;
 };
 
-/// An image that cannot be embedded in a .glb, and the reason for a message: "the file 'oak.png' is
-/// missing".
-struct UnusableImage {
-  std::size_t image = 0;
-  std::string reason;
-};
-
 /// The result of GltfScene::applyNoise().
 struct AppliedNoise {
   std::string name; ///< the noise's name in the asset
@@ -102,12 +95,6 @@ public:
   /// Returns the texture's index. Throws std::bad_alloc.
   std::size_t addTexture(std::span<const std::byte> file, std::string_view mediaType);
   [[nodiscard]] std::size_t textureCount() const; ///< including added textures
-
-  /// Images whose files are missing, outside the asset's folder or of an unknown type, which
-  /// therefore cannot be embedded when a .gltf is written as a .glb. Throws std::bad_alloc.
-  [[nodiscard]] std::vector<UnusableImage> unusableImages() const;
-  /// Keeps the URI of an image even in a .glb, and in another folder. Throws std::bad_alloc.
-  void leaveImage(std::size_t image);
 
   /// Assigns a noise of a bundle to materials, with the parameters of `use`; ignores use.noise.
   /// Reuses equal noises and tables that the asset already has, including those from earlier calls.
