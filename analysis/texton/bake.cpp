@@ -45,7 +45,7 @@ TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& optio
   fit.order = options.order;
   fit.seed = options.fitSeed;
   fit.progress = progress;
-  TextonCoefficients coefficients = fitCoefficients(model, fit, FitMethod::transportDistance);
+  TextonCoefficients coefficients = fitCoefficients(model, fit);
   // If the model's range is not the texton's, the covariance stays uncorrected.
   (void)correctCovariance(coefficients, options.order, modelCovariance(model));
   return coefficients;

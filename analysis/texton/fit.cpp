@@ -167,19 +167,6 @@ public:
     narrow();
   }
 
-  /// [GLM17] algorithm 1, steps 1 and 2. Starts from the spectrum `x` if it is given, otherwise
-  /// from the coefficients.
-  void projectAsPrinted(const Spectra* x) {
-    if (x == nullptr)
-      coefficientsToWork();
-    forFrequencies([&](std::size_t i, float kernel) {
-      const std::complex<float> phase = phaseTowards(x != nullptr ? *x : work_, i);
-      for (std::size_t c = 0; c < work_.size(); ++c)
-        work_[c].values[i] = 1.0f / kernel * product(phase, model_.channels[c].values[i]);
-    });
-    workToPatches();
-  }
-
 private:
   [[nodiscard]] std::size_t patchSize() const {
     return std::size_t(coefficients_.width) * std::size_t(coefficients_.height);
@@ -220,30 +207,21 @@ private:
     });
   }
 
-  void workToPatches() {
+  void workToCoefficients() {
     tbb::parallel_for(std::size_t(0), work_.size(), [&](std::size_t c) {
       const std::vector<float> plane = inverseFft(work_[c]);
-      const auto width = std::size_t(coefficients_.width);
-      for (std::size_t i = 0; i < patchSize(); ++i)
-        coefficients_.values[c * patchSize() + i] =
-            plane[i / width * std::size_t(model_.width()) + i % width];
-    });
-  }
-
-  void workToCoefficients() {
-    workToPatches();
-    tbb::parallel_for(std::size_t(0), work_.size(), [&](std::size_t c) {
       // Column-major: a column of `patch` is a row of the texton.
+      const Eigen::Map<const Eigen::MatrixXf> whole(plane.data(), model_.width(), model_.height());
       Eigen::Map<Eigen::MatrixXf> patch(coefficients_.values.data() + c * patchSize(),
                                         coefficients_.width, coefficients_.height);
-      Eigen::MatrixXf columns = patch.transpose();
+      Eigen::MatrixXf columns =
+          whole.topLeftCorner(coefficients_.width, coefficients_.height).transpose();
       solverX_.solveRows(columns);
       Eigen::MatrixXf rows = columns.transpose();
       solverY_.solveRows(rows);
       patch = rows;
     });
   }
-
   /// Smooths the border and limits peaks.
   void narrow() {
     border_.apply(coefficients_);
@@ -303,21 +281,11 @@ double relativeDistance(const GaussianModel& model, const GaussianModel& noise) 
 
 } // namespace
 
-TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions& options,
-                                   FitMethod method) {
+TextonCoefficients fitCoefficients(const GaussianModel& model, const FitOptions& options) {
   assert(options.width >= 1 && options.width <= model.width());
   assert(options.height >= 1 && options.height <= model.height());
   Spectra x = randomPhases(model, options.seed); // allocate before the fit takes its own memory
   Fit fit(model, options.width, options.height, options.order);
-  if (method == FitMethod::alternatingProjections) {
-    // Only the phases of white noise's t^* . alpha^ would survive the first projection. They are
-    // uniform and independent, and so are these.
-    for (int step = 0; step < options.projections; ++step) {
-      options.progress.reach(double(step + 1) / options.projections);
-      fit.projectAsPrinted(step == 0 ? &x : nullptr);
-    }
-    return fit.coefficients();
-  }
   constexpr double kReflectionsOfProgress = double(kReflections) / (kReflections + kDescents);
   const ProgressPart reflections = options.progress.part(0.0, kReflectionsOfProgress);
   for (int step = 0; step < kReflections; ++step) {

@@ -15,22 +15,15 @@ struct FitOptions {
   int height = 0; ///< coefficients, [1, the model's height]
   int order = 1;  ///< order of the interpolating B-spline, [0, 8]
   std::uint32_t seed = 1;
-  int projections = 50;    ///< for alternatingProjections, >= 1; 50 in [GLM17] section 4.2
   ProgressPart progress{}; ///< reports each iteration
 };
 
-/// The algorithm that finds the coefficients.
-enum class FitMethod {
-  transportDistance,      ///< minimizes the transport distance, starting with relaxed reflections
-  alternatingProjections, ///< [GLM17] algorithm 1 as printed; for order 0, [GLM14] algorithm 2
-};
-
-/// Returns coefficients whose noise is close to the model. With FitMethod::transportDistance the
-/// border does not show and no coefficient stands out (docs/decisions/008-textons.md).
+/// Returns coefficients whose noise is close to the model. The border does not show, and no
+/// coefficient stands out (docs/decisions/008-textons.md).
 /// The bytes do not depend on the number of threads. Time: 100 transforms of a plane per channel.
 /// Throws std::bad_alloc, and Interrupted where the caller stops the fit.
 [[nodiscard]] TextonCoefficients fitCoefficients(const GaussianModel& model,
-                                                 const FitOptions& options, FitMethod method);
+                                                 const FitOptions& options);
 
 /// [GLM14] eq. 5: the transport distance between the two Gaussian textures over the model's
 /// standard deviation, without frequency 0. 0 for equal power spectra, 1 for a texton of zeros.

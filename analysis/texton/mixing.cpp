@@ -87,7 +87,7 @@ std::vector<TextonCoefficients> fittedTogether(std::span<const GaussianModel> al
       joint.channels.push_back(std::move(channel));
     }
   }
-  const TextonCoefficients all = fitCoefficients(joint, options, FitMethod::transportDistance);
+  const TextonCoefficients all = fitCoefficients(joint, options);
   std::vector<TextonCoefficients> result;
   const std::size_t size = all.values.size() / aligned.size();
   for (std::size_t k = 0; k < aligned.size(); ++k) {
@@ -168,8 +168,7 @@ Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<dou
   const Barycenter found = barycenter(modelsOf(exemplars), weights);
   MixStep step{std::move(weights), {}};
   step.rankError = found.rankError;
-  step.texton = fitCoefficients(found.model, fitOptions(options, found.model, progress),
-                                FitMethod::transportDistance);
+  step.texton = fitCoefficients(found.model, fitOptions(options, found.model, progress));
   if (Result<void> finished = finish(exemplars, found.model, options.order, step); !finished)
     return finished.error();
   TextonMix mix{found.model.width(), found.model.height(), {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Textons: the time of a bake, the distance from the model compared with the papers' algorithm, and
 // the visibility of their borders. See docs/decisions/008-textons.md.
+#include "../property/papers_texton.h"
 #include "exemplars.h"
 #include "rows.h"
 
@@ -36,15 +37,22 @@ texton::GaussianModel modelOf(const MapExemplar& map) {
 }
 
 /// With the model's covariance, like the authors' own textons.
-TextonCoefficients fitted(const texton::GaussianModel& model, int support, int order,
-                          FitMethod method) {
-  FitOptions options;
-  options.width = options.height = support - order;
-  options.order = order;
-  TextonCoefficients texton = fitCoefficients(model, options, method);
+TextonCoefficients corrected(const texton::GaussianModel& model, TextonCoefficients texton,
+                             int order) {
   if (!correctCovariance(texton, order, texton::modelCovariance(model)))
     std::fprintf(stderr, "lichen-bench: a texton without its model's covariance\n");
   return texton;
+}
+
+FitOptions fitOptions(int support, int order) {
+  FitOptions options;
+  options.width = options.height = support - order;
+  options.order = order;
+  return options;
+}
+
+TextonCoefficients fitted(const texton::GaussianModel& model, int support, int order) {
+  return corrected(model, fitCoefficients(model, fitOptions(support, order)), order);
 }
 
 TextonBake bakedTexton(const MapExemplar& map, const TextonOptions& options) {
@@ -64,11 +72,9 @@ void appendTimes(std::vector<Row>& rows) {
     map.height = std::min(width, 512);
     map.values.resize(std::size_t(map.width) * std::size_t(map.height) * map.channels.size());
     const std::string size = std::to_string(map.width) + " x " + std::to_string(map.height);
-    rows.push_back(
-        {"texton of " + size + " RGB: model, fit and colours",
-         medianSeconds(kRuns,
-                       [&] { return fitted(modelOf(map), 64, 1, FitMethod::transportDistance); }),
-         target, "s", "rust, support 64, median of 5"});
+    rows.push_back({"texton of " + size + " RGB: model, fit and colours",
+                    medianSeconds(kRuns, [&] { return fitted(modelOf(map), 64, 1); }), target, "s",
+                    "rust, support 64, median of 5"});
     rows.push_back({"the whole bake, with the table",
                     medianSeconds(kRuns, [&] { return bakedTexton(map, {}); }), target, "s",
                     "rust, median of 5"});
@@ -122,8 +128,9 @@ void appendFits(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars, 
   Sample ratios, flatnesses, borders, papersBorders;
   for (const Exemplar& exemplar : exemplars) {
     const texton::GaussianModel model = modelOf(crop(exemplar.image, side));
-    const TextonCoefficients ours = fitted(model, support, 1, FitMethod::transportDistance);
-    const TextonCoefficients papers = fitted(model, support, 1, FitMethod::alternatingProjections);
+    const TextonCoefficients ours = fitted(model, support, 1);
+    const TextonCoefficients papers =
+        corrected(model, test::papersTexton(model, fitOptions(support, 1)), 1);
     ratios.add(relativeModelError(model, ours, 1) / relativeModelError(model, papers, 1),
                exemplar.name);
     flatnesses.add(flatness(ours, kLuminanceWeights), exemplar.name);
@@ -143,10 +150,9 @@ void appendOrders(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars
   for (const int order : {0, 3}) {
     Sample flatnesses;
     for (const Exemplar& exemplar : exemplars)
-      flatnesses.add(flatness(fitted(modelOf(crop(exemplar.image, 128)), 32, order,
-                                     FitMethod::transportDistance),
-                              kLuminanceWeights),
-                     exemplar.name);
+      flatnesses.add(
+          flatness(fitted(modelOf(crop(exemplar.image, 128)), 32, order), kLuminanceWeights),
+          exemplar.name);
     appendSample(rows, "flatness of order " + std::to_string(order) + " at 32 of 128 texels",
                  flatnesses, 4.0, "");
   }
