@@ -15,6 +15,7 @@
 #include <lichen/table.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -99,48 +100,6 @@ MapKind kindOf(const MapExemplar& map, const exemplar::ColorSpace& space,
   return MapKind::transported;
 }
 
-/// The work of the steps of a map's bake, in units of transporting a pixel with the default effort.
-struct MapWork {
-  double fit = 0.0;
-  double rest = 0.0; ///< mips, losses and the table's levels
-
-  [[nodiscard]] double whole() const { return fit + rest; }
-};
-
-/// Work of the Gaussian test, relative to the whole bake: 16 projections of 6 ns per pixel on two
-/// cores.
-constexpr double kKindWork = 0.02;
-
-/// The work of a map. With `others` before it, it correlates with them and reuses their share.
-MapWork workOf(const PlannedMap& planned, bool periodic, TransportEffort effort, bool others) {
-  // The table's levels. Nearly the same for every exemplar; measured on 256 x 256.
-  constexpr double kTableLevelsWork = 0.4 * 65536.0;
-  // Per pixel, measured on 1024 x 1024: mips and losses; sorting an axis once; a Gaussian image.
-  constexpr double kMips = 0.08;
-  constexpr double kSort = 0.03;
-  constexpr double kWhitening = 0.02;
-  const double pixels = double(planned.map.width) * double(planned.map.height);
-  const double matchings = (periodic ? 1.0 : 2.0) * pixels;
-  const double joining =
-      others && effort != TransportEffort::fast ? 1.0 + kJoiningWork : 1.0; // of joint tables
-  MapWork work{0.0, kMips * pixels};
-  switch (planned.kind) {
-  case MapKind::constant:
-    break;
-  case MapKind::gaussianOnly:
-    work.fit = kWhitening * pixels;
-    break;
-  case MapKind::sorted:
-    work.fit = joining * kSort * matchings;
-    break;
-  case MapKind::transported:
-    const FitWork fit = fitWork(planned.map, periodic, effort);
-    work.fit = joining * fit.fit + (others ? 0.0 : fit.trial);
-    work.rest += kTableLevelsWork;
-  }
-  return work;
-}
-
 /// A map's Gaussian image, with mips too, and its inverse table.
 struct MapTables {
   Gaussianized image;
@@ -148,8 +107,9 @@ struct MapTables {
   std::optional<Table> inverse;
 };
 
-/// Part of the progress after the fit; the levels of the table take the rest.
-constexpr double kMipsOfProgress = 0.5;
+/// Parts of the progress: of the plan in a bake, of the fit in a map, and of the mips in what
+/// follows; the levels of the table take the rest.
+constexpr double kPlanOfProgress = 0.02, kFitOfProgress = 0.9, kMipsOfProgress = 0.5;
 
 MapTables jointTables(const MapExemplar& map, MapFit fit, int bits, ProgressPart progress) {
   progress.reach(0.0);
@@ -207,10 +167,8 @@ MapFit fitJoint(const PlannedMap& planned, MapFitOptions& fitting, std::vector<S
 MapTables tablesOf(const PlannedMap& planned, int bits, MapFitOptions& fitting,
                    std::vector<SettledMap>* settled, ProgressPart progress) {
   const MapExemplar& map = planned.map;
-  const MapWork work =
-      workOf(planned, fitting.borders.fit, fitting.transport, !fitting.settled.empty());
-  const double fitted = work.fit / work.whole();
-  const ProgressPart first = progress.part(0.0, fitted), rest = progress.part(fitted, 1.0);
+  const ProgressPart first = progress.part(0.0, kFitOfProgress);
+  const ProgressPart rest = progress.part(kFitOfProgress, 1.0);
   first.reach(0.0);
   if (planned.kind == MapKind::constant)
     return jointTables(map, constantFit(map), bits, rest);
@@ -249,30 +207,25 @@ Result<gaussian::BorderTreatment> gaussianizeMaps(const std::string& name,
     const Grain grain = usesGrain == UsesGrain::yes ? exemplar::grainOf(maps.front()) : Grain::none;
     const gaussian::BorderTreatment borders{bordersFit(maps, options.periodic), grain};
     const ProgressPart progress(options.progress);
-    const bool detects = detectsGaussian(maps.size(), options.gaussian);
-    const double begin = detects ? kKindWork / (kKindWork + 1.0) : 0.0;
-    const std::vector<PlannedMap> planned = plannedMaps(maps, options, progress.part(0.0, begin));
-    const auto workOfMap = [&](const PlannedMap& map) {
-      return workOf(map, borders.fit, options.transport, &map != &planned.front()).whole();
+    const std::vector<PlannedMap> planned =
+        plannedMaps(maps, options, progress.part(0.0, kPlanOfProgress));
+    const auto pixels = [](double sum, const MapExemplar& map) {
+      return sum + double(map.width) * double(map.height);
     };
-    double whole = 0.0;
-    for (const PlannedMap& map : planned)
-      whole += workOfMap(map);
+    const double whole = std::accumulate(maps.begin(), maps.end(), 0.0, pixels);
     MapFitOptions fitting;
     fitting.borders = borders;
     fitting.precision =
         options.bits == 8 ? gaussian::Precision::bits8 : gaussian::Precision::bits16;
-    fitting.transport = options.transport;
     fitting.largestShare = maps.size() == 1 ? kLargestShare : kLargestShareInSet;
     std::vector<SettledMap> settled;
-    const bool joins = options.transport != TransportEffort::fast;
     double done = 0.0;
-    const ProgressPart bakes = progress.part(begin, 1.0);
+    const ProgressPart bakes = progress.part(kPlanOfProgress, 1.0);
     for (const PlannedMap& map : planned) {
-      const double after = done + workOfMap(map);
+      const double after = pixels(done, map.map);
       fitting.settled = settled;
       const ProgressPart part = bakes.part(done / whole, after / whole);
-      std::vector<SettledMap>* const joined = joins && &map != &planned.back() ? &settled : nullptr;
+      std::vector<SettledMap>* const joined = &map != &planned.back() ? &settled : nullptr;
       consume(gaussianizedMap(map.map, tablesOf(map, options.bits, fitting, joined, part), name));
       part.reach(1.0);
       done = after;

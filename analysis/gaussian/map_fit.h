@@ -20,10 +20,6 @@ inline constexpr float kLargestShare = 0.5f;
 /// (docs/decisions/004-transport.md).
 inline constexpr float kLargestShareInSet = 0.05f;
 
-/// The extra work of correlating a map with earlier ones, relative to its default fit: 0.15 to 0.25
-/// on the photographed sets, 512 x 512.
-inline constexpr double kJoiningWork = 0.25;
-
 struct MapFit {
   float share = exemplar::kUsualShare; ///< of the surroundings, as transportPoints() takes it
   Gaussianized gaussian;
@@ -33,7 +29,6 @@ struct MapFit {
 struct MapFitOptions {
   gaussian::BorderTreatment borders{};
   gaussian::Precision precision = gaussian::Precision::bits8;
-  TransportEffort transport = TransportEffort::standard;
   std::optional<float> share; ///< chosen if absent, in [-0.25, largestShare]
   float largestShare = kLargestShare;
   /// Earlier maps that this one must correlate with.
@@ -41,19 +36,10 @@ struct MapFitOptions {
   ProgressPart progress{};
 };
 
-/// The work of fitting a map of two or three dimensions on its own, in units of matching one pixel
-/// with the default effort.
-struct FitWork {
-  double trial = 0.0; ///< one trial share, unless it is the fit; most exemplars need only one
-  double fit = 0.0;
-};
-[[nodiscard]] FitWork fitWork(const MapExemplar& map, bool periodic, TransportEffort effort);
-
 /// Gaussianizes a map of 1 to 3 dimensions of colour and fits its inverse table. An absent share is
 /// chosen so that the noise has as much detail as the exemplar
-/// (docs/decisions/004-transport.md), by at most three fits, on the middle of large maps. A fast
-/// fit uses the expected share, and maps too small for a spectrum use the usual one. Colours in one
-/// dimension have no share.
+/// (docs/decisions/004-transport.md), by at most three fits, on the middle of large maps. Maps
+/// too small for a spectrum use the usual share. Colours in one dimension have none.
 [[nodiscard]] MapFit fitMap(const MapExemplar& map, const exemplar::ColorSpace& space,
                             const MapFitOptions& options);
 

@@ -110,11 +110,8 @@ std::vector<Row> bakeRows() {
   constexpr int kSide = 256;
   std::vector<Row> rows;
   appendBakeTimes(rows, "bake of 256 x 256 RGB with its table and levels", {}, 0.7);
-  TilingOptions fast;
-  fast.transport = TransportEffort::fast;
-  appendBakeTimes(rows, "the same, fast transport", fast, 0.3);
   const std::optional<ChildBake> child = bakeInChild(kSide);
-  rows.push_back({"its peak memory, default transport", child ? child->megabytes : 0.0, 64.0, "MB",
+  rows.push_back({"its peak memory", child ? child->megabytes : 0.0, 64.0, "MB",
                   child ? "the whole process, VmHWM" : "the child process failed", !child});
   rows.push_back({"all prefiltered levels of the table", levelSeconds(exemplars::rust(kSide)), 0.3,
                   "s", "rust, median of 5"});

@@ -89,9 +89,7 @@ void addComparison(Scores& scores, const SrgbImage& exemplar, const SrgbImage& o
 
 Scores scoresOf(const StructuredSubject& subject) {
   const SrgbImage& exemplar = subject.exemplar;
-  TilingOptions fast; // its transport hardly shows beside what tiling breaks
-  fast.transport = TransportEffort::fast;
-  const Bundle quilting = quiltingBundle(exemplar), tiling = bakedBundle(exemplar, fast);
+  const Bundle quilting = quiltingBundle(exemplar), tiling = bakedBundle(exemplar);
   const LatticeView view{infiniteLattice(quilting.noises[0].as<QuiltingNoise>().grain),
                          1.0 / exemplar.width, 1.0 / exemplar.height};
   Scores scores;

@@ -78,13 +78,6 @@ TEST_CASE("only maps with a joint table are corrected, and only towards such map
   CHECK(lastImage(maps, options) == lastImage(alone, options));
 }
 
-TEST_CASE("a fast bake of a set bakes each map as it would alone") {
-  const std::vector<MapExemplar> maps = roughSet();
-  TilingOptions options;
-  options.transport = TransportEffort::fast;
-  CHECK(lastImage(maps, options) == lastImage({&maps[1], 1}, options));
-}
-
 TEST_CASE("missing covariances are negligible by their root mean square, whatever the number of "
           "entries") {
   for (const auto [rows, columns] : {std::array{1, 1}, std::array{3, 2}, std::array{6, 3}}) {

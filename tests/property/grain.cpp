@@ -191,7 +191,6 @@ TEST_CASE("the first map of a set decides the grain of all") {
         woodFirst ? std::vector{wood, sand} : std::vector{sand, wood};
     TilingOptions options;
     options.periodic = Periodic::no;
-    options.transport = TransportEffort::fast;
     const Bundle bundle = bundleOf(bakeTiling("set", maps, options));
     const Grain expected = woodFirst ? Grain::x : Grain::none;
     CHECK(bundle.noises[0].as<TilingNoise>().grain == expected);
@@ -204,7 +203,6 @@ TEST_CASE("only a bake that uses the grain finds one") {
   const MapExemplar wood = turnedStreaks(kSmall, 90.0, kSmall);
   GaussianizationOptions options;
   options.periodic = Periodic::no;
-  options.transport = TransportEffort::fast;
   std::vector<std::vector<Point>> images;
   for (const auto& [uses, grain] :
        {std::pair{gaussian::UsesGrain::yes, Grain::y}, {gaussian::UsesGrain::no, Grain::none}}) {

@@ -27,9 +27,8 @@ Value valueOf(Result<Value> result) {
   return std::move(result).value();
 }
 
-/// The verdict of `lichen bake` with its default options, but for a fast transport. A picture with
-/// a risk is not baked: its measures could only make the verdict worse, and only whether it is good
-/// counts here.
+/// The verdict of `lichen bake` with its default options. A picture with a risk is not baked: its
+/// measures could only make the verdict worse, and only whether it is good counts here.
 Verdict verdictOf(const SrgbImage& image) {
   const std::vector<MapExemplar> maps = preparedExemplar(image);
   const bool fit = bordersFit(maps, Periodic::detect);
@@ -37,9 +36,7 @@ Verdict verdictOf(const SrgbImage& image) {
   const JudgedMap unmeasured{maps.front().target, risks, {}};
   if (Verdict verdict = verdictOn({&unmeasured, 1}, fit); verdict.level != Verdict::Level::good)
     return verdict;
-  TilingOptions options;
-  options.transport = TransportEffort::fast;
-  TilingBake baked = valueOf(bakeTiling("held back", maps, options));
+  TilingBake baked = valueOf(bakeTiling("held back", maps, {}));
   Bundle bundle;
   bundle.tables = std::move(baked.tables);
   bundle.noises = {std::move(baked.noise)};

@@ -335,7 +335,6 @@ TEST_CASE("the noise has the colours of the exemplar, whatever its structure") {
   exemplar.values = map.values;
   for (const double structure : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     LocalRandomPhaseOptions options;
-    options.transport = TransportEffort::fast;
     options.structure = structure;
     const Bundle bundle = test::bundleOf(bakeLocalRandomPhase("example", {&map, 1}, options));
     const Result<double> distance =

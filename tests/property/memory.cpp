@@ -141,7 +141,6 @@ TEST_CASE("a bake reports exhausted memory, whichever allocation fails") {
   const MapExemplar color = test::threeMaterials(24, 20, 1, 1);
   const MapExemplar grey = oneChannel(color);
   TilingOptions options;
-  options.transport = TransportEffort::fast;
   CHECK(exhaustMemory(First::each, [&] { return bakeTiling("x", {&grey, 1}, options); }) > 20);
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
 }

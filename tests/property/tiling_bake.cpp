@@ -152,7 +152,6 @@ TEST_CASE("one map that does not tile makes the bake blend the whole set") {
   const MapExemplar whole = red(test::threeMaterials(64, 64, 1));
   const MapExemplar crop = red(test::cropped(test::threeMaterials(128, 128, 2), 9, 5, 64, 64));
   TilingOptions options;
-  options.transport = TransportEffort::fast;
   const auto wasPeriodic = [&](const std::vector<MapExemplar>& maps) {
     const Result<TilingBake> bake = bakeTiling("x", maps, options);
     REQUIRE(bake);

@@ -14,17 +14,9 @@ enum class GaussianOnly {
   no
 };
 
-/// How close to the optimum the optimal transport gets: its largest cost above the optimum,
-/// measured on the exemplars of docs/decisions/004-transport.md.
-enum class TransportEffort {
-  fast,     ///< 0.4 %; for previews
-  standard, ///< 0.1 %; for production
-};
-
 struct GaussianizationOptions {
   Periodic periodic = Periodic::detect;
   int bits = 8; ///< 8 or 16 per channel of the tables
-  TransportEffort transport = TransportEffort::standard;
   GaussianOnly gaussian = GaussianOnly::detect;
   Progress progress; ///< empty: no reports
 };
