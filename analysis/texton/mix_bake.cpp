@@ -212,16 +212,15 @@ std::vector<TextonOfMaps> inMapUnits(TextonMix mix, std::span<const Eigen::Vecto
 
 Result<TextonMix> fitted(std::span<const MixExemplar> exemplars, const TextonShape& shape,
                          const TextonMixOptions& options) {
-  MixOptions fit;
+  FitOptions fit;
   fit.width = shape.coefficientsX;
   fit.height = shape.coefficientsY;
   fit.order = shape.order;
   fit.seed = options.texton.fitSeed;
-  fit.progress = options.texton.progress;
+  fit.progress = ProgressPart(options.texton.progress);
   if (!options.weights.empty())
     return fitTextonBarycenter(exemplars, options.weights, fit);
-  fit.stepsPerLeg = options.steps - 1;
-  return fitTextonPath(exemplars, fit);
+  return fitTextonPath(exemplars, options.steps - 1, fit);
 }
 
 Result<TextonMixBake> baked(std::string name, std::span<const MixedExemplar> exemplars,

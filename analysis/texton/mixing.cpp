@@ -18,6 +18,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -34,39 +35,24 @@ constexpr double kLeastPower = 1e-8;
 /// Share of the progress: the errors of 21 steps take less than a tenth of the time.
 constexpr double kFitOfProgress = 0.9;
 
-Result<void> check(std::span<const MixExemplar> exemplars, const MixOptions& options) {
-  const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
-  if (options.width < 1 || options.height < 1)
-    return usage(fmt::format("a texton of {} x {} coefficients; expected at least 1 x 1",
-                             options.width, options.height));
-  if (options.stepsPerLeg < 1)
-    return usage(fmt::format("{} steps from an exemplar to the next; expected at least 1",
-                             options.stepsPerLeg));
-  for (const MixExemplar& exemplar : exemplars) {
-    if (exemplar.model.channels.size() != exemplars[0].model.channels.size())
-      return usage(fmt::format("{}: {} channel{}, and {} has {}; expected exemplars with the same "
-                               "channels",
-                               exemplar.name, exemplar.model.channels.size(),
-                               exemplar.model.channels.size() == 1 ? "" : "s", exemplars[0].name,
-                               exemplars[0].model.channels.size()));
+/// Refuses exemplars that no texton can represent.
+Result<void> check(std::span<const MixExemplar> exemplars) {
+  for (const MixExemplar& exemplar : exemplars)
     if (!isModelled(modelCovariance(exemplar.model), exemplar.covariance))
       return Error{ErrorKind::badInput,
                    fmt::format("{}: varies only from one border to the other, which no texton "
                                "can reproduce; use a photograph with detail",
                                exemplar.name)};
-  }
   return {};
 }
 
-FitOptions fitOptions(const MixOptions& options, const GaussianModel& model,
+/// The options for textons no larger than the model.
+FitOptions fitOptions(FitOptions options, const GaussianModel& model,
                       const ProgressPart& progress) {
-  FitOptions fit;
-  fit.width = std::min(options.width, model.width());
-  fit.height = std::min(options.height, model.height());
-  fit.order = options.order;
-  fit.seed = options.seed;
-  fit.progress = progress;
-  return fit;
+  options.width = std::min(options.width, model.width());
+  options.height = std::min(options.height, model.height());
+  options.progress = progress;
+  return options;
 }
 
 /// Fits textons to aligned models with one phase per frequency, as parts of one joint texton. All
@@ -139,14 +125,15 @@ std::vector<GaussianModel> modelsOf(std::span<const MixExemplar> exemplars) {
   return onOneGrid(models);
 }
 
-Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions& options,
-                       ProgressPart progress) {
+Result<TextonMix> path(std::span<const MixExemplar> exemplars, int stepsPerLeg,
+                       const FitOptions& options) {
+  const ProgressPart& progress = options.progress;
   const std::vector<GaussianModel> aligned = alignedModels(modelsOf(exemplars));
   const std::vector<TextonCoefficients> textons =
       fittedTogether(aligned, fitOptions(options, aligned[0], progress.part(0.0, kFitOfProgress)));
   TextonMix mix{aligned[0].width(), aligned[0].height(), {}};
   const std::size_t legs = exemplars.size() - 1;
-  const auto perLeg = std::size_t(options.stepsPerLeg);
+  const auto perLeg = std::size_t(stepsPerLeg);
   for (std::size_t index = 0; index <= legs * perLeg; ++index) {
     const std::size_t leg = std::min(index / perLeg, legs - 1);
     const double rho = double(index - leg * perLeg) / double(perLeg);
@@ -164,11 +151,11 @@ Result<TextonMix> path(std::span<const MixExemplar> exemplars, const MixOptions&
 }
 
 Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<double> weights,
-                         const MixOptions& options, ProgressPart progress) {
+                         const FitOptions& options) {
   const Barycenter found = barycenter(modelsOf(exemplars), weights);
   MixStep step{std::move(weights), {}};
   step.rankError = found.rankError;
-  step.texton = fitCoefficients(found.model, fitOptions(options, found.model, progress));
+  step.texton = fitCoefficients(found.model, fitOptions(options, found.model, options.progress));
   if (Result<void> finished = finish(exemplars, found.model, options.order, step); !finished)
     return finished.error();
   TextonMix mix{found.model.width(), found.model.height(), {}};
@@ -179,7 +166,7 @@ Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<dou
 /// Returns the weights divided by their sum.
 Result<std::vector<double>> normalized(std::span<const double> weights, std::size_t exemplars) {
   const auto usage = [](std::string what) { return Error{ErrorKind::usage, std::move(what)}; };
-  if (exemplars == 0 || weights.size() != exemplars)
+  if (weights.size() != exemplars)
     return usage(fmt::format("weights: {} for {} exemplars; expected one per exemplar",
                              weights.size(), exemplars));
   double sum = 0.0;
@@ -196,35 +183,25 @@ Result<std::vector<double>> normalized(std::span<const double> weights, std::siz
   return result;
 }
 
-std::string exhausted() { return "not enough memory to fit the textons of a mix"; }
-
 } // namespace
 
-Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars, const MixOptions& options) {
-  return withinMemory(exhausted, [&]() -> Result<TextonMix> {
-    if (exemplars.size() < 2)
-      return Error{ErrorKind::usage,
-                   fmt::format("exemplars to mix: {}; expected at least 2", exemplars.size())};
-    if (Result<void> checked = check(exemplars, options); !checked)
-      return checked.error();
-    return unlessInterrupted(
-        "the mix", [&] { return path(exemplars, options, ProgressPart(options.progress)); });
-  });
+Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars, int stepsPerLeg,
+                                const FitOptions& options) {
+  assert(exemplars.size() >= 2 && stepsPerLeg >= 1);
+  if (Result<void> checked = check(exemplars); !checked)
+    return checked.error();
+  return unlessInterrupted("the mix", [&] { return path(exemplars, stepsPerLeg, options); });
 }
 
 Result<TextonMix> fitTextonBarycenter(std::span<const MixExemplar> exemplars,
-                                      std::span<const double> weights, const MixOptions& options) {
-  return withinMemory(exhausted, [&]() -> Result<TextonMix> {
-    Result<std::vector<double>> ofSumOne = normalized(weights, exemplars.size());
-    if (!ofSumOne)
-      return ofSumOne.error();
-    if (Result<void> checked = check(exemplars, options); !checked)
-      return checked.error();
-    return unlessInterrupted("the mix", [&] {
-      return single(exemplars, std::move(ofSumOne).value(), options,
-                    ProgressPart(options.progress));
-    });
-  });
+                                      std::span<const double> weights, const FitOptions& options) {
+  Result<std::vector<double>> ofSumOne = normalized(weights, exemplars.size());
+  if (!ofSumOne)
+    return ofSumOne.error();
+  if (Result<void> checked = check(exemplars); !checked)
+    return checked.error();
+  return unlessInterrupted("the mix",
+                           [&] { return single(exemplars, std::move(ofSumOne).value(), options); });
 }
 
 } // namespace lichen::texton

@@ -5,12 +5,10 @@
 
 #include "fit.h"
 
-#include <lichen/progress.h>
 #include <lichen/result.h>
 
 #include <Eigen/Dense>
 
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,16 +23,6 @@ struct MixExemplar {
   /// The covariance that the noise must have at this exemplar: its pixels' covariance, or
   /// modelCovariance(). Its range lies inside the range of the model's covariance.
   Eigen::MatrixXd covariance;
-};
-
-struct MixOptions {
-  int width = 0;  ///< coefficients, at least 1; limited to the tile's texels
-  int height = 0; ///< as width
-  int order = 1;  ///< order of the interpolating B-spline, [0, 8]
-  std::uint32_t seed = 1;
-  /// Steps from one exemplar to the next, at least 1; 20 for the 21 textons of [GLM17].
-  int stepsPerLeg = 20;
-  Progress progress; ///< empty: no progress reports
 };
 
 struct MixStep {
@@ -56,18 +44,18 @@ struct TextonMix {
 /// spaced, for at least two exemplars. The exemplars' textons are fitted together. The others lie
 /// on straight lines between them, apart from their covariance. So neighbours are as close as
 /// possible, and the same impacts morph one texture into the other.
-/// Errors: usage for numbers outside their ranges and for exemplars with different channels;
-/// badInput for an exemplar whose model has no variance along a colour axis of its covariance;
-/// resources for memory; environment when `options.progress` stops it. The bytes do not depend on
-/// the number of threads. Time: one fit per exemplar, and modelErrors() for each step.
-/// Source: [GLM17] section 7.
+/// Textons are no larger than the tile. Errors: badInput for an exemplar whose model has no
+/// variance along a colour axis of its covariance; environment when `options.progress` stops it.
+/// Throws std::bad_alloc. The bytes do not depend on the number of threads. Time: one fit per
+/// exemplar, and modelErrors() for each step. Source: [GLM17] section 7.
 [[nodiscard]] Result<TextonMix> fitTextonPath(std::span<const MixExemplar> exemplars,
-                                              const MixOptions& options);
+                                              int stepsPerLeg, const FitOptions& options);
 
 /// Fits one texton to the barycentre with these weights: one per exemplar, none negative, with any
-/// positive sum. Takes at least one exemplar. Errors and time as for fitTextonPath().
+/// positive sum. Takes at least one exemplar. Errors and time as
+/// for fitTextonPath(), and usage for other weights.
 [[nodiscard]] Result<TextonMix> fitTextonBarycenter(std::span<const MixExemplar> exemplars,
                                                     std::span<const double> weights,
-                                                    const MixOptions& options);
+                                                    const FitOptions& options);
 
 } // namespace lichen::texton
