@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of the kernel -> available bytes. Sources: proc(5); Linux,
-// Documentation/admin-guide/cgroup-v2.rst and cgroup-v1/memory.rst.
+// Documentation/admin-guide/cgroup-v2.rst.
 #include <lichen/bake_memory.h>
 
 #include <algorithm>
@@ -39,45 +39,21 @@ Bytes numberOf(const std::string& key, const std::filesystem::path& path) {
   return std::nullopt;
 }
 
-/// The file names of a control group version.
-struct GroupFiles {
-  const char* limit;
-  const char* used;
-  const char* cache; ///< in memory.stat: file pages that the kernel reclaims first
-};
-constexpr GroupFiles kVersion1{"memory.limit_in_bytes", "memory.usage_in_bytes",
-                               "total_inactive_file"};
-constexpr GroupFiles kVersion2{"memory.max", "memory.current", "inactive_file"};
-
-/// Returns the least memory left in a group and its ancestors.
-Bytes leftIn(const std::filesystem::path& root, std::string group, const GroupFiles& files) {
-  Bytes left;
-  for (;; group.erase(group.rfind('/'))) {
-    const std::filesystem::path folder = root.string() + group;
-    const Bytes limit = numberIn(folder / files.limit), used = numberIn(folder / files.used);
-    const std::uint64_t cache = numberOf(files.cache, folder / "memory.stat").value_or(0);
-    if (limit && used)
-      left = least(left, difference(*limit, difference(*used, cache)));
-    if (group.rfind('/') == std::string::npos)
-      return left;
-  }
-}
-
-/// Parses lines "number:controllers:group"; version 2 writes "0::group".
+/// Returns the least memory left in the process's group and its ancestors. File pages that the
+/// kernel reclaims first count as left.
 Bytes leftInGroups(const std::filesystem::path& proc, const std::filesystem::path& cgroup) {
   std::ifstream file(proc / "self/cgroup");
   Bytes left;
-  for (std::string line; std::getline(file, line);) {
-    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
-    if (second == std::string::npos)
-      continue;
-    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
-    const std::string group = line.substr(second + 1);
-    if (controllers == ",,")
-      left = least(left, leftIn(cgroup, group, kVersion2));
-    else if (controllers.find(",memory,") != std::string::npos)
-      left = least(left, leftIn(cgroup / "memory", group, kVersion1));
-  }
+  for (std::string line; std::getline(file, line);) // "0::/slice/job"
+    for (std::size_t end = line.starts_with("0::") ? line.size() : std::string::npos;
+         end != std::string::npos; end = line.rfind('/', end - 1)) {
+      const std::filesystem::path folder = cgroup.string() + line.substr(3, end - 3);
+      const Bytes limit = numberIn(folder / "memory.max");
+      const Bytes used = numberIn(folder / "memory.current");
+      const std::uint64_t cache = numberOf("inactive_file", folder / "memory.stat").value_or(0);
+      if (limit && used)
+        left = least(left, difference(*limit, difference(*used, cache)));
+    }
   return left;
 }
 

@@ -38,25 +38,17 @@ TEST_CASE("available memory is the least of the machine's and of each control gr
   CHECK(!kernel.available());
   kernel.write("proc/meminfo", "MemTotal:  4096 kB\nMemFree: 1 kB\nMemAvailable:  3072 kB\n");
   CHECK(kernel.available() == 3 * kMega);
-  SECTION("version 2, of which a group around the process's own may have less") {
-    kernel.write("proc/self/cgroup", "0::/slice/job\n");
-    kernel.write("cgroup/slice/job/memory.max", "max\n");
-    kernel.write("cgroup/slice/job/memory.current", "1048576\n");
-    CHECK(kernel.available() == 3 * kMega);
-    kernel.write("cgroup/slice/memory.max", "3145728\n");
-    kernel.write("cgroup/slice/memory.current", "2097152\n");
-    CHECK(kernel.available() == kMega);
-    kernel.write("cgroup/slice/memory.stat", "anon 1\ninactive_file 524288\n");
-    CHECK(kernel.available() == kMega + kMega / 2);
-    kernel.write("cgroup/slice/job/memory.max", "1048576\n");
-    CHECK(kernel.available() == 0u);
-  }
-  SECTION("version 1") {
-    kernel.write("proc/self/cgroup", "9:name=systemd:/\n4:cpu,memory:/job\n0::/\n");
-    kernel.write("cgroup/memory/job/memory.limit_in_bytes", "2097152\n");
-    kernel.write("cgroup/memory/job/memory.usage_in_bytes", "1048576\n");
-    CHECK(kernel.available() == kMega);
-  }
+  kernel.write("proc/self/cgroup", "1:name=systemd:/\n0::/slice/job\n");
+  kernel.write("cgroup/slice/job/memory.max", "max\n");
+  kernel.write("cgroup/slice/job/memory.current", "1048576\n");
+  CHECK(kernel.available() == 3 * kMega);
+  kernel.write("cgroup/slice/memory.max", "3145728\n");
+  kernel.write("cgroup/slice/memory.current", "2097152\n");
+  CHECK(kernel.available() == kMega);
+  kernel.write("cgroup/slice/memory.stat", "anon 1\ninactive_file 524288\n");
+  CHECK(kernel.available() == kMega + kMega / 2);
+  kernel.write("cgroup/slice/job/memory.max", "1048576\n");
+  CHECK(kernel.available() == 0u);
 }
 
 // The sanitizers reserve more address space than any limit here.

@@ -42,8 +42,8 @@ private:
 };
 
 /// Returns bytes that the system can still give this process, or nothing if it does not say. On
-/// Linux: the minimum of MemAvailable, the memory left in the process's control group (version 1 or
-/// 2) and its ancestors, and what is left of the limit on the address space. `proc` and `cgroup`
+/// Linux: the minimum of MemAvailable, the memory left in the process's control group (version 2)
+/// and its ancestors, and what is left of the limit on the address space. `proc` and `cgroup`
 /// are the mount points of the kernel's files.
 [[nodiscard]] std::optional<std::uint64_t>
 availableMemory(const std::filesystem::path& proc = "/proc",
