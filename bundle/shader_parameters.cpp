@@ -134,21 +134,9 @@ shader::LichenMap shaderMap(const Bundle& bundle, const Noise& noise, std::size_
 }
 
 std::uint32_t roleOf(MapTarget target) {
-  switch (target) {
-  case MapTarget::baseColor:
-    return LICHEN_BASE_COLOR;
-  case MapTarget::normal:
-    return LICHEN_NORMAL;
-  case MapTarget::occlusionRoughnessMetallic:
-    return LICHEN_OCCLUSION_ROUGHNESS_METALLIC;
-  case MapTarget::emissive:
-    return LICHEN_EMISSIVE;
-  case MapTarget::height:
-    return LICHEN_HEIGHT;
-  case MapTarget::opacity:
-    return LICHEN_OPACITY;
-  }
-  return LICHEN_BASE_COLOR;
+  static_assert(int(MapTarget::baseColor) == LICHEN_BASE_COLOR);
+  static_assert(int(MapTarget::opacity) == LICHEN_OPACITY);
+  return std::uint32_t(target); // the numbers are the same
 }
 
 shader::LichenNoise shaderNoise(const Bundle& bundle, std::size_t noiseIndex) {

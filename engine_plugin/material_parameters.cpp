@@ -31,17 +31,16 @@ LichenResult checkRange(const char* name, double value, NumberRange range,
   return LICHEN_ERROR_USAGE;
 }
 
-LichenResult readPointProcess(LichenPointProcess value, PointProcess& process,
-                              LichenDiagnostic* diagnostic) {
-  if (value != LICHEN_POINT_PROCESS_STRATIFIED && value != LICHEN_POINT_PROCESS_POISSON) {
-    writeDiagnostic(diagnostic,
-                    "pointProcess %d is invalid; expected 0 (stratified) or 1 (Poisson)",
-                    int(value));
-    return LICHEN_ERROR_USAGE;
+/// Reads a value of an enumeration whose numbers are the interface's, 0 to `last`.
+template <class Value>
+LichenResult readChoice(const char* name, int number, Value last, Value& value,
+                        LichenDiagnostic* diagnostic) {
+  if (number >= 0 && number <= int(last)) {
+    value = Value(number);
+    return LICHEN_SUCCESS;
   }
-  process =
-      value == LICHEN_POINT_PROCESS_POISSON ? PointProcess::poisson : PointProcess::stratified;
-  return LICHEN_SUCCESS;
+  writeDiagnostic(diagnostic, "%s %d is invalid; expected 0 to %d", name, number, int(last));
+  return LICHEN_ERROR_USAGE;
 }
 
 /// Whether all layers and index maps of the noise have a mapping. If not, says why not.
@@ -78,20 +77,6 @@ LichenResult checkMapping(LichenMapping value, const NoiseSummary& summary, Mapp
   return LICHEN_SUCCESS;
 }
 
-LichenResult readMapping(LichenMapping value, const NoiseSummary& summary, Mapping& mapping,
-                         LichenDiagnostic* diagnostic) {
-  for (const auto& [code, candidate] : {std::pair{LICHEN_MAPPING_UV, Mapping::uv},
-                                        {LICHEN_MAPPING_TRIPLANAR, Mapping::triplanar},
-                                        {LICHEN_MAPPING_SURFACE, Mapping::surface},
-                                        {LICHEN_MAPPING_SOLID, Mapping::solid}})
-    if (value == code) {
-      mapping = candidate;
-      return checkMapping(value, summary, candidate, diagnostic);
-    }
-  writeDiagnostic(diagnostic, "mapping %d is invalid; expected 0 to 3", int(value));
-  return LICHEN_ERROR_USAGE;
-}
-
 LichenResult readTileRotation(std::uint32_t value, const NoiseSummary& summary,
                               MaterialNoise& parameters, LichenDiagnostic* diagnostic) {
   parameters.tileRotation = value;
@@ -102,19 +87,6 @@ LichenResult readTileRotation(std::uint32_t value, const NoiseSummary& summary,
     return LICHEN_SUCCESS;
   writeDiagnostic(diagnostic, "tileRotation %u is invalid; expected %s", unsigned(value),
                   kTileRotations.data());
-  return LICHEN_ERROR_USAGE;
-}
-
-LichenResult readMixSource(LichenMixSource value, MixSource& source, LichenDiagnostic* diagnostic) {
-  for (const auto& [code, candidate] : {std::pair{LICHEN_MIX_CONSTANT, MixSource::constant},
-                                        {LICHEN_MIX_DIRECTION, MixSource::direction},
-                                        {LICHEN_MIX_TEXTURE, MixSource::texture},
-                                        {LICHEN_MIX_VERTEX_COLOR, MixSource::vertexColor}})
-    if (value == code) {
-      source = candidate;
-      return LICHEN_SUCCESS;
-    }
-  writeDiagnostic(diagnostic, "mixSource %d is invalid; expected 0 to 3", int(value));
   return LICHEN_ERROR_USAGE;
 }
 
@@ -132,13 +104,18 @@ LichenResult readParameters(const LichenMaterialParameters& source, const NoiseS
   parameters.mix.weight = source.mixWeight;
   parameters.mix.start = {source.mixStart[0], source.mixStart[1]};
   parameters.mix.end = {source.mixEnd[0], source.mixEnd[1]};
-  LichenResult result = readPointProcess(source.pointProcess, parameters.pointProcess, diagnostic);
+  LichenResult result = readChoice("pointProcess", int(source.pointProcess), PointProcess::poisson,
+                                   parameters.pointProcess, diagnostic);
   if (result == LICHEN_SUCCESS)
-    result = readMapping(source.mapping, summary, parameters.mapping, diagnostic);
+    result =
+        readChoice("mapping", int(source.mapping), Mapping::solid, parameters.mapping, diagnostic);
+  if (result == LICHEN_SUCCESS)
+    result = checkMapping(source.mapping, summary, parameters.mapping, diagnostic);
   if (result == LICHEN_SUCCESS)
     result = readTileRotation(source.tileRotation, summary, parameters, diagnostic);
   if (result == LICHEN_SUCCESS)
-    result = readMixSource(source.mixSource, parameters.mix.source, diagnostic);
+    result = readChoice("mixSource", int(source.mixSource), MixSource::vertexColor,
+                        parameters.mix.source, diagnostic);
   return result;
 }
 
@@ -315,7 +292,7 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
   summary.checksum = checksumOf(summary);
   LichenMaterialParameters values{};
   values.noise = std::uint32_t(source.noise);
-  values.mapping = mappingNumber(source.mapping);
+  values.mapping = LichenMapping(source.mapping);
   values.seed = source.seed;
   values.tileRotation = source.tileRotation;
   values.scale = source.scale;
@@ -325,10 +302,8 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
   values.contrast = source.contrast;
   values.planeSharpness = source.planeSharpness;
   values.impacts = source.impacts;
-  values.pointProcess = source.pointProcess == PointProcess::poisson
-                            ? LICHEN_POINT_PROCESS_POISSON
-                            : LICHEN_POINT_PROCESS_STRATIFIED;
-  values.mixSource = mixSourceNumber(source.mix.source);
+  values.pointProcess = LichenPointProcess(source.pointProcess);
+  values.mixSource = LichenMixSource(source.mix.source);
   values.mixWeight = source.mix.weight;
   std::copy(source.mix.start.begin(), source.mix.start.end(), values.mixStart);
   std::copy(source.mix.end.begin(), source.mix.end.end(), values.mixEnd);

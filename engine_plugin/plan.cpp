@@ -19,49 +19,13 @@ using namespace lichen::plugin;
 
 namespace {
 
-LichenMapTarget targetOf(MapTarget target) {
-  switch (target) {
-  case MapTarget::baseColor:
-    return LICHEN_TARGET_BASE_COLOR;
-  case MapTarget::normal:
-    return LICHEN_TARGET_NORMAL;
-  case MapTarget::occlusionRoughnessMetallic:
-    return LICHEN_TARGET_OCCLUSION_ROUGHNESS_METALLIC;
-  case MapTarget::emissive:
-    return LICHEN_TARGET_EMISSIVE;
-  case MapTarget::height:
-    return LICHEN_TARGET_HEIGHT;
-  case MapTarget::opacity:
-    return LICHEN_TARGET_OPACITY;
-  }
-  return LICHEN_TARGET_BASE_COLOR;
-}
-
-LichenChannel channelOf(MapChannel channel) {
-  switch (channel) {
-  case MapChannel::red:
-    return LICHEN_CHANNEL_RED;
-  case MapChannel::green:
-    return LICHEN_CHANNEL_GREEN;
-  case MapChannel::blue:
-    return LICHEN_CHANNEL_BLUE;
-  case MapChannel::slopeX:
-    return LICHEN_CHANNEL_SLOPE_X;
-  case MapChannel::slopeY:
-    return LICHEN_CHANNEL_SLOPE_Y;
-  case MapChannel::occlusion:
-    return LICHEN_CHANNEL_OCCLUSION;
-  case MapChannel::roughness:
-    return LICHEN_CHANNEL_ROUGHNESS;
-  case MapChannel::metallic:
-    return LICHEN_CHANNEL_METALLIC;
-  case MapChannel::height:
-    return LICHEN_CHANNEL_HEIGHT;
-  case MapChannel::opacity:
-    return LICHEN_CHANNEL_OPACITY;
-  }
-  return LICHEN_CHANNEL_RED;
-}
+// Enumerations of the bundle have the interface's numbers.
+static_assert(int(MapTarget::opacity) == LICHEN_TARGET_OPACITY);
+static_assert(int(MapChannel::opacity) == LICHEN_CHANNEL_OPACITY);
+static_assert(int(Mapping::solid) == LICHEN_MAPPING_SOLID);
+static_assert(int(MixSource::vertexColor) == LICHEN_MIX_VERTEX_COLOR);
+static_assert(int(NoiseSpace::object) == LICHEN_SPACE_OBJECT);
+static_assert(int(PointProcess::poisson) == LICHEN_POINT_PROCESS_POISSON);
 
 /// What is bound where a noise lacks a map, or a map a table: shaders declare it and never read it.
 Table placeholder(bool isTable) {
@@ -112,7 +76,7 @@ void planLayers(LichenBundle_T& plan, std::size_t index) {
   LichenBundle_T::NoisePlan& result = plan.noises[index];
   for (const Mapping mapping : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
     if (mappingObstacle(plan.bundle, index, mapping).empty())
-      result.mappings |= 1u << mappingNumber(mapping);
+      result.mappings |= 1u << unsigned(mapping);
   result.layers.fill(LICHEN_NO_NOISE);
   result.indexNoises.fill(LICHEN_NO_NOISE);
   result.layers[0] = std::uint32_t(index);
@@ -178,20 +142,6 @@ LichenResult checkInterfaceVersion(std::uint32_t version, LichenDiagnostic* diag
 
 namespace lichen::plugin {
 
-LichenMapping mappingNumber(Mapping mapping) {
-  switch (mapping) {
-  case Mapping::uv:
-    return LICHEN_MAPPING_UV;
-  case Mapping::triplanar:
-    return LICHEN_MAPPING_TRIPLANAR;
-  case Mapping::surface:
-    return LICHEN_MAPPING_SURFACE;
-  case Mapping::solid:
-    return LICHEN_MAPPING_SOLID;
-  }
-  return LICHEN_MAPPING_UV;
-}
-
 std::size_t imageOf(const NoiseMap& map) {
   if (const auto* tiling = std::get_if<TilingMap>(&map.data))
     return tiling->gaussian;
@@ -212,20 +162,6 @@ std::optional<std::size_t> inverseTableOf(const NoiseMap& map) {
   if (const auto* kernels = std::get_if<MultipleKernelsMap>(&map.data))
     return kernels->inverseTable;
   return std::nullopt;
-}
-
-LichenMixSource mixSourceNumber(MixSource source) {
-  switch (source) {
-  case MixSource::constant:
-    return LICHEN_MIX_CONSTANT;
-  case MixSource::direction:
-    return LICHEN_MIX_DIRECTION;
-  case MixSource::texture:
-    return LICHEN_MIX_TEXTURE;
-  case MixSource::vertexColor:
-    return LICHEN_MIX_VERTEX_COLOR;
-  }
-  return LICHEN_MIX_CONSTANT;
 }
 
 } // namespace lichen::plugin
@@ -311,9 +247,10 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
     return LICHEN_ERROR_USAGE;
   const NoiseMap& source = bundle->bundle.noises[noise].maps[map];
   LichenMapProperties values{};
-  values.target = targetOf(source.target);
+  values.target = LichenMapTarget(source.target);
   values.channelCount = std::uint32_t(source.channels.size());
-  std::transform(source.channels.begin(), source.channels.end(), values.channels, channelOf);
+  std::transform(source.channels.begin(), source.channels.end(), values.channels,
+                 [](MapChannel channel) { return LichenChannel(channel); });
   values.image = std::uint32_t(imageOf(source));
   values.tableImage = bundle->noises[noise].tables[roleOf(source.target)];
   values.tableKind = inverseTableOf(source) ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE;
@@ -329,10 +266,10 @@ LichenResult lichenGetMaterialProperties(LichenBundle bundle, std::uint32_t mate
   values.unknownRevision = bundle->unknownRevisions[material];
   if (const auto& source = bundle->bundle.materials[material]) {
     values.noise = std::uint32_t(source->noise);
-    values.mapping = mappingNumber(source->mapping);
+    values.mapping = LichenMapping(source->mapping);
     values.texCoord = std::uint32_t(source->texCoord);
-    values.space = source->space == NoiseSpace::object ? LICHEN_SPACE_OBJECT : LICHEN_SPACE_WORLD;
-    values.mixSource = mixSourceNumber(source->mix.source);
+    values.space = LichenSpace(source->space);
+    values.mixSource = LichenMixSource(source->mix.source);
     values.mixTexture = std::uint32_t(source->mix.texture);
     values.mixSet = std::uint32_t(source->mix.source == MixSource::texture ? source->mix.texCoord
                                                                            : source->mix.colorSet);

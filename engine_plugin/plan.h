@@ -44,9 +44,6 @@ struct LichenBundle_T {
 
 namespace lichen::plugin {
 
-LichenMapping mappingNumber(Mapping mapping);
-LichenMixSource mixSourceNumber(MixSource source);
-
 /// As imageTableOf() and decodingTableOf(), without std::visit, which would export a symbol of the
 /// standard library.
 std::size_t imageOf(const NoiseMap& map);
