@@ -9,7 +9,6 @@
 
 #include <span>
 #include <string>
-#include <utility>
 
 namespace lichen {
 
@@ -42,17 +41,6 @@ template <class Options>
   if constexpr (requires { own.periodic; })
     own.periodic = input.borders;
   return own;
-}
-
-/// What all methods' bakes have: noise and tables, and whether borders were kept.
-template <class Bake>
-[[nodiscard]] MethodBake methodBakeOf(Bake& bake) {
-  MethodBake result;
-  result.noise = std::move(bake.noise);
-  result.tables = std::move(bake.tables);
-  if constexpr (requires { bake.exemplarWasPeriodic; })
-    result.figures.bordersWereKept = bake.exemplarWasPeriodic;
-  return result;
 }
 
 extern const MethodAnalysis kTilingAnalysis, kTextonAnalysis, kLocalRandomPhaseAnalysis,

@@ -61,13 +61,13 @@ Result<MapExemplar> fieldOf(const SpectrumPicture& spectrum, double aspect) {
 }
 
 /// The noise of a bake in a bundle of its own, without the inverse table.
-template <class Map, class Bake>
-Result<Bundle> withoutTable(Result<Bake> baked) {
+template <class Map>
+Result<Bundle> withoutTable(Result<MethodBake> baked) {
   if (!baked)
     return baked.error();
   Bundle bundle;
   bundle.noises.push_back(std::move(baked.value().noise));
-  auto& map = bundle.noises[0].maps[0].template as<Map>();
+  auto& map = bundle.noises[0].maps[0].as<Map>();
   bundle.tables.push_back(std::move(baked.value().tables[map.imageTable()]));
   visitTables(bundle.noises[0].maps[0], [](std::size_t& table) { table = 0; });
   map.inverseTable.reset();

@@ -76,11 +76,11 @@ void setStructure(LocalRandomPhaseMap& map, const MapStructure& structure) {
 }
 
 /// As bakeLocalRandomPhase(), but throws std::bad_alloc.
-Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
-                                      const LocalRandomPhaseOptions& options) {
+Result<MethodBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
+                            const LocalRandomPhaseOptions& options) {
   if (Result<void> checked = checkOptions(options); !checked)
     return checked.error();
-  LocalRandomPhaseBake bake;
+  MethodBake bake;
   bake.noise.name = name;
   LocalRandomPhaseNoise shared;
   std::vector<MapSpectrum> spectra;
@@ -101,9 +101,9 @@ Result<LocalRandomPhaseBake> bakeMaps(const std::string& name, std::span<const M
   const placement::NearPeriods periods =
       mayHave ? placement::nearPeriods(maps, std::size_t(kMostStructureOffsets), options.guide)
               : placement::NearPeriods();
-  bake.structure = options.structure.value_or(structureOf(periods));
+  bake.figures.structure = options.structure.value_or(structureOf(periods));
   const std::vector<MapStructure> structures =
-      takeStructure(spectra, bake.structure, periods.shifts, shared.structure);
+      takeStructure(spectra, bake.figures.structure, periods.shifts, shared.structure);
   if (shared.structure.columns > 0)
     shared.structure.turbulence = options.turbulence;
   const PowerPlane power = powerPlane(spectra);
@@ -137,9 +137,8 @@ double automaticStructure(std::span<const MapExemplar> maps) {
   return structureOf(placement::nearPeriods(maps, 1));
 }
 
-Result<LocalRandomPhaseBake> bakeLocalRandomPhase(std::string name,
-                                                  std::span<const MapExemplar> maps,
-                                                  const LocalRandomPhaseOptions& options) {
+Result<MethodBake> bakeLocalRandomPhase(std::string name, std::span<const MapExemplar> maps,
+                                        const LocalRandomPhaseOptions& options) {
   return withinMemory([&] { return gaussian::noMemoryToBake(name, maps); },
                       [&] { return bakeMaps(name, maps, options); });
 }

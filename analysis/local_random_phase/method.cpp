@@ -16,12 +16,11 @@ BakeMemory memory(const MethodOptions& options) {
 
 Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) {
   const auto own = optionsFor<LocalRandomPhaseOptions>(options, input);
-  Result<LocalRandomPhaseBake> baked = bakeLocalRandomPhase(input.name, input.maps, own);
+  Result<MethodBake> baked = bakeLocalRandomPhase(input.name, input.maps, own);
   if (!baked)
-    return baked.error();
-  MethodBake result = methodBakeOf(baked.value());
-  const double structure = baked.value().structure;
-  result.figures.structure = structure;
+    return baked;
+  MethodBake& result = baked.value();
+  const double structure = result.figures.structure;
   if (structure > 0.0 && !own.structure)
     result.notes.push_back(
         fmt::format("the exemplar repeats, so {:.0f} % of its variation keeps its structure; for "
@@ -30,7 +29,7 @@ Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) 
   if (structure == 0.0 && (own.guide || own.turbulence > 0.0))
     result.notes.push_back(fmt::format("{} has no effect, since the noise has no structure",
                                        input.words({own.guide ? "guide" : "turbulence", ""})));
-  return result;
+  return baked;
 }
 
 } // namespace

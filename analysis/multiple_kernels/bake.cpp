@@ -155,11 +155,11 @@ std::vector<std::vector<PatternCosine>> scalePattern(const TakenPattern& pattern
 }
 
 /// As bakeMultipleKernels(), but throws std::bad_alloc.
-Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
-                                     const MultipleKernelsOptions& options) {
+Result<MethodBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
+                            const MultipleKernelsOptions& options) {
   if (Result<void> checked = checkOptions(options); !checked)
     return checked.error();
-  MultipleKernelsBake bake;
+  MethodBake bake;
   bake.noise.name = name;
   MultipleKernelsNoise shared;
   shared.window = options.window;
@@ -187,9 +187,9 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
       counts.push_back(std::size_t(most));
   std::vector<Kernel> kernels;
   for (const KernelFit& fit : fitKernels(power, window, counts)) {
-    if (!bake.spectrumErrors.empty() && fit.kernels.size() == kernels.size())
-      bake.spectrumErrors.pop_back();
-    bake.spectrumErrors.push_back({int(fit.kernels.size()), fit.decibels});
+    if (!bake.figures.spectrumErrors.empty() && fit.kernels.size() == kernels.size())
+      bake.figures.spectrumErrors.pop_back();
+    bake.figures.spectrumErrors.push_back({int(fit.kernels.size()), fit.decibels});
     kernels = fit.kernels;
   }
   if (kernels.empty()) // nothing varies
@@ -227,8 +227,8 @@ Result<MultipleKernelsBake> bakeMaps(const std::string& name, std::span<const Ma
 
 } // namespace
 
-Result<MultipleKernelsBake> bakeMultipleKernels(std::string name, std::span<const MapExemplar> maps,
-                                                const MultipleKernelsOptions& options) {
+Result<MethodBake> bakeMultipleKernels(std::string name, std::span<const MapExemplar> maps,
+                                       const MultipleKernelsOptions& options) {
   return withinMemory([&] { return gaussian::noMemoryToBake(name, maps); },
                       [&] { return bakeMaps(name, maps, options); });
 }

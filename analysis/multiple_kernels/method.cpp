@@ -23,15 +23,14 @@ std::string errorWords(const std::vector<SpectrumError>& errors) {
 }
 
 Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) {
-  Result<MultipleKernelsBake> baked = bakeMultipleKernels(
+  Result<MethodBake> baked = bakeMultipleKernels(
       input.name, input.maps, optionsFor<MultipleKernelsOptions>(options, input));
   if (!baked)
-    return baked.error();
-  MethodBake result = methodBakeOf(baked.value());
-  result.figures.spectrumErrors = std::move(baked.value().spectrumErrors);
+    return baked;
+  MethodBake& result = baked.value();
   result.notes.push_back(kernelWords(result.noise.as<MultipleKernelsNoise>()) + ": " +
                          errorWords(result.figures.spectrumErrors));
-  return result;
+  return baked;
 }
 
 } // namespace

@@ -133,29 +133,31 @@ std::size_t appended(Table table, std::string name, std::vector<Table>& tables) 
 }
 
 /// As bakeQuilting(), but throws std::bad_alloc.
-Result<QuiltingBake> bakeMaps(const std::string& name, std::span<const MapExemplar> given,
-                              const QuiltingOptions& options) {
+Result<MethodBake> bakeMaps(const std::string& name, std::span<const MapExemplar> given,
+                            const QuiltingOptions& options) {
   if (Result<void> checked = checkOptions(given, options); !checked)
     return checked.error();
   constexpr double kPeriodsOfProgress = 0.1, kBordersOfProgress = 0.6, kCellsOfProgress = 0.9;
   const ProgressPart progress(options.progress);
   progress.reach(0.0);
-  QuiltingBake bake;
+  MethodBake bake;
   bake.noise.name = name;
+  bake.borderTreatment = "cuts";
   std::vector<MapExemplar> maps = exemplar::asStored(given);
   constexpr std::size_t kMostSought = 64; // how many there are says how large cells are
   const placement::NearPeriods periods = placement::nearPeriods(maps, kMostSought, options.guide);
   const double count =
       periods.shifts.empty() ? kUsualCells : std::max(kFewestCells, double(periods.shifts.size()));
-  bake.strength = periods.strength;
+  bake.figures.strength = periods.strength;
   progress.reach(kPeriodsOfProgress);
   quilting::CellField field = quilting::cellsOf(maps, count);
   const quilting::FittingShifts fitting = quilting::fittingShifts(field, periods.shifts);
-  if (!exemplar::keepsBorders(given, options.periodic, std::identity()))
-    bake.bordersWereCut = quilting::closeBorders(
-        maps, field, count, fitting, progress.part(kPeriodsOfProgress, kBordersOfProgress));
-  if (bake.bordersWereCut)
+  if (!exemplar::keepsBorders(given, options.periodic, std::identity()) &&
+      quilting::closeBorders(maps, field, count, fitting,
+                             progress.part(kPeriodsOfProgress, kBordersOfProgress))) {
+    bake.figures.bordersWereKept = false;
     field = quilting::cellsOf(maps, count);
+  }
   const quilting::CellImage cells = quilting::cellImage(field, options.bits);
   progress.reach(kCellsOfProgress);
   QuiltingNoise shared;
@@ -181,10 +183,10 @@ Result<QuiltingBake> bakeMaps(const std::string& name, std::span<const MapExempl
 
 } // namespace
 
-Result<QuiltingBake> bakeQuilting(std::string name, std::span<const MapExemplar> maps,
-                                  const QuiltingOptions& options) {
+Result<MethodBake> bakeQuilting(std::string name, std::span<const MapExemplar> maps,
+                                const QuiltingOptions& options) {
   const auto exhausted = [&] { return name + ": not enough memory to bake the noise"; };
-  return withinMemory(exhausted, [&]() -> Result<QuiltingBake> {
+  return withinMemory(exhausted, [&]() -> Result<MethodBake> {
     return unlessInterrupted(name, [&] { return bakeMaps(name, maps, options); });
   });
 }

@@ -8,15 +8,7 @@ namespace {
 BakeMemory memory(const MethodOptions&) { return {32.0, 128.0}; }
 
 Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) {
-  Result<QuiltingBake> baked =
-      bakeQuilting(input.name, input.maps, optionsFor<QuiltingOptions>(options, input));
-  if (!baked)
-    return baked.error();
-  MethodBake result = methodBakeOf(baked.value());
-  result.figures.bordersWereKept = !baked.value().bordersWereCut;
-  result.figures.strength = baked.value().strength;
-  result.borderTreatment = "cuts";
-  return result;
+  return bakeQuilting(input.name, input.maps, optionsFor<QuiltingOptions>(options, input));
 }
 
 } // namespace

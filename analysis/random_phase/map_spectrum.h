@@ -5,6 +5,7 @@
 #include "gaussian/gaussianized_maps.h"
 #include "power_tree.h"
 
+#include <lichen/baked_noise.h>
 #include <lichen/fft.h>
 #include <lichen/result.h>
 #include <lichen/spectrum_picture.h>
@@ -44,9 +45,9 @@ struct MapSpectrum {
 /// What a bake of random phases begins with: Gaussianizes the maps into `bake`, and sets the size
 /// of the tile in `shared`, the spectrum of each map, and the dimensions and the table of its data.
 /// Errors: as gaussianizeMaps(). Throws std::bad_alloc.
-template <class Bake, class Shared, class Data>
+template <class Shared, class Data>
 [[nodiscard]] Result<void> beginBake(const std::string& name, std::span<const MapExemplar> maps,
-                                     const GaussianizationOptions& options, Bake& bake,
+                                     const GaussianizationOptions& options, MethodBake& bake,
                                      Shared& shared, std::vector<MapSpectrum>& spectra,
                                      std::vector<Data>& data) {
   const auto append = [&](gaussian::GaussianizedMap map) {
@@ -63,7 +64,7 @@ template <class Bake, class Shared, class Data>
       gaussian::gaussianizeMaps(name, maps, options, gaussian::UsesGrain::no, append);
   if (!borders)
     return borders.error();
-  bake.exemplarWasPeriodic = borders.value().fit;
+  bake.figures.bordersWereKept = borders.value().fit;
   return {};
 }
 

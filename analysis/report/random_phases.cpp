@@ -71,7 +71,7 @@ LinearImage spectrumPicture(const std::vector<double>& density, int width, int h
 Result<LinearImage> randomPhaseVersion(const MapExemplar& exemplar, std::uint32_t seed) {
   TilingOptions options;
   options.bits = 16;
-  Result<TilingBake> baked = bakeTiling("gaussian", std::span(&exemplar, 1), options);
+  Result<MethodBake> baked = bakeTiling("gaussian", std::span(&exemplar, 1), options);
   if (!baked)
     return baked.error();
   Bundle bundle;

@@ -43,7 +43,6 @@ TextonCoefficients fitted(const GaussianModel& model, const TextonOptions& optio
   fit.width = std::clamp(options.support - options.order, 1, model.width());
   fit.height = std::clamp(options.support - options.order, 1, model.height());
   fit.order = options.order;
-  fit.seed = options.fitSeed;
   fit.progress = progress;
   TextonCoefficients coefficients = fitCoefficients(model, fit);
   // If the model's range is not the texton's, the covariance stays uncorrected.
@@ -67,7 +66,7 @@ Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& optio
 
 /// Returns the largest error of a stored covariance, relative to the standard deviations of its two
 /// channels.
-double covarianceError(const TextonBake& bake, const JointExemplar& joint, const MatrixXd& wanted) {
+double covarianceError(const MethodBake& bake, const JointExemplar& joint, const MatrixXd& wanted) {
   const MatrixXd stored =
       noiseCovariance(storedTexton(bake.noise, bake.tables), bake.noise.as<TextonShape>().order);
   double worst = 0.0;
@@ -91,9 +90,9 @@ TextonShape shapeOf(const JointExemplar& joint, const TextonCoefficients& coeffi
   return shape;
 }
 
-Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
+Result<MethodBake> baked(std::string name, std::span<const MapExemplar> maps,
                          const TextonOptions& options, ProgressPart progress) {
-  TextonBake bake;
+  MethodBake bake;
   JointExemplar joint = joinedMaps(maps);
   const GaussianModel model =
       gaussianModel(joint.values, joint.width, joint.height, joint.channels());
@@ -105,10 +104,10 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
                                       "detail, or another method"};
   TextonCoefficients coefficients = fitted(model, options, progress.part(0.0, kFitOfProgress));
   ModelErrors errors = modelErrors(model, coefficients, options.order);
-  bake.quality.modelError = errors.all;
-  bake.quality.channelErrors = std::move(errors.channels);
-  bake.quality.flatness = flatness(interpolatedSpot(coefficients, options.order),
-                                   firstMapWeights(maps.front(), model.channels.size()));
+  bake.figures.quality.modelError = errors.all;
+  bake.figures.quality.channelErrors = std::move(errors.channels);
+  bake.figures.quality.flatness = flatness(interpolatedSpot(coefficients, options.order),
+                                           firstMapWeights(maps.front(), model.channels.size()));
   progress.reach(kFitOfProgress);
 
   if (!correctCovariance(coefficients, options.order, wanted))
@@ -121,20 +120,20 @@ Result<TextonBake> baked(std::string name, std::span<const MapExemplar> maps,
   bake.noise.data = shapeOf(joint, coefficients, options.order);
   const TextonOfMaps whole{inStoredUnits(std::move(coefficients), joint.units), joint.mean};
   storeMaps({&whole, 1}, maps, options.bits, bake.noise, bake.tables);
-  bake.quality.covarianceError = covarianceError(bake, joint, wanted);
+  bake.figures.quality.covarianceError = covarianceError(bake, joint, wanted);
   progress.reach(1.0);
   return bake;
 }
 
 } // namespace
 
-Result<TextonBake> bakeTexton(std::string name, std::span<const MapExemplar> maps,
+Result<MethodBake> bakeTexton(std::string name, std::span<const MapExemplar> maps,
                               const TextonOptions& options) {
   if (Result<void> checked = check(maps, options); !checked)
     return checked.error();
   const auto exhausted = [] { return "not enough memory to fit a texton"; };
-  return withinMemory(exhausted, [&]() -> Result<TextonBake> {
-    return unlessInterrupted("the bake", [&]() -> Result<TextonBake> {
+  return withinMemory(exhausted, [&]() -> Result<MethodBake> {
+    return unlessInterrupted("the bake", [&]() -> Result<MethodBake> {
       return baked(std::move(name), maps, options, ProgressPart(options.progress));
     });
   });

@@ -92,16 +92,15 @@ BakeMemory memory(const MethodOptions&) { return {60.0, 40.0}; }
 
 Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) {
   const auto own = optionsFor<TextonOptions>(options, input);
-  Result<TextonBake> baked = bakeTexton(input.name, input.maps, own);
+  Result<MethodBake> baked = bakeTexton(input.name, input.maps, own);
   if (!baked)
-    return baked.error();
-  MethodBake result = methodBakeOf(baked.value());
-  result.figures.quality = std::move(baked.value().quality);
+    return baked;
+  MethodBake& result = baked.value();
   if (std::optional<std::string> line =
           supportNote(own.support, result.noise.as<TextonShape>(), input.words))
     result.notes.push_back(*std::move(line));
   noteQuality(input, result);
-  return result;
+  return baked;
 }
 
 } // namespace

@@ -216,7 +216,6 @@ Result<TextonMix> fitted(std::span<const MixExemplar> exemplars, const TextonSha
   fit.width = shape.coefficientsX;
   fit.height = shape.coefficientsY;
   fit.order = shape.order;
-  fit.seed = options.texton.fitSeed;
   fit.progress = ProgressPart(options.texton.progress);
   if (!options.weights.empty())
     return fitTextonBarycenter(exemplars, options.weights, fit);

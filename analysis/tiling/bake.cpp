@@ -10,9 +10,9 @@ namespace lichen {
 namespace {
 
 /// As bakeTiling(), but throws std::bad_alloc.
-Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
+Result<MethodBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
                             const TilingOptions& options) {
-  TilingBake bake;
+  MethodBake bake;
   bake.noise.name = name;
   const auto append = [&](gaussian::GaussianizedMap map) {
     TilingMap tiling;
@@ -28,13 +28,13 @@ Result<TilingBake> bakeMaps(const std::string& name, std::span<const MapExemplar
   if (!borders)
     return borders.error();
   bake.noise.data = TilingNoise{borders.value().grain};
-  bake.exemplarWasPeriodic = borders.value().fit;
+  bake.figures.bordersWereKept = borders.value().fit;
   return bake;
 }
 
 } // namespace
 
-Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
+Result<MethodBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                               const TilingOptions& options) {
   return withinMemory([&] { return gaussian::noMemoryToBake(name, maps); },
                       [&] { return bakeMaps(name, maps, options); });

@@ -12,16 +12,16 @@ namespace {
 BakeMemory memory(const MethodOptions&) { return {32.0, 128.0}; }
 
 Result<MethodBake> bake(const MethodOptions& options, const MethodInput& input) {
-  Result<TilingBake> baked =
+  Result<MethodBake> baked =
       bakeTiling(input.name, input.maps, optionsFor<TilingOptions>(options, input));
   if (!baked)
-    return baked.error();
-  MethodBake result = methodBakeOf(baked.value());
+    return baked;
+  MethodBake& result = baked.value();
   if (const Grain grain = result.noise.as<TilingNoise>().grain; grain != Grain::none)
     result.notes.push_back(fmt::format("long streaks along {}: cells are twice as long along them; "
                                        "a streak ends after about the length of the picture",
                                        nameOf(grain)));
-  return result;
+  return baked;
 }
 
 } // namespace

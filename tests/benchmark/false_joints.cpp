@@ -65,7 +65,7 @@ Bundle carryingPositions(const Bundle& quilting, const std::vector<int>& cells, 
   QuiltingOptions options;
   options.periodic = Periodic::yes;
   options.bits = 16;
-  QuiltingBake bake = require(bakeQuilting("positions", maps, options));
+  MethodBake bake = require(bakeQuilting("positions", maps, options));
   Bundle bundle;
   bundle.noises = {std::move(bake.noise)};
   bundle.tables = std::move(bake.tables);

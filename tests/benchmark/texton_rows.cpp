@@ -55,8 +55,8 @@ TextonCoefficients fitted(const texton::GaussianModel& model, int support, int o
   return corrected(model, fitCoefficients(model, fitOptions(support, order)), order);
 }
 
-TextonBake bakedTexton(const MapExemplar& map, const TextonOptions& options) {
-  Result<TextonBake> bake = bakeTexton("benchmark", {&map, 1}, options);
+MethodBake bakedTexton(const MapExemplar& map, const TextonOptions& options) {
+  Result<MethodBake> bake = bakeTexton("benchmark", {&map, 1}, options);
   if (!bake) {
     std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
     std::exit(int(bake.error().kind));
@@ -167,9 +167,9 @@ void appendCovarianceErrors(std::vector<Row>& rows, const std::vector<Exemplar>&
       for (std::size_t i = 0; i < map.values.size(); i += 3)
         map.values[i + 1] = map.values[i + 2] = map.values[i];
     options.bits = 16;
-    floats.add(bakedTexton(map, options).quality.covarianceError, exemplar.name);
+    floats.add(bakedTexton(map, options).figures.quality.covarianceError, exemplar.name);
     options.bits = 8;
-    halves.add(bakedTexton(map, options).quality.covarianceError, exemplar.name);
+    halves.add(bakedTexton(map, options).figures.quality.covarianceError, exemplar.name);
   }
   appendSample(rows, "texton covariance error, 32-bit texels", floats, 1e-6, ", one made grey");
   // Each texel a has a uniform error of at most 2^-11 a, and C = a^T B a has an error of twice the

@@ -18,7 +18,7 @@ Bundle bundleOfTiles() {
   const MapExemplar map = test::threeMaterials(64, 64, 1);
   TilingOptions options;
   options.gaussian = GaussianOnly::yes;
-  TilingBake baked = bakeTiling("moss", {&map, 1}, options).value();
+  MethodBake baked = bakeTiling("moss", {&map, 1}, options).value();
   Bundle bundle;
   bundle.tables = std::move(baked.tables);
   bundle.noises = {std::move(baked.noise)};

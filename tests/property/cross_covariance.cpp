@@ -55,15 +55,15 @@ std::vector<MapExemplar> slopeSet() {
   return {color, slopes};
 }
 
-TilingBake baked(std::span<const MapExemplar> maps, const TilingOptions& options) {
-  Result<TilingBake> bake = bakeTiling("set", maps, options);
+MethodBake baked(std::span<const MapExemplar> maps, const TilingOptions& options) {
+  Result<MethodBake> bake = bakeTiling("set", maps, options);
   REQUIRE(bake);
   return std::move(bake).value();
 }
 
 /// Returns the texels of the last map's Gaussian image. The map is baked after the first, or alone.
 std::vector<std::byte> lastImage(std::span<const MapExemplar> maps, const TilingOptions& options) {
-  const TilingBake bake = baked(maps, options);
+  const MethodBake bake = baked(maps, options);
   return bake.tables[bake.noise.maps.back().as<TilingMap>().gaussian].texels;
 }
 

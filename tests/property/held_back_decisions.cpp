@@ -36,13 +36,13 @@ Verdict verdictOf(const SrgbImage& image) {
   const JudgedMap unmeasured{maps.front().target, risks, {}};
   if (Verdict verdict = verdictOn({&unmeasured, 1}, fit); verdict.level != Verdict::Level::good)
     return verdict;
-  TilingBake baked = valueOf(bakeTiling("held back", maps, {}));
+  MethodBake baked = valueOf(bakeTiling("held back", maps, {}));
   Bundle bundle;
   bundle.tables = std::move(baked.tables);
   bundle.noises = {std::move(baked.noise)};
   const auto measures = valueOf(measureNoise(bundle, {}, maps.front()));
   const JudgedMap judged{maps.front().target, risks, measures};
-  return verdictOn({&judged, 1}, baked.exemplarWasPeriodic);
+  return verdictOn({&judged, 1}, baked.figures.bordersWereKept);
 }
 
 /// Its name and sentence if the verdict is good and the noise is not, or the reverse.

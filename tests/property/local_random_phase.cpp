@@ -63,7 +63,7 @@ std::vector<std::vector<float>> exemplarPlanes() {
   const MapExemplar map = test::threeMaterials(kTexels, kTexels, 3);
   TilingOptions options;
   options.bits = 16;
-  const Result<TilingBake> tiling = bakeTiling("example", {&map, 1}, options);
+  const Result<MethodBake> tiling = bakeTiling("example", {&map, 1}, options);
   REQUIRE(tiling);
   const auto& own = tiling.value().noise.maps[0].as<TilingMap>();
   const Table& image = tiling.value().tables[own.gaussian];
@@ -289,13 +289,13 @@ TEST_CASE("local random-phase noise has hardly more strokes than random phases m
 TEST_CASE("a bake of local random-phase noise is the same on one thread and on many") {
   const MapExemplar map = test::threeMaterials(48, 40, 9);
   const auto baked = [&] {
-    Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("x", {&map, 1}, {});
+    Result<MethodBake> bake = bakeLocalRandomPhase("x", {&map, 1}, {});
     REQUIRE(bake);
     return std::move(bake).value();
   };
-  const LocalRandomPhaseBake many = baked();
+  const MethodBake many = baked();
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const LocalRandomPhaseBake single = baked();
+  const MethodBake single = baked();
   CHECK(many.noise == single.noise);
   REQUIRE(many.tables.size() == single.tables.size());
   for (std::size_t k = 0; k < many.tables.size(); ++k)

@@ -127,7 +127,7 @@ MapExemplar oneChannel(MapExemplar map) {
 }
 
 Bundle bakedBundle(const MapExemplar& map) {
-  Result<TilingBake> bake = bakeTiling("example", {&map, 1}, {});
+  Result<MethodBake> bake = bakeTiling("example", {&map, 1}, {});
   REQUIRE(bake);
   Bundle bundle;
   bundle.tables = std::move(bake.value().tables);

@@ -105,7 +105,7 @@ std::vector<MapExemplar> materialSet() {
 Bundle bakedBundle(const std::vector<MapExemplar>& maps) {
   TilingOptions options;
   options.periodic = Periodic::yes;
-  Result<TilingBake> bake = bakeTiling("set", maps, options);
+  Result<MethodBake> bake = bakeTiling("set", maps, options);
   REQUIRE(bake);
   Bundle bundle;
   bundle.tables = std::move(bake.value().tables);

@@ -187,7 +187,7 @@ TEST_CASE("a fitted share preserves detail that the default share loses", "[larg
   CHECK(std::abs(spectrumErrorDb(map, fit.gaussian, fit.table)) < 0.25);
 
   // The whole bake, by the measure of results and its target.
-  Result<TilingBake> bake =
+  Result<MethodBake> bake =
       bakeTiling("patches", {&map, 1}, {.periodic = Periodic::yes, .progress = {}});
   REQUIRE(bake);
   Bundle bundle;
@@ -208,7 +208,7 @@ TEST_CASE("the maps of a set use one share of the surroundings, which is small",
   second.target = MapTarget::occlusionRoughnessMetallic;
   second.encoding = ValueEncoding::linear;
   const std::array maps{first, second};
-  const Result<TilingBake> bake =
+  const Result<MethodBake> bake =
       bakeTiling("set", maps, {.periodic = Periodic::yes, .progress = {}});
   REQUIRE(bake);
   MapFitOptions given;
@@ -219,7 +219,7 @@ TEST_CASE("the maps of a set use one share of the surroundings, which is small",
     const MapFit expected = fitMap(maps[m], exemplar::colorSpaceOf(maps[m]), given);
     settled.emplace_back(maps[m], exemplar::colorSpaceOf(maps[m]), expected.gaussian,
                          expected.table);
-    const TilingBake& set = bake.value();
+    const MethodBake& set = bake.value();
     CHECK(set.tables[set.noise.maps[m].as<TilingMap>().gaussian].texels ==
           gaussianTable(expected.gaussian, 8).texels);
   }

@@ -284,9 +284,9 @@ TEST_CASE("the structure of a bake is what repeats, whatever its guide") {
   for (const double guide : {0.0, 0.03, 1.0}) {
     LocalRandomPhaseOptions options;
     options.guide = guide;
-    const Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("x", {&random, 1}, options);
+    const Result<MethodBake> bake = bakeLocalRandomPhase("x", {&random, 1}, options);
     REQUIRE(bake);
-    CHECK(bake.value().structure == 0.0);
+    CHECK(bake.value().figures.structure == 0.0);
   }
 }
 

@@ -37,7 +37,7 @@ struct Channel {
   int height = 0;
 };
 
-std::vector<Channel> channelsOf(const TextonBake& bake, std::uint32_t level = 0) {
+std::vector<Channel> channelsOf(const MethodBake& bake, std::uint32_t level = 0) {
   std::vector<Channel> all;
   for (const NoiseMap& map : bake.noise.maps) {
     const Table& table = bake.tables[map.as<TextonMap>().image];
@@ -68,7 +68,7 @@ double covariance(const Channel& a, const Channel& b, int order) {
   return sum;
 }
 
-MatrixXd storedCovariance(const TextonBake& bake) {
+MatrixXd storedCovariance(const MethodBake& bake) {
   const std::vector<Channel> channels = channelsOf(bake);
   const auto n = Eigen::Index(channels.size());
   MatrixXd result(n, n);
@@ -132,8 +132,8 @@ std::vector<MapExemplar> materialSet(const MapExemplar& color) {
   return {color, normal, rough};
 }
 
-TextonBake bakeOf(std::span<const MapExemplar> maps, const TextonOptions& options) {
-  Result<TextonBake> baked = bakeTexton("stone", maps, options);
+MethodBake bakeOf(std::span<const MapExemplar> maps, const TextonOptions& options) {
+  Result<MethodBake> baked = bakeTexton("stone", maps, options);
   REQUIRE(baked);
   return std::move(baked).value();
 }
@@ -179,16 +179,16 @@ TEST_CASE("a texton's noise has the exemplar's covariance, for every order") {
   const MapExemplar map = test::threeMaterials(64, 48, 5);
   const MatrixXd wanted = exemplarCovariance({&map, 1});
   for (const int order : {0, 1, 3}) {
-    const TextonBake bake = bakeOf({&map, 1}, supportOf(16, order));
+    const MethodBake bake = bakeOf({&map, 1}, supportOf(16, order));
     CHECK(worstError(storedCovariance(bake), wanted) <= kCovarianceTolerance);
-    CHECK(bake.quality.covarianceError <= kCovarianceTolerance);
+    CHECK(bake.figures.quality.covarianceError <= kCovarianceTolerance);
   }
 }
 
 TEST_CASE("half floats preserve a texton's covariance up to rounding") {
   const MapExemplar map = test::threeMaterials(64, 64, 6);
   const MatrixXd wanted = exemplarCovariance({&map, 1});
-  const TextonBake bake = bakeOf({&map, 1}, supportOf(32, 1, 8));
+  const MethodBake bake = bakeOf({&map, 1}, supportOf(32, 1, 8));
   // Each of 961 texels a has a uniform error of at most 2^-11 a, and the covariance a^T B a has an
   // error of twice the sum of a (B a) times these. Relative to the covariance, its standard
   // deviation is 2 2^-11 / sqrt(3 961), times the root of the flatness, 2 at most, times |a| |B a|
@@ -197,17 +197,17 @@ TEST_CASE("half floats preserve a texton's covariance up to rounding") {
   const double measured = worstError(storedCovariance(bake), wanted);
   CHECK(measured <= 2.4e-4);
   // The reported error is that of the half floats, not of the coefficients before rounding.
-  CHECK(bake.quality.covarianceError == Approx(measured).epsilon(1e-3));
+  CHECK(bake.figures.quality.covarianceError == Approx(measured).epsilon(1e-3));
 }
 
 TEST_CASE("a low-contrast map of a set is fitted as exactly as a high-contrast one") {
   // A power of 2, so that floats round alike: 1/16384 of the variance.
   constexpr float kGain = 1.0f / 128.0f;
   const std::vector<MapExemplar> faint = colorAndRoughness(kGain);
-  const TextonBake faintBake = bakeOf(faint, supportOf(24));
+  const MethodBake faintBake = bakeOf(faint, supportOf(24));
   CHECK(worstError(storedCovariance(faintBake), exemplarCovariance(faint)) <= kCovarianceTolerance);
-  const TextonBake strongBake = bakeOf(colorAndRoughness(1.0f), supportOf(24));
-  CHECK(faintBake.quality.channelErrors == strongBake.quality.channelErrors);
+  const MethodBake strongBake = bakeOf(colorAndRoughness(1.0f), supportOf(24));
+  CHECK(faintBake.figures.quality.channelErrors == strongBake.figures.quality.channelErrors);
   for (std::size_t i = 0; i < 2; ++i)
     CHECK(faintBake.tables[i].texels == strongBake.tables[i].texels);
   CHECK(faintBake.noise.maps[1].as<TextonMap>().scale[0] ==
@@ -217,7 +217,7 @@ TEST_CASE("a low-contrast map of a set is fitted as exactly as a high-contrast o
 TEST_CASE("the maps of a set preserve their covariances") {
   const std::vector<MapExemplar> maps = materialSet(test::threeMaterials(64, 64, 7));
   const MatrixXd wanted = exemplarCovariance(maps);
-  const TextonBake bake = bakeOf(maps, supportOf(24));
+  const MethodBake bake = bakeOf(maps, supportOf(24));
   CHECK(worstError(storedCovariance(bake), wanted) <= kCovarianceTolerance);
   REQUIRE(bake.noise.maps.size() == 3);
   CHECK(bake.noise.maps[1].mean.size() == 2);
@@ -228,20 +228,20 @@ TEST_CASE("textons support grey stored as RGB, a constant channel and a single c
   for (std::size_t i = 0; i < grey.values.size(); i += 3)
     grey.values[i + 1] = grey.values[i + 2] = grey.values[i];
   const MatrixXd wanted = exemplarCovariance({&grey, 1});
-  const TextonBake greyBake = bakeOf({&grey, 1}, supportOf(16));
+  const MethodBake greyBake = bakeOf({&grey, 1}, supportOf(16));
   CHECK((storedCovariance(greyBake) - wanted).norm() <= kCovarianceTolerance * wanted.norm());
 
   MapExemplar flatBlue = test::threeMaterials(48, 48, 9);
   for (std::size_t i = 2; i < flatBlue.values.size(); i += 3)
     flatBlue.values[i] = 0.25f;
-  const TextonBake blueBake = bakeOf({&flatBlue, 1}, supportOf(16));
+  const MethodBake blueBake = bakeOf({&flatBlue, 1}, supportOf(16));
   CHECK(blueBake.noise.maps[0].as<TextonMap>().scale[2] == 0.0);
   CHECK(blueBake.noise.maps[0].mean[2] == Approx(std::sqrt(srgbToLinear(0.25f))));
 
   MapExemplar one = flatBlue;
   std::fill(one.values.begin(), one.values.end(), 0.5f);
-  const TextonBake oneBake = bakeOf({&one, 1}, supportOf(16));
-  CHECK(oneBake.quality.modelError == 0.0);
+  const MethodBake oneBake = bakeOf({&one, 1}, supportOf(16));
+  CHECK(oneBake.figures.quality.modelError == 0.0);
   CHECK(oneBake.noise.maps[0].as<TextonMap>().scale == std::vector<double>{0.0, 0.0, 0.0});
 }
 
@@ -249,7 +249,7 @@ TEST_CASE("an exemplar of one pixel and one narrower than the support give texto
   const MapExemplar map = test::threeMaterials(64, 64, 10);
   for (const auto& [width, height] : {std::pair{1, 1}, {64, 3}, {7, 64}}) {
     const MapExemplar part = test::cropped(map, 0, 0, width, height);
-    const Result<TextonBake> baked = bakeTexton("stone", {&part, 1}, supportOf(16));
+    const Result<MethodBake> baked = bakeTexton("stone", {&part, 1}, supportOf(16));
     REQUIRE(baked);
     CHECK(baked.value().noise.as<TextonShape>().coefficientsX == std::min(15, width));
     CHECK(baked.value().noise.as<TextonShape>().coefficientsY == std::min(15, height));
@@ -275,7 +275,7 @@ TEST_CASE("variance that a texton cannot show is dropped below a thousandth, and
 
 TEST_CASE("a texton's frame is 0 outside the coefficients, and its mips are averages") {
   const MapExemplar map = test::threeMaterials(64, 64, 12);
-  const TextonBake bake = bakeOf({&map, 1}, supportOf(32));
+  const MethodBake bake = bakeOf({&map, 1}, supportOf(32));
   const auto& shape = bake.noise.as<TextonShape>();
   REQUIRE(shape.mipLevels == 3);
   for (std::size_t c = 0; c < 3; ++c) {
@@ -301,10 +301,11 @@ TEST_CASE("a texton's frame is 0 outside the coefficients, and its mips are aver
 
 TEST_CASE("support, order and bits change the texton as documented") {
   const MapExemplar map = test::threeMaterials(64, 64, 14);
-  const TextonBake plain = bakeOf({&map, 1}, supportOf(16));
+  const MethodBake plain = bakeOf({&map, 1}, supportOf(16));
   CHECK(plain.noise.as<TextonShape>().coefficientsX == 15);
   CHECK(plain.noise.as<TextonShape>().frameWidth() == 18);
-  CHECK(bakeOf({&map, 1}, supportOf(24)).quality.modelError < plain.quality.modelError);
+  CHECK(bakeOf({&map, 1}, supportOf(24)).figures.quality.modelError <
+        plain.figures.quality.modelError);
   CHECK(bakeOf({&map, 1}, supportOf(16, 3)).noise.as<TextonShape>().coefficientsX == 13);
   CHECK(texelBytes(plain.tables[0].format) == 16);
   CHECK(texelBytes(bakeOf({&map, 1}, supportOf(16, 1, 8)).tables[0].format) == 8);
@@ -313,7 +314,7 @@ TEST_CASE("support, order and bits change the texton as documented") {
 TEST_CASE("the errors for options and maps out of range have the value") {
   const MapExemplar map = test::threeMaterials(32, 32, 15);
   const auto refused = [&](const TextonOptions& options, const std::string& words) {
-    const Result<TextonBake> baked = bakeTexton("stone", {&map, 1}, options);
+    const Result<MethodBake> baked = bakeTexton("stone", {&map, 1}, options);
     REQUIRE_FALSE(baked);
     CHECK(baked.error().kind == ErrorKind::usage);
     CHECK_THAT(baked.error().message, Catch::Contains(words));
@@ -344,7 +345,7 @@ TEST_CASE("a texton bake reports progress, and the caller can stop it") {
   CHECK(std::is_sorted(fractions.begin(), fractions.end()));
   CHECK(fractions.back() == 1.0);
   options.progress = [](double fraction) { return fraction < 0.3; };
-  const Result<TextonBake> stopped = bakeTexton("stone", {&map, 1}, options);
+  const Result<MethodBake> stopped = bakeTexton("stone", {&map, 1}, options);
   REQUIRE_FALSE(stopped);
   CHECK(stopped.error().kind == ErrorKind::environment);
 }

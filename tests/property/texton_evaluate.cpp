@@ -135,7 +135,7 @@ Bundle bakedBundle(const SrgbImage& image) {
   map.values.assign(image.values.begin(), image.values.end());
   TextonOptions options;
   options.support = 32;
-  Result<TextonBake> bake = bakeTexton("exemplar", {&map, 1}, options);
+  Result<MethodBake> bake = bakeTexton("exemplar", {&map, 1}, options);
   REQUIRE(bake);
   Bundle bundle;
   bundle.noises.push_back(std::move(bake.value().noise));

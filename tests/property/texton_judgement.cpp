@@ -33,12 +33,12 @@ Baked bakedOf(const MapExemplar& map, int order, int support) {
   options.order = order;
   options.support = support;
   options.bits = 16;
-  Result<TextonBake> bake = bakeTexton("grain", {&map, 1}, options);
+  Result<MethodBake> bake = bakeTexton("grain", {&map, 1}, options);
   REQUIRE(bake);
   Baked baked;
   baked.bundle.noises = {std::move(bake.value().noise)};
   baked.bundle.tables = std::move(bake.value().tables);
-  baked.quality = std::move(bake.value().quality);
+  baked.quality = std::move(bake.value().figures.quality);
   return baked;
 }
 

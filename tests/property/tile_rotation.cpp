@@ -106,7 +106,7 @@ const Bundle& colorBundle() {
     const MapExemplar map = threeMaterials(128, 128, 11);
     TilingOptions options;
     options.bits = 16;
-    Result<TilingBake> bake = bakeTiling("example", {&map, 1}, options);
+    Result<MethodBake> bake = bakeTiling("example", {&map, 1}, options);
     REQUIRE(bake);
     Bundle baked;
     baked.tables = std::move(bake.value().tables);

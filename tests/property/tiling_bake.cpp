@@ -30,7 +30,7 @@ std::array<std::uint32_t, 3> sidesOf(const Table& table) {
 
 TEST_CASE("inputs that span fewer dimensions are baked in those") {
   const auto bake = [](const MapExemplar& map) {
-    Result<TilingBake> result = bakeTiling("x", {&map, 1}, TilingOptions{});
+    Result<MethodBake> result = bakeTiling("x", {&map, 1}, TilingOptions{});
     REQUIRE(result);
     return std::move(result).value();
   };
@@ -38,7 +38,7 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
   SECTION("grey stored as RGB has one Gaussian channel and a table of 256 colours") {
     for (std::size_t i = 0; i < map.values.size(); ++i)
       map.values[i] = map.values[i - i % 3];
-    const TilingBake b = bake(map);
+    const MethodBake b = bake(map);
     CHECK(b.noise.maps[0].as<TilingMap>().dimensions == 1);
     CHECK(b.tables[0].format == TexelFormat::rg8Unorm);
     CHECK(sidesOf(b.tables[1]) == std::array{256u, 1u, 1u});
@@ -69,14 +69,14 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
   SECTION("colours in a plane have two Gaussian channels") {
     for (std::size_t i = 0; i < map.values.size(); i += 3)
       map.values[i + 2] = 0.5f * map.values[i] + 0.25f * map.values[i + 1];
-    const TilingBake b = bake(map);
+    const MethodBake b = bake(map);
     CHECK(b.noise.maps[0].as<TilingMap>().dimensions == 2);
     CHECK(b.tables[0].format == TexelFormat::rgba8Unorm);
     CHECK(sidesOf(b.tables[1]) == std::array{64u, 64u, 1u});
     CHECK(b.tables[1].texels.size() <= kMostTableBytes);
   }
   SECTION("colours in space have three Gaussian channels") {
-    const TilingBake b = bake(map);
+    const MethodBake b = bake(map);
     CHECK(b.noise.maps[0].as<TilingMap>().dimensions == 3);
     CHECK(b.tables[0].format == TexelFormat::rgba8Unorm);
     CHECK(sidesOf(b.tables[1]) == std::array{32u, 32u, 32u});
@@ -85,7 +85,7 @@ TEST_CASE("inputs that span fewer dimensions are baked in those") {
   }
   SECTION("one colour gives one colour") {
     std::fill(map.values.begin(), map.values.end(), 0.5f);
-    const TilingBake b = bake(map);
+    const MethodBake b = bake(map);
     const std::vector<float> texels = decodeLevel(b.tables[1], 0);
     for (std::size_t i = 0; i < texels.size(); i += 4)
       REQUIRE(texels[i] == Approx(std::sqrt(srgbToLinear(0.5f))).margin(0.5 / 255.0));
@@ -128,11 +128,11 @@ TEST_CASE("the bake of a set does not depend on the number of threads", "[large]
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
     TilingOptions options;
     options.periodic = Periodic::yes;
-    Result<TilingBake> result = bakeTiling("set", maps, options);
+    Result<MethodBake> result = bakeTiling("set", maps, options);
     REQUIRE(result);
     return std::move(result).value();
   };
-  const TilingBake one = bakeWith(1), many = bakeWith(4);
+  const MethodBake one = bakeWith(1), many = bakeWith(4);
   REQUIRE(one.tables.size() == 2 * maps.size());
   REQUIRE(one.tables.size() == many.tables.size());
   for (std::size_t t = 0; t < one.tables.size(); ++t) {
@@ -153,9 +153,9 @@ TEST_CASE("one map that does not tile makes the bake blend the whole set") {
   const MapExemplar crop = red(test::cropped(test::threeMaterials(128, 128, 2), 9, 5, 64, 64));
   TilingOptions options;
   const auto wasPeriodic = [&](const std::vector<MapExemplar>& maps) {
-    const Result<TilingBake> bake = bakeTiling("x", maps, options);
+    const Result<MethodBake> bake = bakeTiling("x", maps, options);
     REQUIRE(bake);
-    return bake.value().exemplarWasPeriodic;
+    return bake.value().figures.bordersWereKept;
   };
   CHECK(wasPeriodic({whole}));
   CHECK_FALSE(wasPeriodic({whole, crop}));
@@ -168,12 +168,12 @@ TEST_CASE("options and maps out of range are errors") {
   const MapExemplar map = test::threeMaterials(8, 8, 1, 1);
   TilingOptions options;
   options.bits = 9;
-  const Result<TilingBake> result = bakeTiling("x", {&map, 1}, options);
+  const Result<MethodBake> result = bakeTiling("x", {&map, 1}, options);
   REQUIRE_FALSE(result);
   CHECK(result.error().kind == ErrorKind::usage);
   CHECK_FALSE(bakeTiling("x", {}, TilingOptions{}));
   const auto refused = [](const MapExemplar& given, const TilingOptions& with) {
-    const Result<TilingBake> bake = bakeTiling("x", {&given, 1}, with);
+    const Result<MethodBake> bake = bakeTiling("x", {&given, 1}, with);
     return !bake && bake.error().kind == ErrorKind::usage;
   };
   MapExemplar broken = map;
@@ -216,7 +216,7 @@ TEST_CASE("the error for values beyond the tables has value and range, and value
   using enum ValueEncoding;
   for (const ValueEncoding encoding : {srgb, linear, slope, log2})
     for (const float value : {kInfinity, -kInfinity, kLargest, -kLargest, std::nanf("")}) {
-      const Result<TilingBake> bake = bakeWith(encoding, value);
+      const Result<MethodBake> bake = bakeWith(encoding, value);
       REQUIRE_FALSE(bake);
       CHECK(bake.error().kind == ErrorKind::usage);
     }
@@ -228,7 +228,7 @@ TEST_CASE("the error for values beyond the tables has value and range, and value
                                         {linear, kHalfMax},
                                         {slope, -kHalfMax},
                                         {log2, std::log2(1.0f + kHalfMax)}}) {
-    const Result<TilingBake> bake = bakeWith(encoding, value);
+    const Result<MethodBake> bake = bakeWith(encoding, value);
     REQUIRE(bake);
     for (const Table& table : bake.value().tables) {
       const std::vector<float> texels = decodeLevel(table, 0);

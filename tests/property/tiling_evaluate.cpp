@@ -20,7 +20,7 @@ namespace {
 Bundle bakedBundle(const MapExemplar& map, int bits = 16) {
   TilingOptions options;
   options.bits = bits;
-  Result<TilingBake> bake = bakeTiling("example", {&map, 1}, options);
+  Result<MethodBake> bake = bakeTiling("example", {&map, 1}, options);
   REQUIRE(bake);
   Bundle bundle;
   bundle.tables = std::move(bake.value().tables);

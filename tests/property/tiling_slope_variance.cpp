@@ -119,7 +119,7 @@ struct View {
 class SlopeViews {
 public:
   explicit SlopeViews(MapExemplar map, const TilingOptions& options = {}) : map_(std::move(map)) {
-    Result<TilingBake> bake = bakeTiling("slopes", {&map_, 1}, options);
+    Result<MethodBake> bake = bakeTiling("slopes", {&map_, 1}, options);
     REQUIRE(bake);
     bundle_.tables = std::move(bake.value().tables);
     bundle_.noises = {std::move(bake.value().noise)};

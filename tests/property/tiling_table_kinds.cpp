@@ -54,7 +54,7 @@ MapExemplar gaussianExemplar(int side, int radius, double deviation, std::uint64
 }
 
 Bundle bakedWith(const MapExemplar& map, const TilingOptions& options) {
-  Result<TilingBake> bake = bakeTiling("kinds", {&map, 1}, options);
+  Result<MethodBake> bake = bakeTiling("kinds", {&map, 1}, options);
   REQUIRE(bake);
   Bundle bundle;
   bundle.tables = std::move(bake.value().tables);
@@ -161,7 +161,7 @@ TEST_CASE("only exemplars that span all their channels can do without a table") 
     grey.values[i] = grey.values[i - i % 3];
   TilingOptions options;
   options.gaussian = GaussianOnly::yes;
-  const Result<TilingBake> refused = bakeTiling("grey", {&grey, 1}, options);
+  const Result<MethodBake> refused = bakeTiling("grey", {&grey, 1}, options);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().kind == ErrorKind::usage);
   CHECK(refused.error().message.find("span less than 3 dimensions") != std::string::npos);
@@ -181,7 +181,7 @@ TEST_CASE("a dimension with only the dither of a 16-bit file needs a table") {
   REQUIRE(exemplar::colorSpaceOf(dithered).dimensions() == 3);
   TilingOptions options;
   options.gaussian = GaussianOnly::yes;
-  const Result<TilingBake> refused = bakeTiling("dithered", {&dithered, 1}, options);
+  const Result<MethodBake> refused = bakeTiling("dithered", {&dithered, 1}, options);
   REQUIRE_FALSE(refused);
   CHECK(refused.error().message.find("span less than 3 dimensions") != std::string::npos);
 }

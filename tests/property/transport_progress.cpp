@@ -27,9 +27,9 @@ TEST_CASE("bakes of every kind report progress, and end at every step if the cal
       reported.push_back(fraction);
       return true;
     };
-    const Result<TilingBake> watched = bakeTiling("reported", maps, options);
+    const Result<MethodBake> watched = bakeTiling("reported", maps, options);
     REQUIRE(watched.ok());
-    const Result<TilingBake> alone = bakeTiling("reported", maps, wanted);
+    const Result<MethodBake> alone = bakeTiling("reported", maps, wanted);
     for (std::size_t k = 0; k < watched.value().tables.size(); ++k)
       CHECK(watched.value().tables[k].texels == alone.value().tables[k].texels);
     CHECK(reported.size() >= fewest);
@@ -40,7 +40,7 @@ TEST_CASE("bakes of every kind report progress, and end at every step if the cal
          last <= reported.size(); ++last) {
       std::size_t calls = 0;
       options.progress = [&](double) { return ++calls < last; };
-      const Result<TilingBake> stopped = bakeTiling("reported", maps, options);
+      const Result<MethodBake> stopped = bakeTiling("reported", maps, options);
       REQUIRE_FALSE(stopped.ok());
       CHECK(stopped.error().message == "reported: interrupted");
       CHECK(calls == last);

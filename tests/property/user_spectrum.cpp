@@ -131,7 +131,7 @@ TEST_CASE(
   CHECK(std::abs(product / squares) < 0.35);
 
   options.spectrum = SpectrumPicture{3, 3, {0, 0, 0, 0, 1, 0, 0, 0, 0}};
-  const Result<LocalRandomPhaseBake> empty = bakeLocalRandomPhase("example", maps, options);
+  const Result<MethodBake> empty = bakeLocalRandomPhase("example", maps, options);
   REQUIRE_FALSE(empty);
   CHECK(empty.error().kind == ErrorKind::badInput);
 }
@@ -141,7 +141,7 @@ TEST_CASE("a spectrum of the user's own excludes a structure") {
   LocalRandomPhaseOptions options;
   options.spectrum = pictureOf([](int, int) { return true; });
   options.structure = 0.5;
-  const Result<LocalRandomPhaseBake> bake = bakeLocalRandomPhase("x", {&map, 1}, options);
+  const Result<MethodBake> bake = bakeLocalRandomPhase("x", {&map, 1}, options);
   REQUIRE_FALSE(bake);
   CHECK(bake.error().kind == ErrorKind::usage);
 }

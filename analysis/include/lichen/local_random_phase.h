@@ -2,7 +2,7 @@
 // Bakes exemplars for local random-phase noise [LRP14].
 #pragma once
 
-#include <lichen/bundle.h>
+#include <lichen/baked_noise.h>
 #include <lichen/gaussianization.h>
 #include <lichen/regularity.h>
 #include <lichen/result.h>
@@ -11,7 +11,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace lichen {
 
@@ -39,14 +38,6 @@ inline constexpr NumberRange kStructureRange{0.0, 1.0}, kTurbulenceRange{0.0, 1.
 /// pixels. Deterministic. Throws std::bad_alloc.
 [[nodiscard]] double automaticStructure(std::span<const MapExemplar> maps);
 
-/// The result of a bake. The maps of `noise` number its tables from 0.
-struct LocalRandomPhaseBake {
-  Noise noise; ///< maps in the order given
-  std::vector<Table> tables;
-  bool exemplarWasPeriodic = true;
-  double structure = 0.0; ///< the share of the power with the phases of the exemplar
-};
-
 /// Gaussianizes the maps as bakeTiling() does, and fits cosines to the cross-spectra of all maps
 /// together: one phase serves all channels. The noise has the histogram of the exemplar and the
 /// spectrum of its Gaussian values; what the phases of the exemplar hold is lost. Maps may differ
@@ -55,8 +46,8 @@ struct LocalRandomPhaseBake {
 /// maps outside their ranges; resources if memory runs out; environment if `options.progress` stops
 /// it. Thread-safe; runs on all cores; same bytes for any number of threads. O(N log N) in the
 /// number of pixels.
-[[nodiscard]] Result<LocalRandomPhaseBake>
-bakeLocalRandomPhase(std::string name, std::span<const MapExemplar> maps,
-                     const LocalRandomPhaseOptions& options);
+[[nodiscard]] Result<MethodBake> bakeLocalRandomPhase(std::string name,
+                                                      std::span<const MapExemplar> maps,
+                                                      const LocalRandomPhaseOptions& options);
 
 } // namespace lichen

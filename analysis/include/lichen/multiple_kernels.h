@@ -2,7 +2,7 @@
 // Bakes exemplars for multiple-kernels noise [MKN12].
 #pragma once
 
-#include <lichen/bundle.h>
+#include <lichen/baked_noise.h>
 #include <lichen/gaussianization.h>
 #include <lichen/pattern.h>
 #include <lichen/result.h>
@@ -42,22 +42,6 @@ struct MultipleKernelsOptions : GaussianizationOptions {
 };
 inline constexpr NumberRange kKernelsRange{1.0, double(kMostKernels)};
 
-/// How near so many kernels come to a spectrum.
-struct SpectrumError {
-  int kernels = 0;
-  double decibels = 0.0; ///< root mean square of the difference, over all directions
-};
-
-/// The result of a bake. The maps of `noise` number its tables from 0.
-struct MultipleKernelsBake {
-  Noise noise; ///< maps in the order given
-  std::vector<Table> tables;
-  bool exemplarWasPeriodic = true;
-  /// Errors with a quarter, half and all of the most kernels that may be, in this order, without
-  /// repeated numbers of kernels; the last is the noise's. They show what more kernels bring.
-  std::vector<SpectrumError> spectrumErrors;
-};
-
 /// Gaussianizes the maps as bakeTiling() does, and fits kernels to the sum of their power spectra;
 /// all maps take the same impacts. The noise has the histogram of the exemplar, the covariance of
 /// its Gaussian values and nearly their spectrum; what the phases of the exemplar hold is lost,
@@ -67,9 +51,9 @@ struct MultipleKernelsBake {
 /// without power or a pattern that does not vary or has a frequency beyond kMostKernelFrequency;
 /// resources if memory runs out; environment if `options.progress` stops it. Thread-safe; runs on
 /// all cores; same bytes for any number of threads. O(N (log N + kernels)) in the number of pixels.
-[[nodiscard]] Result<MultipleKernelsBake>
-bakeMultipleKernels(std::string name, std::span<const MapExemplar> maps,
-                    const MultipleKernelsOptions& options);
+[[nodiscard]] Result<MethodBake> bakeMultipleKernels(std::string name,
+                                                     std::span<const MapExemplar> maps,
+                                                     const MultipleKernelsOptions& options);
 
 /// "7 kernels with the window gabor, 2 of them rings, and a pattern of 3 cosines".
 [[nodiscard]] std::string kernelWords(const MultipleKernelsNoise& noise);

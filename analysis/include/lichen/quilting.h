@@ -2,17 +2,15 @@
 // Bakes exemplars for quilting: structure, such as bricks, planks and weaves, survives.
 #pragma once
 
-#include <lichen/bundle.h>
+#include <lichen/baked_noise.h>
 #include <lichen/exemplar.h>
 #include <lichen/progress.h>
 #include <lichen/regularity.h>
 #include <lichen/result.h>
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace lichen {
 
@@ -25,22 +23,14 @@ struct QuiltingOptions {
   Progress progress; ///< empty: no reports
 };
 
-/// The result of a bake. The maps of `noise` number its tables from 0.
-struct QuiltingBake {
-  Noise noise; ///< maps in the order given
-  std::vector<Table> tables;
-  bool bordersWereCut = false; ///< and closed by other cells of the exemplar
-  double strength = 0.0; ///< how clearly the exemplar repeats: 0 of a random field, 1 of bricks
-};
-
 /// Finds the exemplar's cells, what repeats in it and the grain of its first map, and stores the
 /// maps with mip levels. Needs at least one map, each within the ranges of MapExemplar; maps may
 /// differ in size. `name` names the noise and, with the target, its tables. Errors: usage for
 /// options or maps outside their ranges; resources if memory runs out; environment if
 /// `options.progress` stops it. Thread-safe; same bytes for any number of threads. O(N log N) in
 /// the number of pixels. Source: docs/decisions/012-quilting.md.
-[[nodiscard]] Result<QuiltingBake> bakeQuilting(std::string name, std::span<const MapExemplar> maps,
-                                                const QuiltingOptions& options);
+[[nodiscard]] Result<MethodBake> bakeQuilting(std::string name, std::span<const MapExemplar> maps,
+                                              const QuiltingOptions& options);
 
 /// How different two tiles are on the outlines of cells, where cuts lie: the mean squared
 /// difference of their stored values there, over the difference of unrelated texels. 0 where a

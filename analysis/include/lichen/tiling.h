@@ -2,26 +2,18 @@
 // Bakes exemplars for tiling and blending on a simplex grid [HN18].
 #pragma once
 
-#include <lichen/bundle.h>
+#include <lichen/baked_noise.h>
 #include <lichen/exemplar.h>
 #include <lichen/gaussianization.h>
 #include <lichen/result.h>
 
 #include <span>
 #include <string>
-#include <vector>
 
 namespace lichen {
 
 /// Tiling has no options beyond the Gaussianization's.
 using TilingOptions = GaussianizationOptions;
-
-/// The result of a bake. The maps of `noise` number its tables from 0.
-struct TilingBake {
-  Noise noise; ///< maps in the order given
-  std::vector<Table> tables;
-  bool exemplarWasPeriodic = true;
-};
 
 /// Gaussianizes each map by optimal transport, makes it periodic, and fits its inverse table with
 /// prefiltered mip levels. Needs at least one map, each within the ranges of MapExemplar; maps may
@@ -30,7 +22,7 @@ struct TilingBake {
 /// when none is allowed; resources if memory runs out; environment if `options.progress` stops it.
 /// Thread-safe; runs on all cores; same bytes for any number of threads. O(N log N) in the number
 /// of pixels. Source: [HN18] section 4.
-[[nodiscard]] Result<TilingBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
+[[nodiscard]] Result<MethodBake> bakeTiling(std::string name, std::span<const MapExemplar> maps,
                                             const TilingOptions& options);
 
 } // namespace lichen
