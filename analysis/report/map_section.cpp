@@ -4,7 +4,6 @@
 
 #include "charts.h"
 #include "markup.h"
-#include "method_report.h"
 #include "pictures.h"
 
 #include <lichen/noise_comparison.h>
@@ -20,8 +19,6 @@ namespace lichen {
 namespace {
 
 constexpr int kShownExemplars = 2; // of the result, per side
-// Widths of pictures as shares of the page's.
-constexpr double kDataWidth = 0.3, kLevelWidth = 0.17;
 constexpr std::string_view kKeys =
     R"(<i class="key exemplar"></i> exemplar <i class="key result"></i> result)";
 
@@ -176,23 +173,6 @@ std::string spectrumOf(const NoiseComparison& comparison) {
          spectrumChart(curves, crop);
 }
 
-Result<std::string> dataOf(const DrawnMap& map) {
-  const Result<std::vector<Picture>> pictures = reportOf(map.noise.method()).pictures(map);
-  if (!pictures)
-    return pictures.error();
-  const Result<std::vector<Picture>> levels = inverseTablePictures(map.bundle, map.map, map.look);
-  if (!levels)
-    return levels.error();
-  std::string markup =
-      "<h3>What the bundle holds</h3>\n" + panesMarkup(pictures.value(), kDataWidth);
-  if (!levels.value().empty())
-    markup += element("p class=\"quiet\"",
-                      "<b>Inverse table.</b> What turns Gaussian values back into the exemplar's, "
-                      "slice by slice; later levels are for what is seen from further away.") +
-              panesMarkup(levels.value(), kLevelWidth);
-  return markup;
-}
-
 } // namespace
 
 Result<MapSection> describeMap(const Bundle& bundle, const MaterialNoise& material,
@@ -203,20 +183,15 @@ Result<MapSection> describeMap(const Bundle& bundle, const MaterialNoise& materi
   if (!compared)
     return compared.error();
   NoiseComparison& comparison = compared.value();
-  const Noise& noise = bundle.noises[material.noise];
-  const NoiseMap& map = noise.maps[*findMap(noise, exemplar.target)]; // compareNoise() has found it
   const Result<std::string> panes = panesOf(bundle, material, shown, comparison, exemplarSide);
   if (!panes)
     return panes.error();
-  const Result<std::string> data = dataOf({bundle, noise, map, comparison.look, exemplarSide});
-  if (!data)
-    return data.error();
   const std::string title(nameOf(exemplar.target));
   std::string markup =
       element("article", element("h2", htmlText(title)) +
                              element("p class=\"quiet\"", summaryOf(exemplar)) + panes.value() +
                              measuresOf(comparison) + risksOf(shown, words) +
-                             histogramsOf(comparison) + spectrumOf(comparison) + data.value()) +
+                             histogramsOf(comparison) + spectrumOf(comparison)) +
       "\n";
   return MapSection{shown, title, std::move(markup), std::move(comparison.measures)};
 }

@@ -35,15 +35,6 @@ struct AssessedMap {
   [[nodiscard]] const MapExemplar& map() const { return maps[place]; }
 };
 
-/// A noise's map whose data the page shows.
-struct DrawnMap {
-  const Bundle& bundle;
-  const Noise& noise;
-  const NoiseMap& map;
-  const MapLook& look;
-  int side = 0; ///< a picture has at most side^2 pixels
-};
-
 struct MethodReport {
   /// The risks of one map, as assessNoise() returns them.
   Result<std::vector<Risk>> (*assess)(const AssessedMap& assessed, const Progress& progress);
@@ -54,10 +45,7 @@ struct MethodReport {
   Result<void> (*judge)(const ComparedResult& result, NoiseComparison& comparison) = nullptr;
   /// The number of pixels that judge() synthesizes, for an exemplar of this size; null for none.
   double (*judgedPixels)(int width, int height) = nullptr;
-  /// Pictures of what the bundle holds, first of the image that the shader fetches from.
-  Result<std::vector<Picture>> (*pictures)(const DrawnMap& drawn);
-  /// The most pixels of all of a map's pictures on the page, except for the table's, in units of
-  /// the exemplar's.
+  /// The most pixels of all of a map's pictures on the page, in units of the exemplar's.
   double picturePixels = 0.0;
   /// Whether all maps of a set are resampled to the size of the largest.
   bool enlargesMaps = false;

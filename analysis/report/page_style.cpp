@@ -38,7 +38,6 @@ pre {
 .quiet, .detail, summary, dt { color: var(--quiet); }
 .detail { display: block; font-size: 0.875rem; font-weight: 400; }
 p.quiet { margin: 2px 0 8px; }
-.panes + p { margin-top: 16px; }
 b { color: var(--text); font-weight: 600; }
 
 /* Pictures have widths as shares of the page's. */

@@ -25,8 +25,6 @@ struct Picture {
 /// Errors as encodePng().
 [[nodiscard]] Result<Picture> encodedPicture(const SrgbImage& image, std::string title,
                                              std::string text = {});
-[[nodiscard]] Result<Picture> encodedPicture(const LinearImage& data, std::string title,
-                                             std::string text = {});
 
 /// The pictures, or the first error.
 [[nodiscard]] Result<std::vector<Picture>> allOf(std::vector<Result<Picture>> made);
@@ -43,8 +41,6 @@ struct ShownWidths {
                                          const ShownWidths& widths);
 /// Images with a caption below. A click on them changes their size.
 [[nodiscard]] std::string paneMarkup(std::string_view images, std::string_view caption);
-/// Pictures with their titles and texts, `small` wide.
-[[nodiscard]] std::string panesMarkup(const std::vector<Picture>& pictures, double small);
 
 /// The size of the picture of width x height pixels: their proportions, and at most side^2 pixels.
 [[nodiscard]] Extents pictureExtents(int width, int height, int side);
@@ -52,14 +48,5 @@ struct ShownWidths {
 /// The image with at most its own width and height; each pixel is the mean of the block of pixels
 /// under it.
 [[nodiscard]] SrgbImage reduced(const SrgbImage& image, int width, int height);
-[[nodiscard]] LinearImage reduced(const LinearImage& image, int width, int height);
-
-/// The first channels of the finest mip level of a 2-D table with at most side^2 pixels.
-[[nodiscard]] LinearImage levelPicture(const Table& table, std::size_t channels, int side);
-
-/// The levels of the table that decodes a map's Gaussian values, each with its slices in rows;
-/// empty without a table.
-[[nodiscard]] Result<std::vector<Picture>>
-inverseTablePictures(const Bundle& bundle, const NoiseMap& map, const MapLook& look);
 
 } // namespace lichen

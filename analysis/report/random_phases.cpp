@@ -56,18 +56,6 @@ Result<void> judgeRandomPhase(const ComparedResult& result, bool hasGivenSpectru
   return {};
 }
 
-LinearImage spectrumPicture(const std::vector<double>& density, int width, int height) {
-  constexpr double kShownDecibels = 50.0;
-  // 0 for a map that does not vary.
-  const double largest = std::max(*std::max_element(density.begin(), density.end()), 1e-30);
-  LinearImage image(width, height, 1);
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    const double decibels = 10.0 * std::log10(std::max(density[i] / largest, 1e-30));
-    image.values[i] = float(std::clamp(1.0 + decibels / kShownDecibels, 0.0, 1.0));
-  }
-  return image;
-}
-
 Result<LinearImage> randomPhaseVersion(const MapExemplar& exemplar, std::uint32_t seed) {
   TilingOptions options;
   options.bits = 16;

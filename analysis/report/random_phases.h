@@ -22,11 +22,6 @@ namespace lichen {
                                             const GaussianTargets& targets,
                                             NoiseComparison& comparison);
 
-/// A power spectral density of width x height frequencies as grey: white is the largest, black less
-/// by 50 decibels or more.
-[[nodiscard]] LinearImage spectrumPicture(const std::vector<double>& density, int width,
-                                          int height);
-
 /// The Gaussian version, as large as the exemplar, which must be within its ranges; decoded values
 /// as synthesize() returns them. One phase serves all channels, so that the covariance of all
 /// channels stays. Errors: as bakeTiling(). Throws std::bad_alloc. Source: [GGM11].

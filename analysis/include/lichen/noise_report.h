@@ -40,7 +40,7 @@ struct BakeRecord {
   std::vector<std::string> notes;
 };
 
-/// The most pixels of all pictures of a page, inverse tables not counted.
+/// The most pixels of all pictures of a page.
 inline constexpr double kReportPixels = 3.5e6;
 
 /// The page, and the targets that the noise misses.
@@ -54,7 +54,7 @@ struct NoiseReport {
 /// Returns a page that needs no other file and no network. An exemplar's picture has at most 512^2
 /// pixels, and fewer if there are many maps, because all pictures together have at most
 /// kReportPixels. A pixel takes at most 4 bytes, so the page stays below 14 MiB (about 7 MiB for
-/// photographs), plus 1 MiB per inverse table. Synthesizes and measures as
+/// photographs). Synthesizes and measures as
 /// compareNoise() does, which takes seconds. Errors: as compareNoise() and synthesize().
 [[nodiscard]] Result<NoiseReport> encodeNoiseReport(const BakeRecord& record,
                                                     const Progress& progress = {});

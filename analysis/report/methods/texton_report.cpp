@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A texton noise and its exemplar -> measures against the exemplar's Gaussian texture, which is the
-// limit of texton noise, and a picture of the texton.
+// limit of texton noise.
 #include "../method_report.h"
 
 #include <lichen/texton.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lichen {
 namespace {
@@ -48,29 +47,6 @@ NoiseMap mapAt(const NoiseMap& map, std::size_t step) {
     here.covariance = later.covariance;
   }
   return here;
-}
-
-/// The coefficients of a texton, or means of neighbours if they are more than side^2. Grey is 0;
-/// the largest magnitude sets the range.
-LinearImage textonPicture(const Table& table, const TextonShape& shape, std::size_t channels,
-                          int side) {
-  const std::vector<float> texels = decodeLevel(table, 0);
-  const auto stored = std::size_t(channelCount(table.format));
-  LinearImage image(shape.coefficientsX, shape.coefficientsY, int(channels));
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      for (std::size_t c = 0; c < channels; ++c) {
-        const std::size_t texel = std::size_t(y) * table.width + std::size_t(x);
-        image.pixel(x, y)[c] = texels[texel * stored + c];
-      }
-  const auto [width, height] = pictureExtents(image.width, image.height, side);
-  image = reduced(image, width, height);
-  float largest = std::numeric_limits<float>::min();
-  for (const float value : image.values)
-    largest = std::max(largest, std::abs(value));
-  for (float& value : image.values)
-    value = 0.5f + 0.5f * value / largest;
-  return twoAsRedGreen(std::move(image));
 }
 
 Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress& progress) {
@@ -116,23 +92,13 @@ Result<void> judge(const ComparedResult& result, NoiseComparison& comparison) {
   return {};
 }
 
-Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
-  return allOf({encodedPicture(
-      textonPicture(drawn.bundle.tables[drawn.map.as<TextonMap>().image],
-                    drawn.noise.as<TextonShape>(), drawn.map.channels.size(), drawn.side),
-      "Texton",
-      ". The image that the noise adds up at random points with random signs; grey is zero.")});
-}
-
 } // namespace
 
-/// The same pictures as for tiling, with the texton instead of the Gaussian image, and a Gaussian
-/// version as large as the result.
+/// The same pictures as for tiling, and a Gaussian version as large as the result.
 extern const MethodReport kTextonReport{.assess = assess,
                                         .measure = measure,
                                         .judge = judge,
-                                        .pictures = pictures,
-                                        .picturePixels = 12.0,
+                                        .picturePixels = 11.0,
                                         .enlargesMaps = true};
 
 } // namespace lichen

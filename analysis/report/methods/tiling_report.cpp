@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tiling noise and its exemplar -> measures, and a picture of the Gaussian image
-// [HN18].
+// A tiling noise and its exemplar -> risks and measures.
 #include "../method_report.h"
 
 #include <lichen/shader_parameters.h>
@@ -90,25 +89,14 @@ Result<void> judge(const ComparedResult& result, NoiseComparison& comparison) {
   return {};
 }
 
-Result<std::vector<Picture>> pictures(const DrawnMap& drawn) {
-  const auto& map = drawn.map.as<TilingMap>();
-  return allOf({encodedPicture(twoAsRedGreen(levelPicture(drawn.bundle.tables[map.gaussian],
-                                                          std::size_t(map.dimensions), drawn.side)),
-                               "Gaussianized exemplar",
-                               ". The exemplar with its values replaced by Gaussian ones, which "
-                               "blend without changing their "
-                               "distribution.")});
-}
-
 } // namespace
 
-/// The pictures: the exemplar, twice, the exemplar before flattening, a result of 2 x 2 exemplars,
-/// and the Gaussian image.
+/// The pictures: the exemplar, twice, the exemplar before flattening, and a result of 2 x 2
+/// exemplars.
 extern const MethodReport kTilingReport{.assess = assess,
                                         .measure = measure,
                                         .judge = judge,
                                         .judgedPixels = judgedPixels,
-                                        .pictures = pictures,
-                                        .picturePixels = 8.0};
+                                        .picturePixels = 7.0};
 
 } // namespace lichen
