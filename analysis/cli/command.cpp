@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace lichen::cli {
 
@@ -31,6 +32,37 @@ Result<void> checkOutput(const std::filesystem::path& output,
 
 std::string toText(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+std::string wordsOf(const nlohmann::ordered_json& value) {
+  if (value.is_string())
+    return value.get<std::string>();
+  if (value.is_number_float())
+    return fmt::format("{:.6g}", value.get<double>());
+  if (!value.is_structured())
+    return value.dump();
+  std::string list;
+  for (const auto& [name, each] : value.items())
+    list += (list.empty() ? "" : ", ") + (value.is_object() ? name + " " : "") + wordsOf(each);
+  return list;
+}
+
+std::vector<std::string> linesOf(const nlohmann::ordered_json& object) {
+  std::vector<std::string> lines;
+  for (const auto& [name, value] : object.items()) {
+    const bool isObject = value.is_object();
+    const bool hasObjects = value.is_array() && !value.empty() && value.front().is_object();
+    if (value.empty()) // null too
+      continue;
+    lines.push_back(name + ":" + (isObject || hasObjects ? "" : " " + wordsOf(value)));
+    if (isObject)
+      for (const std::string& line : linesOf(value))
+        lines.push_back("  " + line);
+    for (const auto& element : hasObjects ? value : nlohmann::ordered_json::array())
+      for (std::string mark = "  - "; const std::string& line : linesOf(element))
+        lines.push_back(std::exchange(mark, "    ") + line);
+  }
+  return lines;
 }
 
 // Not fmt::print, which throws if the stream cannot be written.

@@ -57,6 +57,12 @@ inline constexpr const char* kDroppedByOthers =
 /// Returns indented JSON. Replaces bytes that are not UTF-8, which file names may contain.
 [[nodiscard]] std::string toText(const nlohmann::ordered_json& json);
 
+/// Words for a value: lists have commas, numbers up to six digits.
+[[nodiscard]] std::string wordsOf(const nlohmann::ordered_json& value);
+/// An object for people to read, as YAML has it: a member a line, those of an object indented below
+/// its name, and a "-" before each object of a list. Null and what is empty is left out.
+[[nodiscard]] std::vector<std::string> linesOf(const nlohmann::ordered_json& object);
+
 /// Prints `text` and a newline to standard output. main.cpp detects write errors.
 void printLine(const std::string& text);
 /// Prints one line to standard output unless `quiet` or `json`.

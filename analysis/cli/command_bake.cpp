@@ -133,24 +133,23 @@ Result<void> setLayers(Arguments& arguments) {
 }
 
 /// Members of the report that only this bake has.
-Result<nlohmann::ordered_json> figuresOf(const BakedMaterial& baked) {
-  Result<nlohmann::ordered_json> json =
-      commandOf(baked.bundle.noises.front().method()).figures(baked);
-  if (json && !baked.proportions.empty())
-    json.value()["proportions"] = baked.proportions;
+Json figuresOf(const BakedMaterial& baked) {
+  Json json = commandOf(baked.bundle.noises.front().method()).figures(baked);
+  if (!baked.proportions.empty())
+    json["proportions"] = baked.proportions;
   return json;
 }
 
 /// Writes the page of --report and returns the lines to print about it; nothing without --report.
 Result<std::vector<std::string>> writeReport(const Arguments& arguments, const Bundle& bundle,
-                                             const BakedMaterial& baked, const Facts& facts,
+                                             const BakedMaterial& baked, const Json& figures,
                                              StepTimes& times) {
   Result<std::vector<std::string>> lines = writeHtmlReport(arguments.report,
                                                            {.files = arguments.inputs,
                                                             .output = arguments.output,
                                                             .bundle = bundle,
                                                             .baked = baked,
-                                                            .facts = facts,
+                                                            .figures = figures,
                                                             .timings = times.steps()},
                                                            arguments.shared);
   if (!arguments.report.empty())
@@ -210,14 +209,7 @@ Result<int> run(Arguments& arguments) {
   if (!made)
     return made.error();
   BakedMaterial& baked = made.value();
-  const Facts facts = commandOf(baked.bundle.noises.front().method()).facts(baked);
-  nlohmann::ordered_json figures;
-  if (arguments.shared.json) {
-    Result<nlohmann::ordered_json> json = figuresOf(baked);
-    if (!json)
-      return json.error();
-    figures = std::move(json).value();
-  }
+  const Json figures = figuresOf(baked);
   const Result<BundleFile> file =
       withPreviews(std::move(baked.bundle), arguments.preview, "lichen " LICHEN_VERSION);
   if (!file)
@@ -226,7 +218,8 @@ Result<int> run(Arguments& arguments) {
     return written.error();
   times.end("Preview and bundle");
   const Bundle& bundle = file.value().bundle;
-  const Result<std::vector<std::string>> page = writeReport(arguments, bundle, baked, facts, times);
+  const Result<std::vector<std::string>> page =
+      writeReport(arguments, bundle, baked, figures, times);
   if (!page)
     return page.error();
   const NoiseJudgement& judged = baked.judgement;

@@ -4,19 +4,13 @@
 #include "methods/method_command.h"
 #include "noise_choice.h"
 #include "options.h"
-#include "table_words.h"
 
 #include <lichen/bundle_files.h>
-#include <lichen/counted.h>
 #include <lichen/layered_noise.h>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <filesystem>
 #include <memory>
-#include <system_error>
 
 namespace lichen::cli {
 namespace {
@@ -27,6 +21,33 @@ struct Arguments {
   const SharedOptions& shared;
   std::string bundle;
 };
+
+struct FormatName {
+  const char* name;
+  int bits; ///< per channel
+};
+
+FormatName formatName(TexelFormat format) {
+  switch (format) {
+  case TexelFormat::r8Unorm:
+    return {"R8", 8};
+  case TexelFormat::rg8Unorm:
+    return {"RG8", 8};
+  case TexelFormat::rgba8Unorm:
+    return {"RGBA8", 8};
+  case TexelFormat::r16Sfloat:
+    return {"R16F", 16};
+  case TexelFormat::rg16Sfloat:
+    return {"RG16F", 16};
+  case TexelFormat::rgba16Sfloat:
+    return {"RGBA16F", 16};
+  case TexelFormat::r32Sfloat:
+    return {"R32F", 32};
+  case TexelFormat::rgba32Sfloat:
+    break;
+  }
+  return {"RGBA32F", 32};
+}
 
 const MethodCommand& commandOf(const Noise& noise) { return cli::commandOf(noise.method()); }
 
@@ -53,8 +74,6 @@ int fetchesPerPixel(const Bundle& bundle, std::size_t noise) {
       sum += fetchesPerPixel(bundle, node.index, bundle.noises[node.index].maps.front());
   return sum;
 }
-
-// ---- JSON --------------------------------------------------------------------------------------
 
 Json describe(const MixWeight& mix) {
   Json json{{"source", nameOf(mix.source)}};
@@ -171,111 +190,6 @@ Json describe(const Bundle& bundle, const std::string& file, std::size_t diskByt
           {"noises", noises}, {"ignoredNoises", ignored}, {"tables", tables}};
 }
 
-// ---- text: the same, without what only a program asks for --------------------------------------
-
-std::string size(std::size_t bytes) {
-  constexpr double kKibi = 1024.0;
-  const double kib = double(bytes) / kKibi;
-  return kib < kKibi ? fmt::format("{:.1f} KiB", kib) : fmt::format("{:.1f} MiB", kib / kKibi);
-}
-
-/// Returns "mix along (0, 0) to (0, 1)".
-std::string mixOf(const MixWeight& mix) {
-  switch (mix.source) {
-  case MixSource::constant:
-    return fmt::format("mix {:g}", mix.weight);
-  case MixSource::direction:
-    return fmt::format("mix along ({:g}) to ({:g})", fmt::join(mix.start, ", "),
-                       fmt::join(mix.end, ", "));
-  case MixSource::texture:
-    return fmt::format("mix by channel {} of texture {}", mix.channel, mix.texture);
-  case MixSource::vertexColor:
-    return fmt::format("mix by channel {} of COLOR_{}", mix.channel, mix.colorSet);
-  }
-  return "";
-}
-
-/// Returns mapping and seed, which always matter, and the parameters that differ from the format's
-/// defaults.
-std::string parametersOf(const MaterialNoise& use) {
-  const MaterialNoise defaults;
-  std::string text =
-      fmt::format("{}{}, seed {}", nameOf(use.mapping),
-                  use.space == NoiseSpace::object ? " in object space" : "", use.seed);
-  const auto add = [&](bool isDefault, const std::string& parameter) {
-    text += isDefault ? "" : ", " + parameter;
-  };
-  add(use.texCoord == defaults.texCoord, fmt::format("texCoord {}", use.texCoord));
-  add(use.scale == defaults.scale, fmt::format("scale {:g}", use.scale));
-  add(use.offset == defaults.offset, fmt::format("offset {:g},{:g}", use.offset[0], use.offset[1]));
-  add(use.rotation == defaults.rotation, fmt::format("rotation {:g}", use.rotation));
-  add(use.blendSharpness == defaults.blendSharpness,
-      fmt::format("sharpness {:g}", use.blendSharpness));
-  add(use.planeSharpness == defaults.planeSharpness,
-      fmt::format("plane sharpness {:g}", use.planeSharpness));
-  add(use.contrast == defaults.contrast, fmt::format("contrast {:g}", use.contrast));
-  add(use.tileRotation == defaults.tileRotation,
-      fmt::format("tile rotation in {} directions", use.tileRotation));
-  add(use.impacts == defaults.impacts, fmt::format("{:g} impacts", use.impacts));
-  add(use.pointProcess == defaults.pointProcess, std::string(nameOf(use.pointProcess)));
-  add(use.mix == defaults.mix, mixOf(use.mix));
-  return text;
-}
-
-void sayMap(const SharedOptions& shared, const Bundle& bundle, std::size_t noise,
-            const NoiseMap& map) {
-  std::vector<std::string_view> channels;
-  for (const MapChannel channel : map.channels)
-    channels.push_back(nameOf(channel));
-  const auto [width, height] = exemplarSize(bundle, bundle.noises[noise], map);
-  say(shared, fmt::format("  {}: {}", nameOf(map.target), fmt::join(channels, ", ")));
-  say(shared, fmt::format("    {} x {}, {} bits, {}; {} fetches per pixel", width, height,
-                          bitsOf(bundle, noise, map), nameOf(map.encoding),
-                          fetchesPerPixel(bundle, noise, map)));
-  say(shared, "    " + statisticsOf(map.mean, map.covariance));
-  for (const std::string& line : commandOf(bundle.noises[noise]).linesOf(bundle, map))
-    say(shared, "    " + line);
-}
-
-void sayNoise(const SharedOptions& shared, const Bundle& bundle, std::size_t index) {
-  const Noise& noise = bundle.noises[index];
-  say(shared, "");
-  say(shared, "noise " + noise.name);
-  say(shared,
-      fmt::format("  {}, revision {}, {:g} m wide, {}{} fetches per pixel and plane",
-                  nameOf(noise.method()), revisionOf(noise.method()), noise.tileSizeMetres,
-                  commandOf(noise).fetchesVary() ? "about " : "", fetchesPerPixel(bundle, index)));
-  for (const std::string& line : commandOf(noise).linesOf(noise, materialOf(bundle, index)))
-    say(shared, "  " + line);
-  if (noise.layers) {
-    say(shared, fmt::format("  layers: {}", fmt::join(layerNames(bundle, index), ", ")));
-    for (const LayerNode& node : noise.layers->nodes)
-      say(shared, fmt::format("    {}: {:.3g} of the area above, softness {:g}",
-                              bundle.noises[node.index].name, node.proportion, node.softness));
-  }
-  for (const NoiseMap& map : noise.maps)
-    sayMap(shared, bundle, index, map);
-  for (std::size_t m = 0; m < bundle.materials.size(); ++m)
-    if (bundle.materials[m] && bundle.materials[m]->noise == index) {
-      say(shared, fmt::format("  material {} {}", m, bundle.materialNames[m]));
-      say(shared, "    " + parametersOf(*bundle.materials[m]));
-    }
-}
-
-void sayTables(const SharedOptions& shared, const std::vector<Table>& tables) {
-  say(shared, "");
-  say(shared, "tables");
-  for (std::size_t t = 0; t < tables.size(); ++t) {
-    const Table& table = tables[t];
-    const std::string extent =
-        table.depth > 0 ? fmt::format("{} x {} x {}", table.width, table.height, table.depth)
-                        : fmt::format("{} x {}", table.width, table.height);
-    say(shared, fmt::format("  {:<3} {:<10} {:<13} {:>7} {:>10}  {}", t,
-                            formatName(table.format).name, extent, counted(table.mipLevels, "mip"),
-                            size(table.texels.size()), table.name));
-  }
-}
-
 Result<int> run(const Arguments& arguments) {
   const Result<Bundle> read = readBundle(arguments.bundle);
   if (!read)
@@ -286,20 +200,11 @@ Result<int> run(const Arguments& arguments) {
   const Result<std::size_t> diskBytes = bytesOnDisk(arguments.bundle);
   if (!diskBytes)
     return diskBytes.error();
-  if (arguments.shared.json) {
-    printLine(toText(describe(bundle, arguments.bundle, diskBytes.value())));
-    return kDone;
-  }
-  say(arguments.shared, arguments.bundle);
-  say(arguments.shared,
-      fmt::format("  {} and {}, {} on disk, {} on the GPU", counted(bundle.noises.size(), "noise"),
-                  counted(bundle.tables.size(), "table"), size(diskBytes.value()),
-                  size(texelBytes(bundle))));
-  for (std::size_t n = 0; n < bundle.noises.size(); ++n)
-    sayNoise(arguments.shared, bundle, n);
-  for (const IgnoredNoise& noise : bundle.ignoredNoises)
-    say(arguments.shared, fmt::format("noise {}: {}", noise.name, noise.reason()));
-  sayTables(arguments.shared, bundle.tables);
+  const Json json = describe(bundle, arguments.bundle, diskBytes.value());
+  if (arguments.shared.json)
+    printLine(toText(json));
+  for (const std::string& line : linesOf(json))
+    say(arguments.shared, line);
   return kDone;
 }
 

@@ -9,6 +9,7 @@
 #include <lichen/noise_report.h>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace lichen::cli {
 namespace {
@@ -24,7 +25,8 @@ std::vector<std::pair<std::string, std::string>> reportedFacts(const ReportedBak
        fmt::format("{}, revision {}", nameOf(noise.method()), revisionOf(noise.method()))},
       {"Seed", std::to_string(material.seed)},
       {"Width", fmt::format("{:g} m", noise.tileSizeMetres)}};
-  facts.insert(facts.end(), bake.facts.begin(), bake.facts.end());
+  for (const auto& [name, value] : bake.figures.items())
+    facts.emplace_back(name, wordsOf(value));
   facts.emplace_back("Tables", fmt::format("{:.0f} KiB on the GPU",
                                            double(texelBytes(bake.bundle)) / kBytesPerKib));
   facts.emplace_back("Version", "lichen " LICHEN_VERSION);

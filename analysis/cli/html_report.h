@@ -34,8 +34,8 @@ struct ReportedBake {
   std::string output;
   const Bundle& bundle; ///< one noise, one material
   const BakedMaterial& baked;
-  std::span<const std::pair<std::string, std::string>> facts; ///< label and value, from the method
-  std::vector<std::pair<std::string, double>> timings;        ///< StepTimes::steps()
+  const nlohmann::ordered_json& figures;               ///< of the method
+  std::vector<std::pair<std::string, double>> timings; ///< StepTimes::steps()
 };
 
 /// Declares --report.

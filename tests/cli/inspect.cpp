@@ -8,7 +8,6 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <sstream>
 
 using namespace lichen;
 using namespace lichen::cli_test;
@@ -82,21 +81,19 @@ TEST_CASE("inspect counts the texel bytes on the GPU and the file bytes on disk"
   CHECK(report.at("bytesOnDisk") == onDisk);
 }
 
-TEST_CASE("inspect prints lines of at most 80 characters") {
+TEST_CASE("inspect prints a member a line") {
   const Workplace workplace;
   const std::string bundle =
       bake(workplace, workplace.write("moss.png", smooth(kSide)), "moss.glb", {"--seed", "7"});
   const std::string page = pageOf(bundle);
   for (const char* word :
-       {"noise moss", "baseColor: red, green, blue", "24 x 24, 8 bits, root", "4 fetches per pixel",
-        "inverse table 1: joint, 32 x 32 x 32 cells, 5 levels", "uv, seed 7",
-        "moss.baseColor.inverse"})
+       {"\nnoises:\n  - name: moss\n    method: tiling\n", "\n    fetchesPerPixel: 4\n    maps:\n",
+        "      - target: baseColor\n        channels: red, green, blue\n", "        bits: 8\n",
+        "        mapping: uv\n", "        seed: 7\n", "        mix:\n          source: constant\n",
+        "\ntables:\n  - name: moss.baseColor", "  - name: moss.baseColor.inverse\n"})
     CHECK_THAT(page, Catch::Contains(word));
-  std::istringstream lines(page);
-  std::string line;
-  std::getline(lines, line); // the file's path, of any length
-  while (std::getline(lines, line))
-    CHECK(line.size() <= 80);
+  CHECK_THAT(page, Catch::StartsWith("file: " + bundle + "\n") && !Catch::Contains("null") &&
+                       !Catch::Contains("ignoredNoises"));
   CHECK(runLichen({"inspect", bundle, "--quiet"}).output.empty());
 }
 
@@ -108,29 +105,23 @@ TEST_CASE("inspect counts the fetches that all maps of a quilting share once") {
   for (const nlohmann::json& map : noise["maps"])
     CHECK(map.at("fetchesPerPixel") == 2);
   CHECK(noise.at("fetchesPerPixel") == 2 * 2 + 3);
-  CHECK_THAT(
-      pageOf(bundle),
-      Catch::Contains(", 7 fetches per pixel and plane\n") &&
-          Catch::Contains("  tiles at 4 offsets\n  3 fetches of cells, for all maps together\n"));
 }
 
-TEST_CASE("inspect shows a grain, and that rotated tiles do not use it") {
+TEST_CASE("inspect shows a grain") {
   const Workplace workplace;
   BundleFile file = example::smallest();
   CHECK_FALSE(inspected(written(workplace, file)).at("noises")[0].contains("grain"));
   CHECK_THAT(pageOf(workplace.path("noise.glb")), !Catch::Contains("grain"));
-  const auto check = [&](const char* axis, const char* line) {
+  const auto check = [&](const std::string& axis) {
     const std::string bundle = written(workplace, file);
     CHECK(inspected(bundle).at("noises")[0].at("grain") == axis);
-    CHECK_THAT(pageOf(bundle), Catch::Contains(line));
+    CHECK_THAT(pageOf(bundle), Catch::Contains("    grain: " + axis + "\n"));
   };
   file.bundle.noises[0].as<TilingNoise>().grain = Grain::y;
-  check("y", "  grain along y\n");
-  file.bundle.materials[0]->tileRotation = 2;
-  check("y", "  grain along y, unused with tile rotation\n");
+  check("y");
   file = example::smallestQuilting();
   file.bundle.noises[0].as<QuiltingNoise>().grain = Grain::x;
-  check("x", "  grain along x\n");
+  check("x");
 }
 
 TEST_CASE("inspect shows support, impacts, cost and exemplar size of textons") {
@@ -158,12 +149,7 @@ TEST_CASE("inspect shows support, impacts, cost and exemplar size of textons") {
   CHECK_FALSE(report["noises"][0].contains("texton"));
   // 12 x 20 texels of 8 bytes in three steps, and a mip level of a quarter of that.
   CHECK(report.at("tables")[2].at("bytes") == 12 * 20 * 3 * 8 * 5 / 4);
-  const std::string page = pageOf(bundle);
-  for (const char* words :
-       {"textons of 12 x 20 texels, order 3, 12.5 impacts per point, poisson; 3 steps",
-        "about 252 fetches per pixel and plane", "100 x 50, 16 bits, root", "texton: table 2",
-        "surface, seed 1, 12.5 impacts, poisson"})
-    CHECK_THAT(page, Catch::Contains(words));
+  CHECK_THAT(pageOf(bundle), Catch::Contains("    texton:\n      coefficients: 9, 17\n"));
 }
 
 TEST_CASE("inspect ignores buffers without tables, valid or not") {

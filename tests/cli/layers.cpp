@@ -61,8 +61,8 @@ TEST_CASE("a bake with labels makes a noise for each, with their colours and are
     succeed({"check", workplace.path("coast.glb")});
   }
   CHECK_THAT(succeed({"inspect", workplace.path("coast.glb")}).output,
-             Catch::Contains("layers: coast, coast.layer2") &&
-                 Catch::Contains("of the area above, softness 0.1"));
+             Catch::Contains("      noises: coast, coast.layer2\n") &&
+                 Catch::Contains("          softness: 0.1\n"));
 }
 
 TEST_CASE("layers are made of noises of several bundles, with the areas asked for") {

@@ -94,9 +94,8 @@ TEST_CASE("a bake omits the inverse table of Gaussian exemplars only") {
   constexpr std::size_t kTableBytes =
       4 * (32 * 32 * 32 + 16 * 16 * 16 + 8 * 8 * 8 + 4 * 4 * 4 + 2 * 2 * 2);
   const std::string bundle = workplace.path("kinds.glb");
-  for (const auto& [image, table, words, fetches, bytes] :
-       {std::tuple{gaussian, "none", "no inverse table", 3, std::size_t(0)},
-        {uniform, "joint", "joint, 32 x 32 x 32 cells", 4, kTableBytes}}) {
+  for (const auto& [image, table, fetches, bytes] :
+       {std::tuple{gaussian, "none", 3, std::size_t(0)}, {uniform, "joint", 4, kTableBytes}}) {
     INFO(table);
     const nlohmann::json report =
         jsonOf({"bake", workplace.write("grain.png", image), "-o", bundle});
@@ -109,7 +108,6 @@ TEST_CASE("a bake omits the inverse table of Gaussian exemplars only") {
     const nlohmann::json map = jsonOf({"inspect", bundle}).at("noises")[0].at("maps")[0];
     CHECK(map.at("table") == table);
     CHECK(map.at("fetchesPerPixel") == fetches);
-    CHECK_THAT(succeed({"inspect", bundle}).output, Catch::Contains(words));
   }
 }
 

@@ -1,25 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Local random-phase noise on the command line: options, bake reports, and descriptions for
 // `inspect`.
-#include "../table_words.h"
 #include "method_command.h"
-
-#include <lichen/counted.h>
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 
 namespace lichen::cli {
 namespace {
 
 constexpr const char* kHeading = "Local random phase";
-
-std::string offsetWords(const CosineStructure& structure) {
-  return structure.offsets > 0 ? counted(std::uint64_t(structure.offsets), "offset")
-                               : "any offsets";
-}
 
 class LocalRandomPhaseCommand final : public MethodCommand {
   std::string heading() const override { return kHeading; }
@@ -55,22 +46,12 @@ class LocalRandomPhaseCommand final : public MethodCommand {
     };
   }
 
-  Result<Json> figures(const BakedMaterial& baked) const override {
+  Json figures(const BakedMaterial& baked) const override {
     const auto& shared = baked.bundle.noises.front().as<LocalRandomPhaseNoise>();
     return Json{{"cosines", shared.cosineCount()},
                 {"periodic", baked.figures.bordersWereKept},
                 {"structure", baked.figures.structure},
                 {"offsets", shared.structure.offsets}};
-  }
-
-  Facts facts(const BakedMaterial& baked) const override {
-    const auto& shared = baked.bundle.noises.front().as<LocalRandomPhaseNoise>();
-    Facts facts{{"Borders", baked.figures.bordersWereKept ? "fit together" : "blended"},
-                {"Cosines", std::to_string(shared.cosineCount())}};
-    if (const double structure = baked.figures.structure; structure > 0.0)
-      facts.emplace_back("Structure", fmt::format("{:.2f} of the power, {}", structure,
-                                                  offsetWords(shared.structure)));
-    return facts;
   }
 
   void describe(const Noise& noise, Json& json) const override {
@@ -85,31 +66,11 @@ class LocalRandomPhaseCommand final : public MethodCommand {
                                                {"turbulence", structure.turbulence}};
   }
 
-  std::vector<std::string> linesOf(const Noise& noise, const MaterialNoise&) const override {
-    const auto& shared = noise.as<LocalRandomPhaseNoise>();
-    const auto octaves = std::count_if(shared.cosines.begin(), shared.cosines.end(),
-                                       [](int count) { return count > 0; });
-    std::vector<std::string> lines{
-        fmt::format("{} in {}", counted(std::uint64_t(shared.cosineCount()), "cosine"),
-                    counted(std::uint64_t(octaves), "octave"))};
-    const CosineStructure& structure = shared.structure;
-    if (structure.columns > 0)
-      lines.push_back(fmt::format("structure of {} x {} texels, {}", structure.columns,
-                                  structure.rows, offsetWords(structure)));
-    return lines;
-  }
-
   void describe(const NoiseMap& map, Json& json) const override {
     const auto& own = map.as<LocalRandomPhaseMap>();
     json["cosines"] = own.cosines;
     json["inverseTable"] = own.inverseTable ? Json(*own.inverseTable) : Json();
     json["dimensions"] = own.dimensions;
-  }
-
-  std::vector<std::string> linesOf(const Bundle& bundle, const NoiseMap& map) const override {
-    const auto& own = map.as<LocalRandomPhaseMap>();
-    return {fmt::format("cosines: table {}", own.cosines),
-            inverseTableWords(own.inverseTable, own.dimensions, bundle.tables)};
   }
 
   bool hasRows(const Noise& noise) const override {

@@ -38,7 +38,6 @@ using BakeOptionsReader = std::function<Result<MethodOptions>(std::span<const Ma
 using UseOptions = std::function<void(MaterialNoise& material, EvaluationOptions& evaluation)>;
 
 using Json = nlohmann::ordered_json;
-using Facts = std::vector<std::pair<std::string, std::string>>; ///< rows of the HTML report
 
 class MethodCommand {
 public:
@@ -64,32 +63,25 @@ public:
     return [](MaterialNoise&, EvaluationOptions&) {};
   }
 
-  /// Members of `bake --json`, and rows of the report, on a noise of this method.
-  [[nodiscard]] virtual Result<Json> figures(const BakedMaterial& baked) const = 0;
-  [[nodiscard]] virtual Facts facts(const BakedMaterial& baked) const = 0;
+  /// Members of `bake --json`, and of the report, on a noise of this method.
+  [[nodiscard]] virtual Json figures(const BakedMaterial& baked) const = 0;
 
   /// How to bake a noise that supports a mapping, of a method not all of whose noises do:
   /// completes the message "bake it ...".
   [[nodiscard]] virtual std::string optionsFor(Mapping) const { return {}; }
 
-  /// What `inspect` reports about a noise: JSON members, and lines indented by two spaces.
+  /// What `inspect` reports about a noise and about a map.
   virtual void describe(const Noise& noise, Json& json) const = 0;
-  [[nodiscard]] virtual std::vector<std::string> linesOf(const Noise& noise,
-                                                         const MaterialNoise& use) const = 0;
-  /// The same for a map; the lines are indented by four spaces.
   virtual void describe(const NoiseMap& map, Json& json) const = 0;
-  [[nodiscard]] virtual std::vector<std::string> linesOf(const Bundle& bundle,
-                                                         const NoiseMap& map) const = 0;
   /// Whether the noise has rows, such as rows of bricks, which only a period of whole exemplars
   /// continues.
   [[nodiscard]] virtual bool hasRows(const Noise&) const { return false; }
-  /// The number of texture fetches per pixel for one map on one plane: an average if fetchesVary(),
+  /// The number of texture fetches per pixel for one map on one plane: an average for textons,
   /// otherwise the maximum.
   [[nodiscard]] virtual int fetches(const Noise& noise, const NoiseMap& map,
                                     const MaterialNoise& use) const = 0;
   /// Those that all maps of a noise share, which fetches() leaves out.
   [[nodiscard]] virtual int sharedFetches() const { return 0; }
-  [[nodiscard]] virtual bool fetchesVary() const { return false; }
   /// The table from which the shader samples the map.
   [[nodiscard]] virtual std::size_t imageOf(const NoiseMap& map) const = 0;
 };

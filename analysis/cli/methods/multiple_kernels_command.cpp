@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Multiple-kernels noise on the command line: options, bake reports, and descriptions for
 // `inspect`.
-#include "../table_words.h"
 #include "method_command.h"
 #include "pattern_option.h"
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -79,17 +76,12 @@ class MultipleKernelsCommand final : public MethodCommand {
     };
   }
 
-  Result<Json> figures(const BakedMaterial& baked) const override {
+  Json figures(const BakedMaterial& baked) const override {
     Json json{{"kernels", baked.bundle.noises.front().as<MultipleKernelsNoise>().kernels}};
     for (const SpectrumError& error : baked.figures.spectrumErrors)
       json["spectrumErrors"].push_back({{"kernels", error.kernels}, {"decibels", error.decibels}});
     json["periodic"] = baked.figures.bordersWereKept;
     return json;
-  }
-
-  Facts facts(const BakedMaterial& baked) const override {
-    return {{"Borders", baked.figures.bordersWereKept ? "fit together" : "blended"},
-            {"Kernels", kernelWords(baked.bundle.noises.front().as<MultipleKernelsNoise>())}};
   }
 
   void describe(const Noise& noise, Json& json) const override {
@@ -100,21 +92,11 @@ class MultipleKernelsCommand final : public MethodCommand {
                                {"window", nameOf(shared.window)}};
   }
 
-  std::vector<std::string> linesOf(const Noise& noise, const MaterialNoise&) const override {
-    return {kernelWords(noise.as<MultipleKernelsNoise>())};
-  }
-
   void describe(const NoiseMap& map, Json& json) const override {
     const auto& own = map.as<MultipleKernelsMap>();
     json["kernels"] = own.kernels;
     json["inverseTable"] = own.inverseTable ? Json(*own.inverseTable) : Json();
     json["dimensions"] = own.dimensions;
-  }
-
-  std::vector<std::string> linesOf(const Bundle& bundle, const NoiseMap& map) const override {
-    const auto& own = map.as<MultipleKernelsMap>();
-    return {fmt::format("kernels: table {}", own.kernels),
-            inverseTableWords(own.inverseTable, own.dimensions, bundle.tables)};
   }
 
   int fetches(const Noise& noise, const NoiseMap& map, const MaterialNoise&) const override {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Textons on the command line: options, bake reports, and descriptions for `inspect`.
-#include "../table_words.h"
 #include "method_command.h"
 #include "texton_options.h"
-
-#include <fmt/format.h>
 
 #include <cmath>
 #include <memory>
@@ -71,14 +68,8 @@ class TextonCommand final : public MethodCommand {
     };
   }
 
-  Result<Json> figures(const BakedMaterial& baked) const override {
+  Json figures(const BakedMaterial& baked) const override {
     return Json{{"texton", asJson(baked.figures.quality)}};
-  }
-
-  Facts facts(const BakedMaterial& baked) const override {
-    const MaterialNoise& material = *baked.bundle.materials.front();
-    return {{"Impacts",
-             fmt::format("{:g} per point, {}", material.impacts, nameOf(material.pointProcess))}};
   }
 
   void describe(const Noise& noise, Json& json) const override {
@@ -91,35 +82,15 @@ class TextonCommand final : public MethodCommand {
         {"steps", shape.steps}};
   }
 
-  std::vector<std::string> linesOf(const Noise& noise, const MaterialNoise& use) const override {
-    const auto& shape = noise.as<TextonShape>();
-    std::string text =
-        fmt::format("textons of {} x {} texels, order {}, {:g} impacts per point, {}",
-                    shape.coefficientsX + shape.order, shape.coefficientsY + shape.order,
-                    shape.order, use.impacts, nameOf(use.pointProcess));
-    return {text + (shape.steps > 1 ? fmt::format("; {} steps", shape.steps) : "")};
-  }
-
   void describe(const NoiseMap& map, Json& json) const override {
     const auto& texton = map.as<TextonMap>();
     json["texton"] = texton.image;
     json["laterSteps"] = laterSteps(texton.laterSteps);
   }
 
-  std::vector<std::string> linesOf(const Bundle&, const NoiseMap& map) const override {
-    const auto& texton = map.as<TextonMap>();
-    std::vector<std::string> lines;
-    if (!texton.laterSteps.empty())
-      lines.push_back("at the last step " + statisticsOf(texton.laterSteps.back().mean,
-                                                         texton.laterSteps.back().covariance));
-    lines.push_back(fmt::format("texton: table {}", texton.image));
-    return lines;
-  }
-
   int fetches(const Noise& noise, const NoiseMap&, const MaterialNoise& use) const override {
     return fetchesOfTexton(noise.as<TextonShape>(), use.impacts);
   }
-  bool fetchesVary() const override { return true; }
   std::size_t imageOf(const NoiseMap& map) const override { return map.as<TextonMap>().image; }
 };
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tiling on the command line: options, bake reports, and descriptions for `inspect`.
-#include "../table_words.h"
 #include "method_command.h"
 
 #include <lichen/tiling.h>
-
-#include <fmt/format.h>
 
 #include <memory>
 
@@ -65,7 +62,7 @@ class TilingCommand final : public MethodCommand {
   }
   UseOptions addApplyOptions(CLI::App& verb) const override { return useOf(addUseOptions(verb)); }
 
-  Result<Json> figures(const BakedMaterial& baked) const override {
+  Json figures(const BakedMaterial& baked) const override {
     const Noise& noise = baked.bundle.noises.front();
     const auto& first = noise.maps.front().as<TilingMap>();
     Json json{{"dimensions", first.dimensions},
@@ -75,25 +72,9 @@ class TilingCommand final : public MethodCommand {
     return json;
   }
 
-  Facts facts(const BakedMaterial& baked) const override {
-    Facts facts{{"Borders", baked.figures.bordersWereKept ? "fit together" : "blended"}};
-    if (const Grain grain = baked.bundle.noises.front().as<TilingNoise>().grain;
-        grain != Grain::none)
-      facts.emplace_back("Grain", fmt::format("along {}", nameOf(grain)));
-    return facts;
-  }
-
   void describe(const Noise& noise, Json& json) const override {
     if (const Grain grain = noise.as<TilingNoise>().grain; grain != Grain::none)
       json["grain"] = nameOf(grain);
-  }
-
-  std::vector<std::string> linesOf(const Noise& noise, const MaterialNoise& use) const override {
-    const Grain grain = noise.as<TilingNoise>().grain;
-    if (grain == Grain::none)
-      return {};
-    return {fmt::format("grain along {}{}", nameOf(grain),
-                        use.tileRotation > 1 ? ", unused with tile rotation" : "")};
   }
 
   void describe(const NoiseMap& map, Json& json) const override {
@@ -102,12 +83,6 @@ class TilingCommand final : public MethodCommand {
     json["inverseTable"] = tiling.inverseTable ? Json(*tiling.inverseTable) : Json();
     json["table"] = nameOf(tableKindOf(tiling));
     json["dimensions"] = tiling.dimensions;
-  }
-
-  std::vector<std::string> linesOf(const Bundle& bundle, const NoiseMap& map) const override {
-    const auto& tiling = map.as<TilingMap>();
-    return {fmt::format("Gaussian image: table {}", tiling.gaussian),
-            inverseTableWords(tiling.inverseTable, tiling.dimensions, bundle.tables)};
   }
 
   /// Texture fetches of shaders_glsl/noise/tiling.glsl: three taps, and one of the inverse table.
