@@ -7,24 +7,16 @@
 
 namespace lichen::renderer {
 
-enum class NoiseMapping { uv, triplanar, surface, solid };
+enum class NoiseMapping { uv, triplanar, solid };
 
 /// Relative to each material's own values, and clamped to the ranges of the plugin. The default
 /// changes nothing.
 struct NoiseChanges {
-  /// index into the bundle's noises, replaces each material's own
-  std::optional<std::uint32_t> noise;
   /// Replaces each material's own; triplanar where the noise does not support it.
   std::optional<NoiseMapping> mapping;
-  /// for all mappings but uv, replaces each material's own
-  std::optional<bool> inObjectSpace;
   std::uint32_t seedStep = 0; ///< added to each seed, modulo 2^32
   double scaleFactor = 1.0;
-  double blendSharpnessFactor = 1.0;
-  double planeSharpnessFactor = 1.0;
   double contrastFactor = 1.0;
-  /// Replaces each material's own; half turns where the noise does not take quarter turns.
-  std::optional<std::uint32_t> tileRotation;
   [[nodiscard]] bool operator==(const NoiseChanges&) const = default;
 };
 

@@ -19,8 +19,6 @@ LichenMapping codeOf(NoiseMapping mapping) {
   switch (mapping) {
   case NoiseMapping::triplanar:
     return LICHEN_MAPPING_TRIPLANAR;
-  case NoiseMapping::surface:
-    return LICHEN_MAPPING_SURFACE;
   case NoiseMapping::solid:
     return LICHEN_MAPPING_SOLID;
   case NoiseMapping::uv:
@@ -81,13 +79,7 @@ void NoiseHost::readNoises() {
     auto noise = lichenStruct<LichenNoiseProperties>(LICHEN_STRUCTURE_NOISE_PROPERTIES);
     checkLichen(lichenGetNoiseProperties(bundle_.get(), n, &noise));
     noises_.push_back(noise);
-    names_.emplace_back(noise.name);
   }
-  // No material shows an index map.
-  for (const LichenNoiseProperties& noise : noises_)
-    for (const std::uint32_t index : noise.indices)
-      if (index != LICHEN_NO_NOISE)
-        names_[index].reset();
 }
 
 void NoiseHost::readMaterials(const Scene& scene) {
@@ -137,46 +129,18 @@ void NoiseHost::createSets(VulkanDevice& device, ObjectOwner& objects) {
 
 /// A material's parameters with the changes.
 LichenMaterialParameters NoiseHost::changed(const LichenMaterialParameters& own) const {
-  const NoiseChanges& changes = changes_;
   LichenMaterialParameters parameters = own;
-  if (changes.noise && *changes.noise != own.noise) {
-    // The look is the material's, all that is about the noise the other one's.
-    LICHEN_INIT(parameters, LICHEN_STRUCTURE_MATERIAL_PARAMETERS);
-    checkLichen(lichenGetDefaultParameters(bundle_.get(), *changes.noise, &parameters));
-    parameters.mapping = own.mapping;
-    parameters.seed = own.seed;
-    parameters.tileRotation = own.tileRotation;
-    parameters.scale = own.scale;
-    std::copy_n(own.offset, 2, parameters.offset);
-    parameters.rotation = own.rotation;
-    parameters.blendSharpness = own.blendSharpness;
-    parameters.contrast = own.contrast;
-    parameters.planeSharpness = own.planeSharpness;
-    parameters.impacts = own.impacts;
-    parameters.pointProcess = own.pointProcess;
-  }
-  parameters.scale = clampTo(kScaleRange, own.scale * changes.scaleFactor);
-  parameters.seed = own.seed + changes.seedStep;
-  parameters.blendSharpness =
-      clampTo(kBlendSharpnessRange, own.blendSharpness * changes.blendSharpnessFactor);
-  parameters.planeSharpness =
-      clampTo(kPlaneSharpnessRange, own.planeSharpness * changes.planeSharpnessFactor);
-  parameters.contrast = clampTo(kContrastRange, own.contrast * changes.contrastFactor);
-  parameters.tileRotation = changes.tileRotation.value_or(own.tileRotation);
-  if (parameters.tileRotation == 4 && noises_[parameters.noise].takesQuarterTurns == 0)
-    parameters.tileRotation = 2;
-  if (changes.mapping)
-    parameters.mapping = codeOf(*changes.mapping);
+  parameters.scale = clampTo(kScaleRange, own.scale * changes_.scaleFactor);
+  parameters.seed = own.seed + changes_.seedStep;
+  parameters.contrast = clampTo(kContrastRange, own.contrast * changes_.contrastFactor);
+  if (changes_.mapping)
+    parameters.mapping = codeOf(*changes_.mapping);
   if (!supports(noises_[parameters.noise], parameters.mapping))
     parameters.mapping = LICHEN_MAPPING_TRIPLANAR; // also needs no texture coordinates
   return parameters;
 }
 
 void NoiseHost::change(const NoiseChanges& changes) {
-  if (changes.noise && *changes.noise >= names_.size())
-    throw Failure{{ErrorKind::usage, "noise " + std::to_string(*changes.noise) +
-                                         " does not exist; the bundle has " +
-                                         std::to_string(names_.size())}};
   features_ = {};
   changes_ = changes;
   changeNotes_.clear();
@@ -214,9 +178,8 @@ void NoiseHost::readUse(MaterialState& material) {
   NoiseUse& use = material.use;
   use = {};
   use.texCoord = material.properties.texCoord;
-  use.inObjectSpace =
-      material.parameters.mapping != LICHEN_MAPPING_UV &&
-      changes_.inObjectSpace.value_or(material.properties.space == LICHEN_SPACE_OBJECT);
+  use.inObjectSpace = material.parameters.mapping != LICHEN_MAPPING_UV &&
+                      material.properties.space == LICHEN_SPACE_OBJECT;
   const LichenNoiseProperties& noise = noises_[material.parameters.noise];
   for (std::uint32_t m = 0; m < noise.mapCount; ++m) {
     auto map = lichenStruct<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);

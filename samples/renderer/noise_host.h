@@ -57,7 +57,7 @@ public:
             const Scene& scene);
 
   /// Replaces the changes applied to the scene's noises. The results of all functions below may
-  /// change. Throws a Failure: usage for a noise that the bundle does not contain.
+  /// change.
   void change(const NoiseChanges& changes);
 
   /// Sets the point that device positions are relative to, for noises in world space; initially the
@@ -84,9 +84,6 @@ public:
   [[nodiscard]] std::uint32_t dynamicOffset(std::uint32_t slot, std::size_t material) const {
     return blocks_.offset(slot, material);
   }
-  /// Names of the bundle's noises as stored in the file, which may be empty; nothing for index
-  /// maps.
-  [[nodiscard]] const std::vector<std::optional<std::string>>& names() const { return names_; }
   [[nodiscard]] const NoiseUse& use(std::size_t material) const { return materials_[material].use; }
   /// Side of the tiles for all mappings but uv, in the units of the noise's space; 0
   /// otherwise.
@@ -118,9 +115,8 @@ private:
   // In order of dependency: destroyed last to first.
   LichenOwned<LichenBundle> bundle_;
   LichenOwned<LichenVulkanAssets> assets_;
-  UniformBlocks blocks_;              ///< one for each material
-  std::vector<VkDescriptorSet> sets_; ///< by noise
-  std::vector<std::optional<std::string>> names_;
+  UniformBlocks blocks_;                      ///< one for each material
+  std::vector<VkDescriptorSet> sets_;         ///< by noise
   std::vector<LichenNoiseProperties> noises_; ///< of the bundle
   std::vector<MaterialState> materials_;      ///< of the scene
   NoiseChanges changes_;

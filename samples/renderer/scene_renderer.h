@@ -34,11 +34,6 @@ public:
   [[nodiscard]] std::vector<std::string> notes() const;
   [[nodiscard]] const Camera& camera() const { return inputs_.camera; }
   [[nodiscard]] const Sphere& subject() const { return inputs_.subject; }
-  /// Names of the bundle's noises as stored in the file, which may be empty; nothing for index
-  /// maps.
-  [[nodiscard]] const std::vector<std::optional<std::string>>& noiseNames() const {
-    return noises_.names();
-  }
 
   // After any of these calls, continue with frame 0.
   void setSize(std::uint32_t width, std::uint32_t height); ///< when no frame is in flight

@@ -3,7 +3,6 @@
 #include "controls.h"
 
 #include "debug_views.h"
-#include "printable.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +17,7 @@ namespace {
 // Four presses double or halve a factor. Factors are whole powers, so pressing back as often
 // restores the value exactly.
 constexpr double kStepsToDouble = 4.0;
-constexpr double kMostSteps = 24.0; // a factor of 64, the range of every sharpness
+constexpr double kMostSteps = 24.0; // a factor of 64
 constexpr float kExposureStep = 0.25f;
 constexpr float kMostExposure = 20.0f;
 
@@ -48,26 +47,11 @@ Request Controls::press(Key key) {
   case 'S':
     noise.scaleFactor = stepped(noise.scaleFactor, step);
     break;
-  case 'B':
-    noise.blendSharpnessFactor = stepped(noise.blendSharpnessFactor, step);
-    break;
-  case 'P':
-    noise.planeSharpnessFactor = stepped(noise.planeSharpnessFactor, step);
-    break;
   case 'C':
     noise.contrastFactor = stepped(noise.contrastFactor, step);
     break;
-  case 'A':
-    nextTileRotation(step);
-    break;
   case 'M':
     nextMapping(step);
-    break;
-  case 'O':
-    nextSpace(step);
-    break;
-  case 'T':
-    nextNoise(step);
     break;
   case 'D':
     nextDebugView(step);
@@ -94,20 +78,6 @@ Request Controls::press(Key key) {
   return Request::none;
 }
 
-void Controls::setNoises(std::vector<std::optional<std::string>> noises) {
-  noises_ = std::move(noises);
-  if (look_.noise.noise && (*look_.noise.noise >= noises_.size() || !noises_[*look_.noise.noise]))
-    look_.noise.noise.reset();
-}
-
-void Controls::nextNoise(int step) {
-  std::optional<std::size_t> next = look_.noise.noise;
-  do
-    next = cycle(next, noises_.size(), step);
-  while (next && !noises_[*next]);
-  look_.noise.noise = next ? std::optional(std::uint32_t(*next)) : std::nullopt;
-}
-
 void Controls::nextMapping(int step) {
   constexpr std::array kMappings{NoiseMapping::uv, NoiseMapping::triplanar, NoiseMapping::solid};
   std::optional<std::size_t> current;
@@ -116,24 +86,6 @@ void Controls::nextMapping(int step) {
                           kMappings.begin());
   const std::optional<std::size_t> next = cycle(current, kMappings.size(), step);
   look_.noise.mapping = next ? std::optional(kMappings[*next]) : std::nullopt;
-}
-
-void Controls::nextSpace(int step) {
-  std::optional<std::size_t> current; // 0: world, 1: object
-  if (look_.noise.inObjectSpace)
-    current = *look_.noise.inObjectSpace ? 1 : 0;
-  const std::optional<std::size_t> next = cycle(current, 2, step);
-  look_.noise.inObjectSpace = next ? std::optional(*next == 1) : std::nullopt;
-}
-
-void Controls::nextTileRotation(int step) {
-  constexpr std::array<std::uint32_t, 3> kSteps{0, 2, 4};
-  std::optional<std::size_t> current;
-  if (look_.noise.tileRotation)
-    current = std::size_t(std::find(kSteps.begin(), kSteps.end(), *look_.noise.tileRotation) -
-                          kSteps.begin());
-  const std::optional<std::size_t> next = cycle(current, kSteps.size(), step);
-  look_.noise.tileRotation = next ? std::optional(kSteps[*next]) : std::nullopt;
 }
 
 void Controls::nextDebugView(int step) {
@@ -153,27 +105,15 @@ std::string Controls::summary() const {
     if (factor != 1.0)
       add(fmt::format("{} x{:.3g}", name, factor));
   };
-  if (noise.noise)
-    add("noise " + (noises_[*noise.noise]->empty() ? std::to_string(*noise.noise)
-                                                   : printable(*noises_[*noise.noise])));
   if (noise.mapping)
     add(*noise.mapping == NoiseMapping::uv ? "mapping uv"
         : *noise.mapping == NoiseMapping::triplanar
             ? "mapping triplanar"
             : "mapping solid (triplanar where unsupported)");
-  if (noise.inObjectSpace)
-    add(*noise.inObjectSpace ? "object space" : "world space");
   if (noise.seedStep != 0)
     add(fmt::format("seed {:+d}", std::int32_t(noise.seedStep)));
   addFactor("scale", noise.scaleFactor);
-  addFactor("blend sharpness", noise.blendSharpnessFactor);
-  addFactor("plane sharpness", noise.planeSharpnessFactor);
   addFactor("contrast", noise.contrastFactor);
-  if (noise.tileRotation)
-    add(*noise.tileRotation == 0 ? "tile rotation none"
-        : *noise.tileRotation == 2
-            ? "tile rotation half turns"
-            : "tile rotation quarter turns (half where tiles are not square)");
   if (look_.exposureEv != 0.0f)
     add(fmt::format("exposure {:+g}", look_.exposureEv));
   if (!look_.debugView.empty())
@@ -185,13 +125,8 @@ std::string_view Controls::help() {
   return "Keys (Shift reverses the direction):\n"
          "  N  next seed\n"
          "  S  larger scale\n"
-         "  B  sharper blending between tiles\n"
-         "  P  sharper blending between the planes of triplanar mapping\n"
          "  C  more contrast\n"
-         "  A  tile rotation: from the file, none, half turns, quarter turns\n"
          "  M  mapping: from the file, uv, triplanar, solid\n"
-         "  O  space of all mappings but uv: from the file, world, object\n"
-         "  T  noise: from the file, then each noise of the bundle\n"
          "  D  next debug view\n"
          "  E  more exposure\n"
          "  R  reset all of these\n"

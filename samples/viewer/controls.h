@@ -6,7 +6,6 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace lichen::renderer {
 
@@ -31,15 +30,11 @@ struct Key {
 
 class Controls {
 public:
-  /// `noises`: names of the bundle's noises, nothing for index maps, which no material shows.
-  Controls(std::vector<std::optional<std::string>> noises, const Look& start)
-      : noises_(std::move(noises)), start_(start), look_(start) {}
+  explicit Controls(const Look& start) : start_(start), look_(start) {}
 
   /// Changes the look, or returns a request. Unassigned keys do nothing.
   Request press(Key key);
   [[nodiscard]] const Look& look() const { return look_; }
-  /// Replaces the noises after a reload. Deselects a noise that no longer exists.
-  void setNoises(std::vector<std::optional<std::string>> noises);
 
   /// Differences from the file, such as "seed +1, scale x1.19"; empty if there are none.
   [[nodiscard]] std::string summary() const;
@@ -47,13 +42,9 @@ public:
   [[nodiscard]] static std::string_view help();
 
 private:
-  void nextNoise(int step);
   void nextMapping(int step);
-  void nextSpace(int step);
-  void nextTileRotation(int step);
   void nextDebugView(int step);
 
-  std::vector<std::optional<std::string>> noises_;
   Look start_;
   Look look_;
 };

@@ -55,7 +55,7 @@ public:
         window_(window), watch_(stamp), swapchain_(device, window.createSurface(device.instance())),
         display_(device), current_(prepare(std::move(scene))), queue_(device),
         camera_(current_->renderer->camera(), current_->renderer->subject()),
-        controls_(current_->renderer->noiseNames(), startingLook()) {
+        controls_(startingLook()) {
     look_ = controls_.look();
     settings_.camera = "auto"; // the camera may be missing after a reload
     writeAllNotes();
@@ -181,12 +181,10 @@ private:
     std::swap(current_, next);
     const Look last = look_;
     try {
-      controls_.setNoises(current_->renderer->noiseNames());
       look_ = startingLook(); // the state of a new renderer
       followLook();
     } catch (...) {
       std::swap(current_, next);
-      controls_.setNoises(current_->renderer->noiseNames());
       look_ = last;
       throw;
     }

@@ -6,7 +6,6 @@
 #include "rendered.h"
 #include "scene_renderer.h"
 #include "synthetic_noise.h"
-#include "synthetic_texton.h"
 
 using namespace lichen;
 using namespace lichen::test;
@@ -19,16 +18,10 @@ constexpr const char* kExtension = "LICHEN_materials_exemplar_noise";
 
 json& useOf(GltfScene& scene) { return scene.json["materials"][0]["extensions"][kExtension]; }
 
-/// A ball with the first of two noises, one with normals and one without.
-GltfScene twoNoises(float distance = 4.0f, std::uint32_t height = 64) {
-  const std::array maps{SyntheticMap{3, 64, height, true, 4},
-                        SyntheticMap{2, 64, height, false, 4}};
+/// A ball with a noise.
+GltfScene noisyBall(float distance = 4.0f) {
+  const std::array maps{SyntheticMap{3, 64, 64, true, 4}, SyntheticMap{2, 64, 64, false, 4}};
   GltfScene scene(syntheticGlb(maps));
-  json& noises = scene.json["extensions"][kExtension]["noises"];
-  json second = noises[0];
-  second["name"] = "second";
-  second["maps"].erase(1);
-  noises.push_back(second);
   useOf(scene).update({{"seed", 2}, {"scale", 1.0}});
   scene.addBall(0);
   scene.addCamera(distance, 0.6f);
@@ -61,7 +54,7 @@ private:
 } // namespace
 
 TEST_CASE("changed noises look as in a file with the same values, and can be changed back") {
-  const GltfScene scene = twoNoises();
+  const GltfScene scene = noisyBall();
   Session session(scene);
   const std::vector<float> first = session.picture();
   CHECK(first == render(scene.glb(), settingsOf(kSide, kSide, 1)).values);
@@ -78,37 +71,17 @@ TEST_CASE("changed noises look as in a file with the same values, and can be cha
   renderer::NoiseChanges changes;
   changes.seedStep = 3;
   changes.scaleFactor = 0.5;
-  changes.blendSharpnessFactor = 4.0;
   changes.contrastFactor = 0.5;
-  checkAsFile(changes, {{"seed", 5}, {"scale", 0.5}, {"blendSharpness", 4.0}, {"contrast", 0.5}});
+  checkAsFile(changes, {{"seed", 5}, {"scale", 0.5}, {"contrast", 0.5}});
   changes = {};
   changes.mapping = renderer::NoiseMapping::triplanar;
-  changes.planeSharpnessFactor = 0.25;
-  checkAsFile(changes, {{"mapping", "triplanar"}, {"planeSharpness", 2.0}});
-  changes.inObjectSpace = true;
-  checkAsFile(changes, {{"mapping", "triplanar"}, {"planeSharpness", 2.0}, {"space", "object"}});
-  changes = {};
-  changes.tileRotation = 4;
-  checkAsFile(changes, {{"tileRotation", 4}});
-  changes = {};
-  changes.noise = 1;
-  checkAsFile(changes, {{"noise", 1}});
+  checkAsFile(changes, {{"mapping", "triplanar"}});
   session.renderer().setNoise({});
   CHECK(session.picture() == first);
 }
 
-TEST_CASE("a change to quarter turns is one to half turns where tiles are not square") {
-  GltfScene scene = twoNoises(4.0f, 32);
-  Session session(scene);
-  renderer::NoiseChanges changes;
-  changes.tileRotation = 4;
-  session.renderer().setNoise(changes);
-  useOf(scene)["tileRotation"] = 2;
-  CHECK(session.picture() == render(scene.glb(), settingsOf(kSide, kSide, 1)).values);
-}
-
-TEST_CASE("changing to a noise whose texture coordinates a mesh lacks adds a note") {
-  GltfScene scene = twoNoises();
+TEST_CASE("changing to texture coordinates that a mesh lacks adds a note") {
+  GltfScene scene = noisyBall();
   Session whole(scene);
   CHECK(whole.renderer().notes().empty());
   useOf(scene)["mapping"] = "triplanar";
@@ -127,31 +100,8 @@ TEST_CASE("changing to a noise whose texture coordinates a mesh lacks adds a not
   CHECK(bare.renderer().notes().empty());
 }
 
-TEST_CASE("textons that replace another noise use the material's impacts") {
-  GltfScene scene(syntheticTextonGlb({.coefficientsX = 15, .coefficientsY = 15, .mipLevels = 2}));
-  json& noises = scene.json["extensions"][kExtension]["noises"];
-  json second = noises[0];
-  second["name"] = "second";
-  for (json& mean : second["maps"][0]["mean"])
-    mean = 0.75 * mean.get<double>();
-  noises.push_back(second);
-  useOf(scene).update({{"impacts", 7}, {"pointProcess", "poisson"}});
-  scene.addBall(0);
-  scene.addCamera(4.0f, 0.6f);
-  scene.addSun(3.0f);
-  Session session(scene);
-  const std::vector<float> first = session.picture();
-  renderer::NoiseChanges changes;
-  changes.noise = 1;
-  session.renderer().setNoise(changes);
-  const std::vector<float> picture = session.picture();
-  CHECK(picture != first);
-  useOf(scene)["noise"] = 1;
-  CHECK(picture == render(scene.glb(), settingsOf(kSide, kSide, 1)).values);
-}
-
 TEST_CASE("size, camera, exposure and debug view may change between frames") {
-  const GltfScene scene = twoNoises();
+  const GltfScene scene = noisyBall();
   Session session(scene);
   const std::vector<float> first = session.picture();
   renderer::SceneRenderer& renderer = session.renderer();
@@ -171,7 +121,7 @@ TEST_CASE("size, camera, exposure and debug view may change between frames") {
   CHECK(session.picture() == render(scene.glb(), settings).values);
 
   renderer.setExposure(0.0f);
-  const GltfScene fromAfar = twoNoises(9.0f);
+  const GltfScene fromAfar = noisyBall(9.0f);
   renderer.setCamera(Session(fromAfar).renderer().camera());
   const std::vector<float> far = session.picture();
   CHECK(far != first);
@@ -181,7 +131,7 @@ TEST_CASE("size, camera, exposure and debug view may change between frames") {
 }
 
 TEST_CASE("a recorded frame keeps its camera, material and noise while the next is recorded") {
-  Session session(twoNoises());
+  Session session(noisyBall());
   renderer::NoiseChanges changes;
   changes.seedStep = 3;
   renderer::Camera moved = session.renderer().camera();

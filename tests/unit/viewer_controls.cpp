@@ -42,14 +42,11 @@ Look lookAfter(Controls& controls, const std::string& letters, bool shift = fals
   return controls.look();
 }
 
-/// Two noises, so that every key has something to change.
-Controls controlsOf(const Look& start) { return Controls({"moss", "rock"}, start); }
-
 /// The letters that change a look which is not the start, or ask for something.
 std::set<char> handledKeys() {
   std::set<char> keys;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
-    Controls controls = controlsOf({});
+    Controls controls(Look{});
     const Look before = lookAfter(controls, "N"); // so that R has something to take back
     if (controls.press({letter}) != Request::none || controls.look() != before)
       keys.insert(letter);
@@ -169,7 +166,7 @@ TEST_CASE("each key changes its own quantity, and Shift and R undo it") {
   std::set<std::string> summaries;
   for (const char letter : keysOfManual()) {
     INFO(letter);
-    Controls controls = controlsOf(start);
+    Controls controls(start);
     if (letter == 'R' || controls.press({letter}) != Request::none)
       continue;
     const Look changed = controls.look();
@@ -182,7 +179,7 @@ TEST_CASE("each key changes its own quantity, and Shift and R undo it") {
 }
 
 TEST_CASE("four presses double a factor, and no number of them leaves its range") {
-  Controls controls({}, {});
+  Controls controls(Look{});
   CHECK(lookAfter(controls, "SSSS").noise.scaleFactor == 2.0);
   CHECK(lookAfter(controls, std::string(100, 'S')).noise.scaleFactor == 64.0);
   CHECK(lookAfter(controls, std::string(200, 'S'), true).noise.scaleFactor == 1.0 / 64.0);
@@ -190,46 +187,19 @@ TEST_CASE("four presses double a factor, and no number of them leaves its range"
 }
 
 TEST_CASE("choices cycle: the file's own, then each, then the file's own") {
-  Controls controls({"moss", "rock"}, {});
-  CHECK(lookAfter(controls, "T").noise.noise == 0u);
-  CHECK(lookAfter(controls, "T").noise.noise == 1u);
-  CHECK(controls.summary() == "noise rock");
-  CHECK_FALSE(lookAfter(controls, "T").noise.noise.has_value());
+  Controls controls(Look{});
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::uv);
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::triplanar);
   CHECK(lookAfter(controls, "M").noise.mapping == NoiseMapping::solid);
   CHECK(controls.summary() == "mapping solid (triplanar where unsupported)");
   CHECK_FALSE(lookAfter(controls, "M").noise.mapping.has_value());
-  CHECK(lookAfter(controls, "O").noise.inObjectSpace == false);
-  CHECK(lookAfter(controls, "O").noise.inObjectSpace == true);
-  CHECK(controls.summary() == "object space");
-  CHECK_FALSE(lookAfter(controls, "O").noise.inObjectSpace.has_value());
-  for (const std::uint32_t steps : {0u, 2u, 4u})
-    CHECK(lookAfter(controls, "A").noise.tileRotation == steps);
-  CHECK(controls.summary() == "tile rotation quarter turns (half where tiles are not square)");
-  CHECK_FALSE(lookAfter(controls, "A").noise.tileRotation.has_value());
   for (const std::string_view name : debugViewNames())
     CHECK(lookAfter(controls, "D").debugView == name);
   CHECK(lookAfter(controls, "D").debugView.empty());
 }
 
-TEST_CASE("the key of noises skips index maps") {
-  Controls controls({"moss", std::nullopt, "rock"}, {});
-  CHECK(lookAfter(controls, "T").noise.noise == 0u);
-  CHECK(lookAfter(controls, "T").noise.noise == 2u);
-  CHECK_FALSE(lookAfter(controls, "T").noise.noise.has_value());
-}
-
-TEST_CASE("a chosen noise is deselected when the changed file no longer has it") {
-  Controls controls({"moss", "rock"}, {});
-  lookAfter(controls, "TT");
-  controls.setNoises({"moss"});
-  CHECK_FALSE(controls.look().noise.noise.has_value());
-  CHECK(controls.summary().empty());
-}
-
 TEST_CASE("keys with a request return it, other keys return nothing") {
-  Controls controls({}, {});
+  Controls controls(Look{});
   CHECK(controls.press({'F'}) == Request::fit);
   CHECK(controls.press({'W'}) == Request::screenshot);
   CHECK(controls.press({'H'}) == Request::help);
