@@ -151,37 +151,11 @@ VkDescriptorSet ObjectOwner::set(VkDescriptorPool pool, VkDescriptorSetLayout la
   return handle;
 }
 
-VkSemaphore ObjectOwner::semaphore() {
-  const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
-  return own<VkSemaphore, vkDestroySemaphore>(
-      "cannot create a semaphore",
-      [&](VkSemaphore* handle) { return vkCreateSemaphore(device_, &info, nullptr, handle); });
-}
-
 VkFence ObjectOwner::fence() {
   const VkFenceCreateInfo info{VK_STRUCTURE_TYPE_FENCE_CREATE_INFO};
   return own<VkFence, vkDestroyFence>("cannot create a fence", [&](VkFence* handle) {
     return vkCreateFence(device_, &info, nullptr, handle);
   });
-}
-
-VkCommandPool ObjectOwner::commandPool(std::uint32_t queueFamily) {
-  VkCommandPoolCreateInfo info{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-  info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
-  info.queueFamilyIndex = queueFamily;
-  return own<VkCommandPool, vkDestroyCommandPool>(
-      "cannot create a command pool",
-      [&](VkCommandPool* handle) { return vkCreateCommandPool(device_, &info, nullptr, handle); });
-}
-
-VkCommandBuffer ObjectOwner::commandBuffer(VkCommandPool pool) {
-  VkCommandBufferAllocateInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
-  info.commandPool = pool;
-  info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
-  info.commandBufferCount = 1;
-  VkCommandBuffer handle = VK_NULL_HANDLE;
-  check(vkAllocateCommandBuffers(device_, &info, &handle), "cannot allocate a command buffer");
-  return handle;
 }
 
 void writeSet(VkDevice device, VkDescriptorSet set, std::span<const Descriptor> descriptors) {

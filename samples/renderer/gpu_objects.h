@@ -35,11 +35,7 @@ public:
   VkPipeline graphicsPipeline(const VkGraphicsPipelineCreateInfo& info);
   VkPipeline computePipeline(const VkComputePipelineCreateInfo& info);
   VkDescriptorSet set(VkDescriptorPool pool, VkDescriptorSetLayout layout); ///< freed with its pool
-  VkSemaphore semaphore();
   VkFence fence();
-  /// A pool whose command buffers can be recorded again.
-  VkCommandPool commandPool(std::uint32_t queueFamily);
-  VkCommandBuffer commandBuffer(VkCommandPool pool); ///< primary, freed with its pool
 
 private:
   struct Owned {

@@ -185,11 +185,10 @@ void createMaterials(VulkanDevice& device, ObjectOwner& objects, const Scene& sc
 
 } // namespace
 
-void writeMaterials(const Scene& scene, const NoiseHost& noises, const GpuScene& gpu,
-                    std::uint32_t slot) {
+void writeMaterials(const Scene& scene, const NoiseHost& noises, const GpuScene& gpu) {
   for (std::size_t m = 0; m < scene.materials.size(); ++m) {
     const shader::MaterialData data = materialData(scene.materials[m], noises.use(m));
-    std::memcpy(gpu.materialData.data(slot, m), &data, sizeof data);
+    std::memcpy(gpu.materialData.data(m), &data, sizeof data);
   }
 }
 

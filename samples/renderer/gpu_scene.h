@@ -33,8 +33,7 @@ struct GpuScene {
 /// Throws a Failure.
 [[nodiscard]] GpuScene uploadScene(VulkanDevice& device, ObjectOwner& objects, const Scene& scene);
 
-/// Writes the materials' blocks of a frame; see UniformBlocks for `slot`.
-void writeMaterials(const Scene& scene, const NoiseHost& noises, const GpuScene& gpu,
-                    std::uint32_t slot);
+/// Writes the materials' blocks of a frame.
+void writeMaterials(const Scene& scene, const NoiseHost& noises, const GpuScene& gpu);
 
 } // namespace lichen::renderer

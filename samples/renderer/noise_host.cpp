@@ -237,12 +237,12 @@ void NoiseHost::place(std::size_t material) {
     placement.tileOrigin[axis] = std::int64_t(clamped[axis]);
 }
 
-void NoiseHost::fillBlocks(std::uint32_t slot) const {
+void NoiseHost::fillBlocks() const {
   auto diagnostic = lichenStruct<LichenDiagnostic>(LICHEN_STRUCTURE_DIAGNOSTIC);
   for (std::size_t m = 0; m < materials_.size(); ++m)
     if (hasNoise(m))
       checkLichen(lichenFillMaterial(&materials_[m].parameters, &materials_[m].placement,
-                                     blocks_.data(slot, m), &diagnostic),
+                                     blocks_.data(m), &diagnostic),
                   diagnostic);
 }
 

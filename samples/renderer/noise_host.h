@@ -64,8 +64,8 @@ public:
   /// world's origin.
   void setOrigin(const glm::dvec3& origin);
 
-  /// Writes the materials' blocks of a frame; see UniformBlocks for `slot`.
-  void fillBlocks(std::uint32_t slot) const;
+  /// Writes the materials' blocks of a frame.
+  void fillBlocks() const;
 
   /// Whether a material renders with a noise. Some materials with the extension do not, for example
   /// for an unknown revision.
@@ -81,8 +81,8 @@ public:
   [[nodiscard]] VkDescriptorSet set(std::size_t material) const {
     return sets_[materials_[material].parameters.noise];
   }
-  [[nodiscard]] std::uint32_t dynamicOffset(std::uint32_t slot, std::size_t material) const {
-    return blocks_.offset(slot, material);
+  [[nodiscard]] std::uint32_t dynamicOffset(std::size_t material) const {
+    return blocks_.offset(material);
   }
   [[nodiscard]] const NoiseUse& use(std::size_t material) const { return materials_[material].use; }
   /// Side of the tiles for all mappings but uv, in the units of the noise's space; 0

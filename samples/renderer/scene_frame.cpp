@@ -47,18 +47,18 @@ void beginRendering(VkCommandBuffer commands, VkExtent2D extent, VkImageView col
 
 } // namespace
 
-void SceneRenderer::recordFrame(const FrameCommands& frame, std::uint32_t index) {
+void SceneRenderer::recordFrame(VkCommandBuffer commands, std::uint32_t index) {
   const FrameView view = frameView(inputs_, index);
-  std::memcpy(frameData_.data(frame.slot), &view.data, sizeof view.data);
-  writeMaterials(scene_, noises_, gpu_, frame.slot);
-  noises_.fillBlocks(frame.slot);
-  recordDepthMaps(frame, view);
-  recordSurfaces(frame, view);
-  recordAccumulate(frame.buffer, index);
+  std::memcpy(frameData_.data(), &view.data, sizeof view.data);
+  writeMaterials(scene_, noises_, gpu_);
+  noises_.fillBlocks();
+  recordDepthMaps(commands, view);
+  recordSurfaces(commands, view);
+  recordAccumulate(commands, index);
 }
 
 void SceneRenderer::drawFrame(std::uint32_t index) {
-  take(device_.submit([&](VkCommandBuffer commands) { recordFrame({commands, 0}, index); }));
+  take(device_.submit([&](VkCommandBuffer commands) { recordFrame(commands, index); }));
 }
 
 LinearImage SceneRenderer::average(std::uint32_t frames) {
@@ -123,17 +123,17 @@ void SceneRenderer::pushDisplaced(VkCommandBuffer commands, const glm::mat4& cli
                      &draw);
 }
 
-void SceneRenderer::bindMaterial(const FrameCommands& frame, VkPipelineLayout layout,
+void SceneRenderer::bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout,
                                  std::size_t material) const {
-  const std::uint32_t data = gpu_.materialData.offset(frame.slot, material);
-  vkCmdBindDescriptorSets(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL, 1,
+  const std::uint32_t data = gpu_.materialData.offset(material);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_MATERIAL, 1,
                           &gpu_.materialSets[material], 1, &data);
   if (!noises_.hasNoise(material))
     return;
   const VkDescriptorSet noise = noises_.set(material);
-  const std::uint32_t block = noises_.dynamicOffset(frame.slot, material);
-  vkCmdBindDescriptorSets(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_NOISE, 1,
-                          &noise, 1, &block);
+  const std::uint32_t block = noises_.dynamicOffset(material);
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, SET_NOISE, 1, &noise,
+                          1, &block);
 }
 
 /// The distance of displaced vertices where the subject is nearest to the camera, in world units.
@@ -147,98 +147,98 @@ float SceneRenderer::spacingOfSubject(const FrameView& view) const {
          pixelsPerUnit(clip, {inputs_.width, inputs_.height});
 }
 
-void SceneRenderer::recordDepthMap(const FrameCommands& frame, VkImageView view, std::uint32_t side,
+void SceneRenderer::recordDepthMap(VkCommandBuffer commands, VkImageView view, std::uint32_t side,
                                    const glm::mat4& clipFromWorld, float spacing) const {
   const float texel = 2.0f * inputs_.subject.radius / float(side); // in world units
   const float texels = std::max(spacing / texel, kDepthFootprint);
-  beginRendering(frame.buffer, {side, side}, VK_NULL_HANDLE, view, 1.0f);
-  bindGeometry(frame.buffer);
+  beginRendering(commands, {side, side}, VK_NULL_HANDLE, view, 1.0f);
+  bindGeometry(commands);
   for (const Instance& instance : scene_.instances) {
     if (debugView_ != DEBUG_NONE)
       break; // other views have no shadows
     const std::size_t m = scene_.primitives[instance.primitive].material;
     const DepthKind kind = depthKindOf(m);
-    vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.depth(kind));
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.depth(kind));
     if (kind.hasGaps || kind.displaces)
-      bindMaterial(frame, pipelines_.sceneLayout, m);
+      bindMaterial(commands, pipelines_.sceneLayout, m);
     const glm::mat4 placed = relativeTo(inputs_.origin, instance.worldFromObject);
     const shader::DepthData draw{clipFromWorld * placed, placed};
     if (kind.displaces)
-      pushDisplaced(frame.buffer, clipFromWorld, glm::vec2(float(side)), texels, placed);
+      pushDisplaced(commands, clipFromWorld, glm::vec2(float(side)), texels, placed);
     else
-      vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
+      vkCmdPushConstants(commands, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
                          sizeof draw, &draw);
-    drawPrimitive(frame.buffer, instance.primitive);
+    drawPrimitive(commands, instance.primitive);
   }
-  vkCmdEndRendering(frame.buffer);
+  vkCmdEndRendering(commands);
 }
 
-void SceneRenderer::recordDepthMaps(const FrameCommands& frame, const FrameView& view) const {
-  transition(frame.buffer, lightMaps_.sunDepth, discarded(kSampled), kDepthTarget);
-  transition(frame.buffer, lightMaps_.skyDepth, discarded(kSampled), kDepthTarget);
+void SceneRenderer::recordDepthMaps(VkCommandBuffer commands, const FrameView& view) const {
+  transition(commands, lightMaps_.sunDepth, discarded(kSampled), kDepthTarget);
+  transition(commands, lightMaps_.skyDepth, discarded(kSampled), kDepthTarget);
   const float spacing = spacingOfSubject(view); // shadows need no finer heights
-  recordDepthMap(frame, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun, spacing);
+  recordDepthMap(commands, lightMaps_.sunDepth.view, kSunDepthSide, view.clipFromWorldOfSun,
+                 spacing);
   for (std::size_t k = 0; k < std::size_t(view.data.counts.y); ++k)
-    recordDepthMap(frame, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k],
+    recordDepthMap(commands, lightMaps_.skyLayers[k], kSkyDepthSide, view.clipFromWorldOfSky[k],
                    spacing);
-  transition(frame.buffer, lightMaps_.sunDepth, kDepthTarget, kSampled);
-  transition(frame.buffer, lightMaps_.skyDepth, kDepthTarget, kSampled);
+  transition(commands, lightMaps_.sunDepth, kDepthTarget, kSampled);
+  transition(commands, lightMaps_.skyDepth, kDepthTarget, kSampled);
 }
 
-void SceneRenderer::drawSurface(const FrameCommands& frame, const FrameView& view,
+void SceneRenderer::drawSurface(VkCommandBuffer commands, const FrameView& view,
                                 const Instance& instance, VkCullModeFlags cull) const {
   const std::size_t m = scene_.primitives[instance.primitive].material;
-  vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
-  bindMaterial(frame, pipelines_.sceneLayout, m);
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.surface(kindOf(m)));
+  bindMaterial(commands, pipelines_.sceneLayout, m);
   const shader::DrawData draw{relativeTo(inputs_.origin, instance.worldFromObject)};
   const bool mirrored = glm::determinant(glm::mat3(draw.worldFromObject)) < 0.0f;
-  vkCmdSetCullMode(frame.buffer, cull);
-  vkCmdSetFrontFace(frame.buffer,
-                    mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
+  vkCmdSetCullMode(commands, cull);
+  vkCmdSetFrontFace(commands, mirrored ? VK_FRONT_FACE_CLOCKWISE : VK_FRONT_FACE_COUNTER_CLOCKWISE);
   if (displaces(m))
-    pushDisplaced(frame.buffer, view.data.clipFromWorld, {inputs_.width, inputs_.height},
+    pushDisplaced(commands, view.data.clipFromWorld, {inputs_.width, inputs_.height},
                   kVertexSpacing, draw.worldFromObject);
   else
-    vkCmdPushConstants(frame.buffer, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0,
-                       sizeof draw, &draw);
-  drawPrimitive(frame.buffer, instance.primitive);
+    vkCmdPushConstants(commands, pipelines_.sceneLayout, VK_SHADER_STAGE_VERTEX_BIT, 0, sizeof draw,
+                       &draw);
+  drawPrimitive(commands, instance.primitive);
 }
 
-void SceneRenderer::drawOpaque(const FrameCommands& frame, const FrameView& view,
+void SceneRenderer::drawOpaque(VkCommandBuffer commands, const FrameView& view,
                                const Instance& instance) const {
   const bool twoSided = materialOf(instance).doubleSided;
-  drawSurface(frame, view, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
+  drawSurface(commands, view, instance, twoSided ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT);
 }
 
 /// Draws the back faces of a double-sided material first: on a convex body they are farther away.
-void SceneRenderer::drawBlended(const FrameCommands& frame, const FrameView& view,
+void SceneRenderer::drawBlended(VkCommandBuffer commands, const FrameView& view,
                                 const Instance& instance) const {
   if (materialOf(instance).doubleSided)
-    drawSurface(frame, view, instance, VK_CULL_MODE_FRONT_BIT);
-  drawSurface(frame, view, instance, VK_CULL_MODE_BACK_BIT);
+    drawSurface(commands, view, instance, VK_CULL_MODE_FRONT_BIT);
+  drawSurface(commands, view, instance, VK_CULL_MODE_BACK_BIT);
 }
 
-void SceneRenderer::recordSurfaces(const FrameCommands& frame, const FrameView& view) const {
-  transition(frame.buffer, targets_.color, discarded(kSampled), kColorTarget);
-  transition(frame.buffer, targets_.depth, discarded(kDepthTarget), kDepthTarget);
-  const std::uint32_t frameData = frameData_.offset(frame.slot);
-  beginRendering(frame.buffer, {inputs_.width, inputs_.height}, targets_.color.view,
+void SceneRenderer::recordSurfaces(VkCommandBuffer commands, const FrameView& view) const {
+  transition(commands, targets_.color, discarded(kSampled), kColorTarget);
+  transition(commands, targets_.depth, discarded(kDepthTarget), kDepthTarget);
+  const std::uint32_t frameData = frameData_.offset();
+  beginRendering(commands, {inputs_.width, inputs_.height}, targets_.color.view,
                  targets_.depth.view, 0.0f);
-  vkCmdBindDescriptorSets(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,
+  vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sceneLayout,
                           SET_FRAME, 1, &frameSet_, 1, &frameData);
-  bindGeometry(frame.buffer);
+  bindGeometry(commands);
   for (const Instance& instance : scene_.instances)
     if (materialOf(instance).alphaMode != AlphaMode::blend)
-      drawOpaque(frame, view, instance);
+      drawOpaque(commands, view, instance);
   if (debugView_ == DEBUG_NONE) {
-    vkCmdBindPipeline(frame.buffer, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sky);
-    vkCmdSetCullMode(frame.buffer, VK_CULL_MODE_NONE);
-    vkCmdDraw(frame.buffer, 3, 1, 0, 0);
+    vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines_.sky);
+    vkCmdSetCullMode(commands, VK_CULL_MODE_NONE);
+    vkCmdDraw(commands, 3, 1, 0, 0);
   }
   for (const std::size_t instance : blendedOrder_)
-    drawBlended(frame, view, scene_.instances[instance]);
-  vkCmdEndRendering(frame.buffer);
-  transition(frame.buffer, targets_.color, kColorTarget, kSampled);
+    drawBlended(commands, view, scene_.instances[instance]);
+  vkCmdEndRendering(commands);
+  transition(commands, targets_.color, kColorTarget, kSampled);
 }
 
 void SceneRenderer::recordAccumulate(VkCommandBuffer commands, std::uint32_t index) const {

@@ -22,8 +22,7 @@
 namespace lichen::renderer {
 
 /// Every non-const function may throw a Failure with the errors of renderScene(); after that the
-/// object may only be destroyed. Not thread-safe. What a recorded frame reads is its slot's or does
-/// not change, so all but setSize() and drawFrame() may be called while frames are in flight.
+/// object may only be destroyed. Not thread-safe. Call none while a frame is in flight.
 class SceneRenderer {
 public:
   /// The device, the scene and the settings' pipeline store must outlive the object. The setters
@@ -36,18 +35,18 @@ public:
   [[nodiscard]] const Sphere& subject() const { return inputs_.subject; }
 
   // After any of these calls, continue with frame 0.
-  void setSize(std::uint32_t width, std::uint32_t height); ///< when no frame is in flight
-  void setFrames(std::uint32_t frames);                    ///< at least 1
-  void setPreview(); ///< one quick frame, soon replaced by others
+  void setSize(std::uint32_t width, std::uint32_t height);
+  void setFrames(std::uint32_t frames); ///< at least 1
+  void setPreview();                    ///< one quick frame, soon replaced by others
   void setCamera(const Camera& camera);
   void setExposure(float exposureEv) { exposureEv_ = exposureEv; } ///< stops
   void setDebugView(const std::string& name);                      ///< see RenderSettings
   void setNoise(const NoiseChanges& changes);
 
   /// Records frame `index`, below `frames`: renders it and adds it to the sum; frame 0 starts a new
-  /// sum. No frame that was recorded with the slot may be in flight.
-  void recordFrame(const FrameCommands& frame, std::uint32_t index);
-  /// Records frame `index` with slot 0, submits it and blocks until the device has finished.
+  /// sum.
+  void recordFrame(VkCommandBuffer commands, std::uint32_t index);
+  /// Records frame `index`, submits it and blocks until the device has finished.
   void drawFrame(std::uint32_t index);
   /// The sum of frames, in GENERAL. Divided by the number of frames, it has the values of a
   /// Picture.
@@ -75,22 +74,19 @@ private:
   [[nodiscard]] std::vector<std::size_t> blendedOrder() const;
 
   void bindGeometry(VkCommandBuffer commands) const;
-  void bindMaterial(const FrameCommands& frame, VkPipelineLayout layout,
-                    std::size_t material) const;
+  void bindMaterial(VkCommandBuffer commands, VkPipelineLayout layout, std::size_t material) const;
   void drawPrimitive(VkCommandBuffer commands, std::size_t primitive) const;
   void pushDisplaced(VkCommandBuffer commands, const glm::mat4& clipFromWorld, glm::vec2 size,
                      float footprint, const glm::mat4& worldFromObject) const;
-  void drawSurface(const FrameCommands& frame, const FrameView& view, const Instance& instance,
+  void drawSurface(VkCommandBuffer commands, const FrameView& view, const Instance& instance,
                    VkCullModeFlags cull) const;
-  void drawOpaque(const FrameCommands& frame, const FrameView& view,
-                  const Instance& instance) const;
-  void drawBlended(const FrameCommands& frame, const FrameView& view,
-                   const Instance& instance) const;
+  void drawOpaque(VkCommandBuffer commands, const FrameView& view, const Instance& instance) const;
+  void drawBlended(VkCommandBuffer commands, const FrameView& view, const Instance& instance) const;
   [[nodiscard]] float spacingOfSubject(const FrameView& view) const;
-  void recordDepthMap(const FrameCommands& frame, VkImageView view, std::uint32_t side,
+  void recordDepthMap(VkCommandBuffer commands, VkImageView view, std::uint32_t side,
                       const glm::mat4& clipFromWorld, float spacing) const;
-  void recordDepthMaps(const FrameCommands& frame, const FrameView& view) const;
-  void recordSurfaces(const FrameCommands& frame, const FrameView& view) const;
+  void recordDepthMaps(VkCommandBuffer commands, const FrameView& view) const;
+  void recordSurfaces(VkCommandBuffer commands, const FrameView& view) const;
   void recordAccumulate(VkCommandBuffer commands, std::uint32_t index) const;
 
   VulkanDevice& device_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Copies of blocks at a stride that every device accepts as a dynamic offset.
+// Blocks at a stride that every device accepts as a dynamic offset.
 #include "uniform_blocks.h"
 
 #include "failure.h"
@@ -13,9 +13,9 @@ constexpr std::size_t kAlignment = 256;
 } // namespace
 
 UniformBlocks::UniformBlocks(VulkanDevice& device, std::size_t count, std::size_t bytes)
-    : count_(count), bytes_(bytes), stride_((bytes + kAlignment - 1) / kAlignment * kAlignment),
-      buffer_(take(device.createBuffer(kFramesInFlight * count * stride_,
-                                       VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true))) {}
+    : bytes_(bytes), stride_((bytes + kAlignment - 1) / kAlignment * kAlignment),
+      buffer_(
+          take(device.createBuffer(count * stride_, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true))) {}
 
 Descriptor UniformBlocks::descriptor() const {
   return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, {buffer_.handle, 0, bytes_}, {}};

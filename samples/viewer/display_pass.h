@@ -3,22 +3,17 @@
 #pragma once
 
 #include "gpu_objects.h"
-#include "uniform_blocks.h"
-
-#include <array>
 
 namespace lichen::renderer {
 
-/// Each frame in flight has a picture and a set of its own. Functions throw a Failure.
+/// Functions throw a Failure.
 class DisplayPass {
 public:
   explicit DisplayPass(VulkanDevice& device);
 
   /// Records the average of `frames` frames into the returned picture: sRGB-encoded in a UNORM
-  /// format, in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL and ready to copy. No frame that was recorded
-  /// with the same slot may be in flight.
-  const DeviceImage& record(const FrameCommands& frame, const DeviceImage& sum,
-                            std::uint32_t frames);
+  /// format, in VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL and ready to copy. No frame may be in flight.
+  const DeviceImage& record(VkCommandBuffer commands, const DeviceImage& sum, std::uint32_t frames);
 
 private:
   VulkanDevice& device_;
@@ -26,8 +21,8 @@ private:
   VkDescriptorSetLayout setLayout_ = VK_NULL_HANDLE;
   VkPipelineLayout layout_ = VK_NULL_HANDLE;
   VkPipeline pipeline_ = VK_NULL_HANDLE;
-  std::array<VkDescriptorSet, kFramesInFlight> sets_{};
-  std::array<DeviceImage, kFramesInFlight> pictures_;
+  VkDescriptorSet set_ = VK_NULL_HANDLE;
+  DeviceImage picture_;
 };
 
 } // namespace lichen::renderer

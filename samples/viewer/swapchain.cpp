@@ -14,8 +14,7 @@ namespace {
 constexpr std::uint32_t kExtentOfWindow = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint64_t kNoTimeout = std::numeric_limits<std::uint64_t>::max();
 
-// The same stage as the semaphore wait, so that the barrier happens after it.
-constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, Swapchain::kCopyStages, 0};
+constexpr ImageState kAcquired{VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_NONE, 0};
 constexpr ImageState kPresented{VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, VK_PIPELINE_STAGE_2_NONE, 0};
 constexpr VkImageSubresourceRange kWholeImage{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
 
@@ -36,7 +35,6 @@ Swapchain::Swapchain(VulkanDevice& device, VkSurfaceKHR surface)
 
 Swapchain::~Swapchain() {
   vkDeviceWaitIdle(device_.device());
-  destroyImages();
   vkDestroySwapchainKHR(device_.device(), swapchain_, nullptr);
   vkDestroySurfaceKHR(device_.instance(), surface_, nullptr);
 }
@@ -63,12 +61,6 @@ void Swapchain::chooseFormat() {
     }
   }
   throw Failure{{ErrorKind::environment, "the window supports no format with 8 bits per channel"}};
-}
-
-void Swapchain::destroyImages() {
-  semaphores_.reset();
-  copied_.clear();
-  images_.clear();
 }
 
 bool Swapchain::resize(VkExtent2D window) {
@@ -106,26 +98,25 @@ bool Swapchain::resize(VkExtent2D window) {
   vkDestroySwapchainKHR(device_.device(), swapchain_, nullptr);
   swapchain_ = created;
   check(result, "cannot create the window's images");
-  destroyImages();
   std::uint32_t count = 0;
   check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, nullptr),
         "cannot query the window's images");
   images_.resize(count);
   check(vkGetSwapchainImagesKHR(device_.device(), swapchain_, &count, images_.data()),
         "cannot query the window's images");
-  semaphores_.emplace(device_.device());
-  for (std::uint32_t i = 0; i < count; ++i)
-    copied_.push_back(semaphores_->semaphore());
   return true;
 }
 
-bool Swapchain::acquire(VkSemaphore acquired) {
-  const VkResult result = vkAcquireNextImageKHR(device_.device(), swapchain_, kNoTimeout, acquired,
-                                                VK_NULL_HANDLE, &index_);
+bool Swapchain::acquire() {
+  const VkResult result = vkAcquireNextImageKHR(device_.device(), swapchain_, kNoTimeout,
+                                                VK_NULL_HANDLE, acquired_, &index_);
   if (result == VK_ERROR_OUT_OF_DATE_KHR)
     return false;
   if (result != VK_SUBOPTIMAL_KHR)
     check(result, "cannot acquire an image of the window");
+  check(vkWaitForFences(device_.device(), 1, &acquired_, VK_TRUE, kNoTimeout),
+        "cannot wait for an image of the window");
+  check(vkResetFences(device_.device(), 1, &acquired_), "cannot reset a fence");
   return true;
 }
 
@@ -145,8 +136,6 @@ void Swapchain::recordCopy(VkCommandBuffer commands, const DeviceImage& picture)
 
 bool Swapchain::present() {
   VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
-  info.waitSemaphoreCount = 1;
-  info.pWaitSemaphores = &copied_[index_];
   info.swapchainCount = 1;
   info.pSwapchains = &swapchain_;
   info.pImageIndices = &index_;

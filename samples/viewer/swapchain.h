@@ -6,7 +6,6 @@
 
 #include <lichen/vulkan_device.h>
 
-#include <optional>
 #include <vector>
 
 namespace lichen::renderer {
@@ -25,18 +24,14 @@ public:
   [[nodiscard]] bool resize(VkExtent2D window);
   [[nodiscard]] VkExtent2D extent() const { return extent_; }
 
-  /// Acquires the next image; `acquired` is signalled when it may be written. Returns false if the
-  /// window has changed: call resize() and acquire again.
-  [[nodiscard]] bool acquire(VkSemaphore acquired);
+  /// Waits for the next image and acquires it. Returns false if the window has changed: call
+  /// resize() and acquire again.
+  [[nodiscard]] bool acquire();
   /// Records a copy into the acquired image of a picture of size extent() in
   /// VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, sRGB-encoded in a UNORM format.
   void recordCopy(VkCommandBuffer commands, const DeviceImage& picture) const;
-  /// The stages that must wait until the image is acquired.
-  static constexpr VkPipelineStageFlags2 kCopyStages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-  /// What presentation waits for: the submission of the copy signals it.
-  [[nodiscard]] VkSemaphore copied() const { return copied_[index_]; }
-  /// Presents the acquired image. Returns false if the window has changed: call resize() and
-  /// present again.
+  /// Presents the acquired image once the copy has finished. Returns false if the window has
+  /// changed: call resize() and present again.
   [[nodiscard]] bool present();
 
 private:
@@ -44,21 +39,20 @@ private:
   /// Owns only the surface. The public constructor delegates to it, so the destructor cleans up if
   /// the rest of the setup throws.
   Swapchain(VulkanDevice& device, VkSurfaceKHR surface, SurfaceOnly)
-      : device_(device), surface_(surface) {}
+      : device_(device), surface_(surface), objects_(device.device()), acquired_(objects_.fence()) {
+  }
 
   void chooseFormat();
-  void destroyImages();
 
   VulkanDevice& device_;
   VkSurfaceKHR surface_;
+  ObjectOwner objects_;
+  VkFence acquired_;
   VkSurfaceFormatKHR format_{};
   VkSwapchainKHR swapchain_ = VK_NULL_HANDLE;
   VkExtent2D extent_{};
   std::vector<VkImage> images_;
-  /// one per image; presentation waits for it, and the host cannot tell when that is over
-  std::vector<VkSemaphore> copied_;
-  std::optional<ObjectOwner> semaphores_; ///< owns them
-  std::uint32_t index_ = 0;               ///< of the acquired image
+  std::uint32_t index_ = 0; ///< of the acquired image
 };
 
 } // namespace lichen::renderer

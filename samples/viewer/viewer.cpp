@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Events -> camera and look -> frames. While something changes, each picture is a single filtered
-// frame; otherwise frames accumulate into the finished picture. While the device draws one frame,
-// the next is prepared.
+// frame; otherwise frames accumulate into the finished picture.
 #include "viewer.h"
 
 #include "controls.h"
@@ -10,7 +9,6 @@
 #include "failure.h"
 #include "file_watch.h"
 #include "frame_data.h"
-#include "frame_queue.h"
 #include "orbit_camera.h"
 #include "picture.h"
 #include "pipelines.h"
@@ -53,7 +51,7 @@ public:
          RenderSettings settings, VulkanDevice& device, Window& window)
       : command_(command), settings_(std::move(settings)), device_(device), pipelines_(device),
         window_(window), watch_(stamp), swapchain_(device, window.createSurface(device.instance())),
-        display_(device), current_(prepare(std::move(scene))), queue_(device),
+        display_(device), current_(prepare(std::move(scene))),
         camera_(current_->renderer->camera(), current_->renderer->subject()),
         controls_(startingLook()) {
     look_ = controls_.look();
@@ -64,7 +62,6 @@ public:
   void run() {
     followSize();
     while (!window_.shouldClose()) {
-      queue_.waitForSlot(); // before the events, so that the frame shows the latest
       const bool isIdle = finished() && !isStale_ && !needsResize_;
       const std::chrono::duration<double> timeout = FileWatch::kInterval;
       for (const WindowEvent& event : window_.events(isIdle || !hasArea_ ? timeout.count() : 0.0))
@@ -174,8 +171,7 @@ private:
     }
   }
 
-  /// Replaces the shown scene, keeping camera and look, and retires the previous one. Restores it
-  /// on failure.
+  /// Replaces the shown scene, keeping camera and look. Restores it on failure.
   void show(std::unique_ptr<LoadedScene> next) {
     next->renderer->setCamera(camera_.camera());
     std::swap(current_, next);
@@ -188,7 +184,6 @@ private:
       look_ = last;
       throw;
     }
-    queue_.retire(std::move(next));
     writeAllNotes();
     restart();
   }
@@ -234,7 +229,7 @@ private:
       return;
     settings_.width = extent.width;
     settings_.height = extent.height;
-    current_->renderer->setSize(extent.width, extent.height); // resize() has waited for all frames
+    current_->renderer->setSize(extent.width, extent.height); // no frame is in flight
     restart();
   }
 
@@ -253,37 +248,35 @@ private:
   }
 
   void drawFrame() {
-    const FrameCommands frame = queue_.begin();
-    const std::uint32_t shownFrames = recordScene(frame);
-    if (!isStale_) {
-      queue_.submit();
+    std::uint32_t shownFrames = 0;
+    bool isAcquired = false;
+    renderer::take(device_.submit([&](VkCommandBuffer commands) {
+      shownFrames = recordScene(commands);
+      isAcquired = isStale_ && swapchain_.acquire();
+      if (isAcquired)
+        swapchain_.recordCopy(commands,
+                              display_.record(commands, current_->renderer->sum(), shownFrames));
+    }));
+    if (!isStale_)
       return;
-    }
-    if (!swapchain_.acquire(queue_.acquired())) {
-      queue_.submit();
-      needsResize_ = true;
-      return;
-    }
-    const DeviceImage& sum = current_->renderer->sum();
-    swapchain_.recordCopy(frame.buffer, display_.record(frame, sum, shownFrames));
-    queue_.submit(Swapchain::kCopyStages, swapchain_.copied());
-    isStale_ = false;
-    needsResize_ = !swapchain_.present();
-    showTitle(shownFrames);
+    isStale_ = !isAcquired;
+    needsResize_ = !isAcquired || !swapchain_.present();
+    if (isAcquired)
+      showTitle(shownFrames);
   }
 
   /// Records the next frame of the scene, if one is left. Returns the number of frames in the sum.
-  std::uint32_t recordScene(const FrameCommands& frame) {
+  std::uint32_t recordScene(VkCommandBuffer commands) {
     SceneRenderer& renderer = *current_->renderer;
     if (std::exchange(isPreview_, false)) {
       renderer.setPreview();
-      renderer.recordFrame(frame, 0);
+      renderer.recordFrame(commands, 0);
       isStale_ = true;
       return 1;
     }
     if (frames_ < settings_.frames) {
       renderer.setFrames(settings_.frames);
-      renderer.recordFrame(frame, frames_++);
+      renderer.recordFrame(commands, frames_++);
       // With fewer frames, each with sharper textures, the sum looks noisier than the preview.
       isStale_ = isStale_ || frames_ >= std::min(settings_.frames, kMostSharpeningFrames);
     }
@@ -321,7 +314,6 @@ private:
   DisplayPass display_;
   std::set<std::string> writtenNotes_; ///< about the current scene
   std::unique_ptr<LoadedScene> current_;
-  FrameQueue queue_; ///< after all that its frames use, so that it is destroyed before them
   OrbitCamera camera_;
   Controls controls_;
   Look look_; ///< the look that the renderer shows

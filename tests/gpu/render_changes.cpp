@@ -2,7 +2,6 @@
 // Changes between frames: each picture equals that of a file with the same values, rendered from
 // scratch.
 #include "failure.h"
-#include "frame_queue.h"
 #include "rendered.h"
 #include "scene_renderer.h"
 #include "synthetic_noise.h"
@@ -128,62 +127,4 @@ TEST_CASE("size, camera, exposure and debug view may change between frames") {
   CHECK(far == render(fromAfar.glb(), settingsOf(kSide, kSide, 1)).values);
   renderer.setCamera(start);
   CHECK(session.picture() == first);
-}
-
-TEST_CASE("a recorded frame keeps its camera, material and noise while the next is recorded") {
-  Session session(noisyBall());
-  renderer::NoiseChanges changes;
-  changes.seedStep = 3;
-  renderer::Camera moved = session.renderer().camera();
-  moved.worldFromCamera[3] += glm::dvec4(0.2, 0.1, 0.0, 0.0);
-  const renderer::Camera camera = session.renderer().camera();
-  const std::vector<float> first = session.picture();
-  renderer::ObjectOwner objects(testDevice().device());
-  const VkCommandPool pool = objects.commandPool(testDevice().queueFamily());
-  std::array<VkCommandBuffer, renderer::kFramesInFlight> recorded{};
-  const auto record = [&](std::uint32_t slot) {
-    recorded[slot] = objects.commandBuffer(pool);
-    const VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
-    REQUIRE(vkBeginCommandBuffer(recorded[slot], &info) == VK_SUCCESS);
-    session.renderer().recordFrame({recorded[slot], slot}, 0);
-    REQUIRE(vkEndCommandBuffer(recorded[slot]) == VK_SUCCESS);
-  };
-  record(0);
-  session.renderer().setNoise(changes);
-  session.renderer().setCamera(moved);
-  record(1);
-  const auto drawn = [&](std::uint32_t slot) {
-    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &recorded[slot];
-    REQUIRE(vkQueueSubmit(testDevice().queue(), 1, &submit, VK_NULL_HANDLE) == VK_SUCCESS);
-    REQUIRE(vkQueueWaitIdle(testDevice().queue()) == VK_SUCCESS);
-    return session.renderer().average(1).values;
-  };
-  CHECK(drawn(0) == first);
-  const std::vector<float> second = drawn(1);
-  CHECK(second != first);
-  CHECK(second == session.picture());
-}
-
-// Lavapipe draws within the submission, so no frame can be kept in flight.
-TEST_CASE("a retired object lives until a wait finds the frames before its retirement completed") {
-  VulkanDevice& device = testDevice();
-  device.messages().clear();
-  renderer::FrameQueue queue(device);
-  for (int frame = 0; frame < 3; ++frame) {
-    queue.waitForSlot();
-    (void)queue.begin();
-    queue.submit();
-    auto object = std::make_shared<int>();
-    const std::weak_ptr<int> retired = object;
-    queue.retire(std::move(object));
-    CHECK(!retired.expired());
-    vkDeviceWaitIdle(device.device());
-    CHECK(!retired.expired());
-    queue.waitForSlot();
-    CHECK(retired.expired());
-  }
-  for (const std::string& text : device.messages().texts())
-    FAIL_CHECK(text);
 }
