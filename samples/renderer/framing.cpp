@@ -25,9 +25,8 @@ constexpr float kGroundToRest = 3.0f;
 // The automatic camera: a portrait lens, looking from slightly above and from the side.
 constexpr float kAutoFieldOfView = 0.6f;
 constexpr glm::vec3 kAutoDirection{0.45f, 0.32f, 1.0f};
-constexpr double kAutoMargin = 1.12; // picture size over subject size
-// Smallest distance from the subject's nearest point, in radii: a single point has no extent.
-constexpr double kAutoLeastDistance = 0.1;
+constexpr double kAutoMargin = 1.12;  // picture size over subject size
+constexpr float kLeastRadius = 1e-6f; // of the subject: a single point has no extent
 // In near plane distances, or half heights of an orthographic view. Half a step as a float is
 // rounded by at most 3e-5 near plane distances: a thirtieth of a pixel at the near plane for a
 // picture 1000 pixels high, and less farther away.
@@ -96,117 +95,34 @@ std::vector<std::size_t> subjectInstances(const std::vector<Box>& boxes) {
   return chosen;
 }
 
-/// Finds the closest camera position that sees all added points; coordinates are along the camera's
-/// axes (z backwards).
-class ClosestView {
-public:
-  /// `slopes`: half the width and half the height of the view at distance 1.
-  explicit ClosestView(const glm::dvec2& slopes) : slopes_(slopes) {}
-
-  void add(const glm::dvec3& p) {
-    points_.push_back(p);
-    lowest_ = glm::min(lowest_, glm::dvec2(p) - slopes_ * p.z);
-    highest_ = glm::max(highest_, glm::dvec2(p) + slopes_ * p.z);
-    front_ = std::max(front_, p.z);
-  }
-
-  /// Replaces the points by balls of this radius.
-  void grow(double radius) {
-    const glm::dvec2 along = radius * glm::sqrt(1.0 + slopes_ * slopes_);
-    lowest_ -= along;
-    highest_ += along;
-    front_ += radius;
-  }
-
-  [[nodiscard]] double front() const { return front_; }
-
-  /// At least `margin` in front of all points, with the points centred in the view.
-  [[nodiscard]] glm::dvec3 eye(double margin) const {
-    // A point is visible if |p - eye| <= slopes (eye.z - p.z) in x and y, which bounds the eye
-    // between two planes.
-    const glm::dvec2 least = (highest_ - lowest_) / (2.0 * slopes_);
-    const double z = std::max({least.x, least.y, front_ + margin});
-    return {centered(0, z), centered(1, z), z};
-  }
-
-private:
-  /// The coordinate along `axis` that leaves equal margins on both sides of the points; bisection.
-  [[nodiscard]] double centered(int axis, double z) const {
-    double low = highest_[axis] - slopes_[axis] * z;
-    double high = lowest_[axis] + slopes_[axis] * z;
-    constexpr int kHalvings = 20; // well below a pixel
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = (low + high) / 2;
-      double least = std::numeric_limits<double>::max();
-      double most = std::numeric_limits<double>::lowest();
-      for (const glm::dvec3& p : points_) {
-        const double projected = (p[axis] - middle) / (z - p.z);
-        least = std::min(least, projected);
-        most = std::max(most, projected);
-      }
-      (least + most > 0.0 ? low : high) = middle;
+/// Radius of a ball around the subject's centre that holds its surfaces.
+double ballAround(const Scene& scene, const glm::dvec3& center) {
+  double radius = 0.0;
+  for (const std::size_t i : subjectInstances(boxesOf(scene))) {
+    const Instance& instance = scene.instances[i];
+    const double displacement = double(displacementOf(scene, instance));
+    for (const Vertex& vertex : scene.primitives[instance.primitive].vertices) {
+      const glm::dvec3 p(instance.worldFromObject * glm::dvec4(vertex.position, 1.0));
+      radius = std::max(radius, glm::distance(p, center) + displacement);
     }
-    return (low + high) / 2;
   }
-
-  glm::dvec2 slopes_;
-  std::vector<glm::dvec3> points_;
-  glm::dvec2 lowest_{std::numeric_limits<double>::max()};
-  glm::dvec2 highest_{std::numeric_limits<double>::lowest()};
-  double front_ = std::numeric_limits<double>::lowest();
-};
-
-/// Adds the instance's vertices in the world, or only the corners of its box if the subject has too
-/// many vertices.
-void addPoints(const Scene& scene, const Instance& instance, bool isLarge,
-               std::vector<glm::dvec3>& points) {
-  if (!isLarge) {
-    for (const Vertex& vertex : scene.primitives[instance.primitive].vertices)
-      points.emplace_back(instance.worldFromObject * glm::dvec4(vertex.position, 1.0));
-    return;
-  }
-  const std::array<glm::dvec3, 8> corners = cornersOf(boxOf(scene, instance));
-  points.insert(points.end(), corners.begin(), corners.end());
+  return radius;
 }
 
-/// The points that the automatic camera must show, in the world.
-std::vector<glm::dvec3> subjectPoints(const Scene& scene) {
-  constexpr std::size_t kMostPoints = std::size_t(1) << 22;
-  const std::vector<std::size_t> instances = subjectInstances(boxesOf(scene));
-  std::size_t count = 0;
-  for (const std::size_t i : instances)
-    count += scene.primitives[scene.instances[i].primitive].vertices.size();
-  std::vector<glm::dvec3> points;
-  for (const std::size_t i : instances)
-    addPoints(scene, scene.instances[i], count > kMostPoints, points);
-  return points;
-}
-
-/// The farthest that any surface of the scene may leave its triangles.
-double displacementOf(const Scene& scene) {
-  float most = 0.0f;
-  for (const Instance& instance : scene.instances)
-    most = std::max(most, displacementOf(scene, instance));
-  return double(most);
-}
-
+/// Shows the whole ball around the subject.
 Camera autoCamera(const Scene& scene, const Sphere& subject, float aspect) {
   const glm::dvec3 z = glm::normalize(glm::dvec3(kAutoDirection));
   const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
-  const glm::dmat3 axes(x, glm::cross(z, x), z);
-  const double slope = std::tan(double(kAutoFieldOfView) / 2) / kAutoMargin;
-  ClosestView view({slope * double(aspect), slope});
-  for (const glm::dvec3& p : subjectPoints(scene))
-    view.add((p - subject.center) * axes); // row times matrix: coordinates along the axes
-  view.grow(displacementOf(scene));
-  const glm::dvec3 eye = view.eye(kAutoLeastDistance * double(subject.radius));
+  const double slope = std::tan(double(kAutoFieldOfView) / 2) * std::min(double(aspect), 1.0);
+  const double radius = std::max(ballAround(scene, subject.center), double(kLeastRadius));
+  const double distance = kAutoMargin * radius / std::sin(std::atan(slope));
   constexpr double kNearShare = 0.02;
   Camera camera;
   camera.name = "auto";
   camera.verticalFieldOfView = kAutoFieldOfView;
-  camera.near = float(kNearShare * (eye.z - view.front()));
-  camera.worldFromCamera = glm::dmat4(axes);
-  camera.worldFromCamera[3] = glm::dvec4(subject.center + axes * eye, 1.0);
+  camera.near = float(kNearShare * (distance - radius));
+  camera.worldFromCamera = glm::dmat4(glm::dmat3(x, glm::cross(z, x), z));
+  camera.worldFromCamera[3] = glm::dvec4(subject.center + z * distance, 1.0);
   return camera;
 }
 
@@ -228,7 +144,6 @@ Result<Sphere> subjectOf(const Scene& scene) {
     return Error{ErrorKind::badInput,
                  fmt::format("the scene reaches {:.3g} units from its origin; the limit is {:.0e}",
                              extent, kMaxSceneReach)};
-  constexpr float kLeastRadius = 1e-6f;
   return Sphere{(subject.low + subject.high) * 0.5,
                 std::max(glm::length(subject.size()) * 0.5f, kLeastRadius)};
 }
