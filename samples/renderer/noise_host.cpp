@@ -184,8 +184,6 @@ void NoiseHost::readUse(MaterialState& material) {
   for (std::uint32_t m = 0; m < noise.mapCount; ++m) {
     auto map = lichenStruct<LichenMapProperties>(LICHEN_STRUCTURE_MAP_PROPERTIES);
     checkLichen(lichenGetMapProperties(bundle_.get(), material.parameters.noise, m, &map));
-    if (map.target == LICHEN_TARGET_BASE_COLOR)
-      use.hasBaseColor = true;
     if (map.target == LICHEN_TARGET_HEIGHT && !material.displaces)
       changeNotes_.insert("the height map of the noise " + printable(noise.name) +
                           " is ignored; lichen-render --displace METRES shows it");

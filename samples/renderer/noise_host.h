@@ -21,7 +21,6 @@ namespace lichen::renderer {
 
 /// What the renderer needs to know of a material's noise besides the plugin's blocks.
 struct NoiseUse {
-  bool hasBaseColor = false;
   std::uint32_t texCoord = 0;
   bool inObjectSpace = false;
   /// Vector from the noise's tile origin to the renderer's origin, added to positions relative to
@@ -40,12 +39,6 @@ struct NoiseSwitches {
 struct NoiseFeatures {
   NoiseSwitches plain, layered; ///< of materials whose noise has no layers, and of the others
   bool objectSpaces = false;    ///< some noise is placed in object space
-  [[nodiscard]] bool hasMethod(LichenNoiseMethod method) const {
-    return ((plain.methods >> method) & 1u) != 0;
-  }
-  [[nodiscard]] bool hasMapping(LichenMapping mapping) const {
-    return (((plain.mappings | layered.mappings) >> mapping) & 1u) != 0;
-  }
   [[nodiscard]] bool operator==(const NoiseFeatures&) const = default;
 };
 

@@ -5,27 +5,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
 namespace lichen::renderer {
 namespace {
 
-// At this many tiles from its node, a vertex is rounded by half a texel for tiles of 512 texels.
-constexpr double kMostTilesFromNode = 16384.0;
 // Smallest useful width of an exemplar on screen; below it, its mip levels have almost no variation
 // left.
 constexpr double kFewestPixels = 4.0;
-
-/// Largest distance of a vertex from its mesh's origin.
-float reachOf(const Primitive& primitive) {
-  float reach = 0.0f;
-  for (const Vertex& vertex : primitive.vertices)
-    reach = std::max(reach, glm::length(vertex.position));
-  return reach;
-}
 
 /// The largest scale factor of an instance's transform.
 double scaleOf(const Instance& instance) {
@@ -34,35 +22,6 @@ double scaleOf(const Instance& instance) {
 }
 
 } // namespace
-
-/// Notes materials whose vertices are so far from their node that float vertices lack precision,
-/// which no choice of origin can fix.
-void SceneRenderer::noteCoarseVertices(std::vector<std::string>& notes) const {
-  std::map<std::size_t, float> reaches; // by primitive
-  std::set<std::size_t> notedMaterials;
-  for (const Instance& instance : scene_.instances) {
-    const std::size_t m = scene_.primitives[instance.primitive].material;
-    const double side = noises_.tileSide(m);
-    if (side == 0.0 || notedMaterials.contains(m))
-      continue;
-    const bool inObjectSpace = noises_.use(m).inObjectSpace;
-    const auto [entry, isNew] = reaches.try_emplace(instance.primitive, 0.0f);
-    if (isNew)
-      entry->second = reachOf(scene_.primitives[instance.primitive]);
-    const double scale = inObjectSpace ? 1.0 : scaleOf(instance);
-    const double reach = scale * double(entry->second);
-    if (reach <= kMostTilesFromNode * side)
-      continue;
-    notedMaterials.insert(m);
-    const double spacing =
-        std::exp2(std::floor(std::log2(reach))) * double(std::numeric_limits<float>::epsilon());
-    notes.push_back(fmt::format(
-        "/materials/{}: vertices are {:.3g} units from their node's origin, where floats are "
-        "{:.2g} apart; its noise, with tiles of {:.2g}, may lose detail there; move the node's "
-        "origin closer to its vertices",
-        m, reach, spacing, side));
-  }
-}
 
 /// Notes noises of all mappings but uv that are too small to be visible from the camera.
 void SceneRenderer::noteInvisibleNoise(std::vector<std::string>& notes) const {
@@ -118,46 +77,10 @@ void SceneRenderer::noteMissingTexCoords(std::vector<std::string>& notes) const 
   }
 }
 
-/// Adds a note if no material of the scene has what the debug view shows.
-void SceneRenderer::noteEmptyView(std::vector<std::string>& notes) const {
-  bool hasBaseColor = false;
-  for (std::size_t m = 0; m < scene_.materials.size(); ++m)
-    hasBaseColor = hasBaseColor || (noises_.hasNoise(m) && noises_.use(m).hasBaseColor);
-  const bool hasTiling = noises_.features().hasMethod(LICHEN_NOISE_TILING),
-             hasTextons = noises_.features().hasMethod(LICHEN_NOISE_TEXTON),
-             hasQuilting = noises_.features().hasMethod(LICHEN_NOISE_QUILTING);
-  const auto note = [&](const char* view, bool isThere, const char* needed) {
-    if (!isThere)
-      notes.push_back(fmt::format("debug view {}: no material of the scene has {}, so all surfaces "
-                                  "are grey",
-                                  view, needed));
-  };
-  switch (debugView_) {
-  case DEBUG_WEIGHTS:
-  case DEBUG_LATTICE:
-    return note(debugView_ == DEBUG_WEIGHTS ? "weights" : "lattice", hasTiling || hasQuilting,
-                "a noise of the method tiling or quilting");
-  case DEBUG_IMPACTS:
-    return note("impacts", hasTextons, "a noise of the method texton");
-  case DEBUG_PLANES:
-    return note("planes", noises_.features().hasMapping(LICHEN_MAPPING_TRIPLANAR),
-                "a noise with triplanar mapping");
-  case DEBUG_MIP_LEVEL:
-    return note("mip-level", hasTextons || ((hasTiling || hasQuilting) && hasBaseColor),
-                "a noise of the method texton, or of tiling or quilting with a base colour");
-  case DEBUG_GAUSSIAN:
-    return note("gaussian", hasBaseColor, "a noise with a base colour");
-  default:
-    return;
-  }
-}
-
 std::vector<std::string> SceneRenderer::notes() const {
   std::vector<std::string> notes = noises_.notes();
-  noteCoarseVertices(notes);
   noteInvisibleNoise(notes);
   noteMissingTexCoords(notes);
-  noteEmptyView(notes);
   std::set<std::string> faults; // several nodes may share a camera
   for (const Camera& camera : scene_.cameras)
     if (!camera.fault.empty() && faults.insert(camera.fault).second)

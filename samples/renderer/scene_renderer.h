@@ -56,10 +56,8 @@ public:
 
 private:
   [[nodiscard]] GpuEnvironment prepareLight(const RenderSettings& settings);
-  void noteCoarseVertices(std::vector<std::string>& notes) const;
   void noteInvisibleNoise(std::vector<std::string>& notes) const;
   void noteMissingTexCoords(std::vector<std::string>& notes) const;
-  void noteEmptyView(std::vector<std::string>& notes) const;
   void createFrameSet(VkFilter depthFilter);
   [[nodiscard]] VkDescriptorSet createSet(std::span<const Descriptor> descriptors,
                                           VkShaderStageFlags stages, VkDescriptorSetLayout& layout);
