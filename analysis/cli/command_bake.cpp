@@ -19,6 +19,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <memory>
 
 namespace lichen::cli {
@@ -140,25 +141,8 @@ Json figuresOf(const BakedMaterial& baked) {
   return json;
 }
 
-/// Writes the page of --report and returns the lines to print about it; nothing without --report.
-Result<std::vector<std::string>> writeReport(const Arguments& arguments, const Bundle& bundle,
-                                             const BakedMaterial& baked, const Json& figures,
-                                             StepTimes& times) {
-  Result<std::vector<std::string>> lines = writeHtmlReport(arguments.report,
-                                                           {.files = arguments.inputs,
-                                                            .output = arguments.output,
-                                                            .bundle = bundle,
-                                                            .baked = baked,
-                                                            .figures = figures,
-                                                            .timings = times.steps()},
-                                                           arguments.shared);
-  if (!arguments.report.empty())
-    times.end("Report");
-  return lines;
-}
-
 /// Reads the images, and bakes them. Adds the notes on options to those of the bake.
-Result<BakedMaterial> readAndBake(Arguments& arguments, StepTimes& times) {
+Result<BakedMaterial> readAndBake(Arguments& arguments) {
   std::vector<std::string> notes;
   if (leavesMethodOpen(arguments) && arguments.common.guide == kGuideRange.least)
     notes.emplace_back(
@@ -176,25 +160,17 @@ Result<BakedMaterial> readAndBake(Arguments& arguments, StepTimes& times) {
     if (Result<void> sized = setMethod(arguments, set.value().maps, again); !sized)
       return sized.error();
   StepsShown steps(arguments.shared);
-  BakeObserver observer = steps.observer();
-  observer.progress = [&times, isPreparing = true,
-                       show = observer.progress](std::string_view step, double fraction) mutable {
-    if (isPreparing && step == "bake")
-      times.end("Reading and preparing the images");
-    isPreparing = isPreparing && step != "bake";
-    return show(step, fraction);
-  };
+  const BakeObserver observer = steps.observer();
   for (const std::string& line : notes)
     observer.note(line);
   Result<BakedMaterial> baked = bakeMaterial(std::move(set).value(), arguments.bake, observer);
   if (baked)
     baked.value().notes.insert(baked.value().notes.begin(), notes.begin(), notes.end());
-  times.end("Baking and judging the noise");
   return baked;
 }
 
 Result<int> run(Arguments& arguments) {
-  StepTimes times;
+  const auto start = std::chrono::steady_clock::now();
   if (Result<void> checked =
           checkMethodOptions(arguments, methodOf(arguments).value_or(Method::tiling));
       !checked)
@@ -205,7 +181,7 @@ Result<int> run(Arguments& arguments) {
     return checked.error();
   arguments.bake.exemplar.keepsOriginals = !arguments.report.empty();
   arguments.bake.material = arguments.common.material;
-  Result<BakedMaterial> made = readAndBake(arguments, times);
+  Result<BakedMaterial> made = readAndBake(arguments);
   if (!made)
     return made.error();
   BakedMaterial& baked = made.value();
@@ -216,20 +192,25 @@ Result<int> run(Arguments& arguments) {
     return file.error();
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
-  times.end("Preview and bundle");
   const Bundle& bundle = file.value().bundle;
-  const Result<std::vector<std::string>> page =
-      writeReport(arguments, bundle, baked, figures, times);
+  const Result<std::vector<std::string>> page = writeHtmlReport(arguments.report,
+                                                                {.files = arguments.inputs,
+                                                                 .output = arguments.output,
+                                                                 .bundle = bundle,
+                                                                 .baked = baked,
+                                                                 .figures = figures},
+                                                                arguments.shared);
   if (!page)
     return page.error();
   const NoiseJudgement& judged = baked.judgement;
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   reportBake(arguments.shared, {.output = arguments.output,
                                 .bundle = bundle,
                                 .notes = baked.notes,
                                 .verdict = judged.verdict,
                                 .risks = leadingRisks(baked.exemplars, judged.risks),
                                 .ofMethod = figures,
-                                .seconds = times.sum()});
+                                .seconds = seconds.count()});
   for (const std::string& line : page.value())
     say(arguments.shared, line);
   return kDone;

@@ -35,19 +35,6 @@ std::vector<std::pair<std::string, std::string>> reportedFacts(const ReportedBak
 
 } // namespace
 
-void StepTimes::end(const std::string& step) {
-  const auto now = std::chrono::steady_clock::now();
-  steps_.emplace_back(step, std::chrono::duration<double>(now - last_).count());
-  last_ = now;
-}
-
-double StepTimes::sum() const {
-  double seconds = 0.0;
-  for (const auto& [step, taken] : steps_)
-    seconds += taken;
-  return seconds;
-}
-
 void addReport(CLI::App& verb, std::string& path) {
   addText(verb, "--report", path, "OUT.html",
           "Also write a page with pictures, measures and charts of the noise; takes 5 to 30 s per "
@@ -71,7 +58,6 @@ Result<std::vector<std::string>> writeHtmlReport(const std::string& path, const 
                           .words = optionOf,
                           .command = options.commandLine,
                           .facts = reportedFacts(bake),
-                          .timings = bake.timings,
                           .notes = bake.baked.notes};
   const Result<NoiseReport> report = encodeNoiseReport(record, progress.asProgress());
   if (!report)

@@ -7,26 +7,10 @@
 
 #include <lichen/bake_material.h>
 
-#include <chrono>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace lichen::cli {
-
-/// The duration of each step of a verb.
-class StepTimes {
-public:
-  /// Ends the step that began at the last call, or at construction.
-  void end(const std::string& step);
-  [[nodiscard]] const std::vector<std::pair<std::string, double>>& steps() const { return steps_; }
-  [[nodiscard]] double sum() const; ///< seconds
-
-private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-  std::vector<std::pair<std::string, double>> steps_;
-};
 
 /// What the page shows in addition to the bundle.
 struct ReportedBake {
@@ -34,8 +18,7 @@ struct ReportedBake {
   std::string output;
   const Bundle& bundle; ///< one noise, one material
   const BakedMaterial& baked;
-  const nlohmann::ordered_json& figures;               ///< of the method
-  std::vector<std::pair<std::string, double>> timings; ///< StepTimes::steps()
+  const nlohmann::ordered_json& figures; ///< of the method
 };
 
 /// Declares --report.

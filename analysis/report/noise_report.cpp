@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 
 namespace lichen {
@@ -85,30 +84,18 @@ std::string factsOf(std::string_view title,
   return element("section", element("h2", title) + element("dl", list)) + "\n";
 }
 
-/// `reportSeconds`: the time that describing the maps took.
-std::string footer(const BakeRecord& record, double reportSeconds) {
-  std::vector<std::pair<std::string, std::string>> timings;
-  double all = reportSeconds;
-  const auto addTiming = [&](const std::string& name, double seconds) {
-    timings.emplace_back(name, fmt::format("{:.2f} s", seconds));
-  };
-  for (const auto& [name, seconds] : record.timings) {
-    addTiming(name, seconds);
-    all += seconds;
-  }
-  addTiming("Measures and pictures of this page", reportSeconds);
-  addTiming("In all", all);
+std::string footer(const BakeRecord& record) {
   std::string notes;
   for (const std::string& note : record.notes)
     notes += element("li", htmlText(note));
   if (!notes.empty())
     notes = element("section", "<h2>Notes</h2>" + element("ul", notes)) + "\n";
-  return element("footer", factsOf("The bake", record.facts) + factsOf("Time", timings) + notes);
+  return element("footer", factsOf("The bake", record.facts) + notes);
 }
 
 /// The whole page. It loads nothing and runs nothing, and asks the browser to see to that.
 std::string page(const BakeRecord& record, const std::vector<MapSection>& maps,
-                 const NoiseReport& report, double reportSeconds) {
+                 const NoiseReport& report) {
   std::string sections;
   for (const MapSection& map : maps)
     sections += map.markup;
@@ -132,7 +119,7 @@ std::string page(const BakeRecord& record, const std::vector<MapSection>& maps,
 </html>
 )",
                      htmlText(record.bundle.noises.front().name), kPageStyle,
-                     header(record, maps, report), sections, footer(record, reportSeconds));
+                     header(record, maps, report), sections, footer(record));
 }
 
 /// Adds the targets of the maps.
@@ -150,7 +137,6 @@ void addTargets(const std::vector<MapSection>& maps, NoiseReport& report) {
 }
 
 Result<NoiseReport> encode(const BakeRecord& record, const Progress& progress) {
-  const auto start = std::chrono::steady_clock::now();
   const MaterialNoise& material = *record.bundle.materials.front();
   const int side = exemplarSide(record, record.bundle.noises[material.noise].method());
   const std::size_t count = record.exemplars.size();
@@ -164,10 +150,9 @@ Result<NoiseReport> encode(const BakeRecord& record, const Progress& progress) {
       return map.error();
     maps.push_back(std::move(map).value());
   }
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   NoiseReport report;
   addTargets(maps, report);
-  const std::string text = page(record, maps, report, taken.count());
+  const std::string text = page(record, maps, report);
   const auto bytes = std::as_bytes(std::span(text));
   report.page.assign(bytes.begin(), bytes.end());
   return report;

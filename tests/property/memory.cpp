@@ -333,7 +333,6 @@ TEST_CASE("a report returns an error for exhausted memory, whichever large alloc
                           .origins = {&origin, 1},
                           .command = "command",
                           .facts = {{"name", "value"}},
-                          .timings = {{"step", 1.0}},
                           .notes = {"a note"}};
   CHECK(exhaustWriting([&] { return encodeNoiseReport(record); }) > 10);
 }

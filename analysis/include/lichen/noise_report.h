@@ -35,8 +35,6 @@ struct BakeRecord {
   std::string command;                     ///< the command line
   /// Pairs of name and value, for example {"Version", "0.1.0"}, shown in order.
   std::vector<std::pair<std::string, std::string>> facts;
-  /// Steps and their seconds; the report adds its own time and the sum.
-  std::vector<std::pair<std::string, double>> timings;
   std::vector<std::string> notes;
 };
 
