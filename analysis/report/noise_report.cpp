@@ -51,16 +51,6 @@ std::string targetsLine(const std::vector<MapSection>& maps, const NoiseReport& 
                                             report.missedTargets.size(), report.targets, list));
 }
 
-std::string risksLine(const std::vector<MapSection>& maps) {
-  std::string list;
-  for (const MapSection& map : maps)
-    for (const Risk& risk : map.shown.risks)
-      if (risk.level != Risk::Level::none)
-        list += fmt::format("{}{} {} of {}", list.empty() ? "" : ", ", nameOf(risk.level),
-                            risk.name, map.title);
-  return list.empty() ? "" : paragraph("warn", "\u26a0 Risks: " + list + ".");
-}
-
 std::string header(const BakeRecord& record, const std::vector<MapSection>& maps,
                    const NoiseReport& report) {
   std::string lines = paragraph("quiet", "Lichen bake report") +
@@ -71,8 +61,8 @@ std::string header(const BakeRecord& record, const std::vector<MapSection>& maps
     lines += paragraph(kLooks[std::size_t(verdict->level)],
                        "Verdict: " + sentenceOf(*verdict, severalMaps, record.words));
   }
-  return element("header", lines + targetsLine(maps, report) + risksLine(maps) +
-                               element("pre", htmlText(record.command)));
+  return element("header",
+                 lines + targetsLine(maps, report) + element("pre", htmlText(record.command)));
 }
 
 /// Names and their values.
