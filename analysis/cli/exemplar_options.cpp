@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 
@@ -41,15 +42,19 @@ Accepted<Flattening> flattening() {
 }
 
 Accepted<std::optional<PixelRectangle>> crop() {
-  const Accepted<std::array<int, 4>> rectangle = pixelRectangle(kMaxImageSide);
-  return {rectangle.placeholder, rectangle.sentence,
-          [read = rectangle.read](
-              const std::string& text) -> std::optional<std::optional<PixelRectangle>> {
-            const auto part = read(text);
-            if (!part)
-              return std::nullopt;
-            return PixelRectangle{(*part)[0], (*part)[1], (*part)[2], (*part)[3]};
-          }};
+  const Accepted<std::vector<double>> list = numbers({0.0, kMaxImageSide}, 4);
+  return {
+      "X,Y,W,H",
+      fmt::format(
+          "X,Y,W,H with whole numbers of pixels, X and Y from 0, W and H from 1, at most {}",
+          kMaxImageSide),
+      [read = list.read](const std::string& text) -> std::optional<std::optional<PixelRectangle>> {
+        const auto part = read(text);
+        if (!part || part->size() != 4 || (*part)[2] < 1.0 || (*part)[3] < 1.0 ||
+            std::ranges::any_of(*part, [](double n) { return n != std::floor(n); }))
+          return std::nullopt;
+        return PixelRectangle{int((*part)[0]), int((*part)[1]), int((*part)[2]), int((*part)[3])};
+      }};
 }
 
 /// Eight numbers from 0, with commas or spaces between them.

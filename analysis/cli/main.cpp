@@ -69,24 +69,6 @@ int failUsage(const CLI::App& app, const std::string& message) {
                                      given.empty() ? "" : given.front()->get_name() + " ")});
 }
 
-/// Returns the message for arguments that no option takes.
-std::string unexpected(const CLI::App& app) {
-  const std::string first = app.remaining(true).front();
-  if (first.starts_with("-"))
-    return first + ": no such option";
-  return app.get_subcommands().empty()
-             ? fmt::format("{}: no such verb; expected {}", first, verbNames())
-             : first + ": one argument too many";
-}
-
-/// Returns the message for an option with too few values, or a flag with a value. CLI11 reports
-/// these as "--option: 1 required TYPE missing" and "flag was given a disallowed flag override".
-std::string mismatched(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  return colon != std::string::npos ? text.substr(0, colon) + ": a value is missing"
-                                    : "--" + text.substr(0, text.find(' ')) + ": takes no value";
-}
-
 void addSharedOptions(CLI::App& verb, SharedOptions& options) {
   addFlag(verb, "--json", options.json,
           "Print one JSON object on standard output and nothing else");
@@ -151,12 +133,12 @@ int run(int argc, char** argv) {
     app.parse(argumentsOf(argc, argv));
   } catch (const CLI::Success& success) { // --help and --version
     return app.exit(success);
-  } catch (const CLI::ExtrasError&) {
-    return failUsage(app, unexpected(app));
-  } catch (const CLI::ArgumentMismatch& error) {
-    return failUsage(app, mismatched(error.what()));
   } catch (const CLI::ParseError& error) {
-    return failUsage(app, error.what());
+    const std::vector<std::string> rest = app.remaining(true);
+    if (!rest.empty() && !rest.front().starts_with("-") && app.get_subcommands().empty())
+      return failUsage(app,
+                       fmt::format("{}: no such verb; expected {}", rest.front(), verbNames()));
+    return failUsage(app, parseFault(app, error));
   }
   const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                     shared.threads > 0

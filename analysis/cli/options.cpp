@@ -147,29 +147,6 @@ Accepted<std::vector<double>> numbers(NumberRange range, std::size_t most) {
           read};
 }
 
-Accepted<std::array<int, 4>> pixelRectangle(int largest) {
-  return {"X,Y,W,H",
-          fmt::format(
-              "X,Y,W,H with whole numbers of pixels, X and Y from 0, W and H from 1, at most {}",
-              largest),
-          [=](const std::string& text) -> std::optional<std::array<int, 4>> {
-            std::array<int, 4> numbers{};
-            std::string_view rest = text;
-            for (std::size_t i = 0; i < numbers.size(); ++i) {
-              const std::size_t end = rest.find(',');
-              if ((end == std::string_view::npos) != (i + 1 == numbers.size()))
-                return std::nullopt;
-              const auto number = parseNumber(rest.substr(0, end), i < 2 ? 0 : 1, largest);
-              if (!number)
-                return std::nullopt;
-              numbers[i] = *number;
-              if (end != std::string_view::npos)
-                rest.remove_prefix(end + 1);
-            }
-            return numbers;
-          }};
-}
-
 const Option& Option::required() const {
   option_->required();
   return *this;
@@ -228,6 +205,19 @@ std::optional<std::string> givenOf(const CLI::App& verb, const std::string& grou
 }
 
 bool isGiven(const CLI::App& verb, const std::string& name) { return verb.count(name) > 0; }
+
+std::string parseFault(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::string first = app.remaining(true).front();
+    return first + (first.starts_with("-") ? ": no such option" : ": one argument too many");
+  }
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr)
+    return text;
+  const std::size_t colon = text.find(':');
+  return colon != std::string::npos ? text.substr(0, colon) + ": a value is missing"
+                                    : "--" + text.substr(0, text.find(' ')) + ": takes no value";
+}
 
 std::shared_ptr<CLI::FormatterBase> helpFormatter() {
   auto formatter = std::make_shared<HelpFormatter>();

@@ -20,6 +20,7 @@ namespace CLI {
 class App;
 class FormatterBase;
 class Option;
+class ParseError;
 } // namespace CLI
 
 namespace lichen::cli {
@@ -47,10 +48,6 @@ struct Accepted {
 [[nodiscard]] Accepted<std::array<double, 2>> coordinates(NumberRange range);
 /// "0.2,0.5,0.3" -> {0.2, 0.5, 0.3}: 1 to `most` numbers in `range`.
 [[nodiscard]] Accepted<std::vector<double>> numbers(NumberRange range, std::size_t most);
-/// "16,0,256,128" -> {16, 0, 256, 128}: x and y from 0, width and height from 1, all at most
-/// `largest`.
-[[nodiscard]] Accepted<std::array<int, 4>> pixelRectangle(int largest);
-
 /// The same for an option whose absence has a meaning.
 template <class Value>
 [[nodiscard]] Accepted<std::optional<Value>> optional(Accepted<Value> accepted) {
@@ -148,6 +145,10 @@ void addPreviewShape(CLI::App& verb, PreviewShape& shape);
 
 /// Whether the user gave an option of a verb.
 [[nodiscard]] bool isGiven(const CLI::App& verb, const std::string& name);
+
+/// What is wrong with the arguments, in the words of these programs: for CLI11's "--option: 1
+/// required TYPE missing" and "flag was given a disallowed flag override".
+[[nodiscard]] std::string parseFault(const CLI::App& app, const CLI::ParseError& error);
 
 /// Formats the help: placeholders in the left column, defaults and requirements in the right one.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> helpFormatter();

@@ -87,16 +87,6 @@ int failUsage(const std::string& message) {
   return fail(ErrorKind::usage, message + "; see 'lichen-exemplars --help'");
 }
 
-/// Rewrites a parser error in the style of the lichen command.
-int failUsage(const CLI::App& app, const CLI::ParseError& fault) {
-  const std::string text = fault.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr)
-    return failUsage(app.remaining().front() + ": no such option");
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&fault) != nullptr)
-    return failUsage(text.substr(0, text.find(':')) + ": a value is missing");
-  return failUsage(text);
-}
-
 int run(int argc, char** argv) {
   std::vector<std::string> known;
   for (const exemplars::Material& picture : pictures())
@@ -124,7 +114,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& request) {
     return app.exit(request); // --help
   } catch (const CLI::ParseError& error) {
-    return failUsage(app, error);
+    return failUsage(cli::parseFault(app, error));
   }
   for (const std::string& name : names)
     if (std::ranges::find(known, name) == known.end())

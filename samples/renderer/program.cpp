@@ -18,25 +18,6 @@
 namespace lichen::renderer {
 namespace {
 
-/// Rewrites a parser error in the style of the lichen command.
-Error usage(const CLI::App& app, const CLI::ParseError& fault) {
-  const std::string text = fault.what();
-  if (dynamic_cast<const CLI::ExtrasError*>(&fault) != nullptr) {
-    const std::string first = app.remaining().front();
-    return usageError(app.get_name(), first + (first.starts_with("-") ? ": no such option"
-                                                                      : ": one argument too many"));
-  }
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&fault) != nullptr) {
-    // "--option: 1 required TYPE missing", "flag was given a disallowed flag override"
-    const std::size_t colon = text.find(':');
-    return usageError(app.get_name(),
-                      colon != std::string::npos
-                          ? text.substr(0, colon) + ": a value is missing"
-                          : "--" + text.substr(0, text.find(' ')) + ": takes no value");
-  }
-  return usageError(app.get_name(), text);
-}
-
 int fail(const char* program, const Error& error) {
   std::fprintf(stderr, "%s: %s\n", program, oneLine(error.message).c_str());
   return int(error.kind);
@@ -57,7 +38,7 @@ Result<std::optional<std::string>> parseArguments(CLI::App& app, int argc,
     app.exit(success, text);
     return std::optional(text.str());
   } catch (const CLI::ParseError& fault) {
-    return usage(app, fault);
+    return usageError(app.get_name(), cli::parseFault(app, fault));
   }
   return std::optional<std::string>();
 }
