@@ -9,7 +9,6 @@
 #include <lichen/quality.h>
 
 #include <algorithm>
-#include <stroke_excess.h>
 
 namespace lichen::bench {
 namespace {
@@ -21,8 +20,7 @@ constexpr std::uint32_t kSeeds = 3;
 
 std::vector<Row> localRandomPhaseRows() {
   constexpr int kRuns = 3;
-  constexpr int kStrokesSide = 512, kTrials = 12; // a standard error of 0.01
-  Measured seconds, beyond, spectrum, color, covariance, strokes;
+  Measured seconds, beyond, spectrum, color, covariance;
   for (const Exemplar& exemplar : exemplars256()) {
     const double whole =
         medianSeconds(kRuns, [&] { return localRandomPhaseBundle(exemplar.image); });
@@ -49,23 +47,16 @@ std::vector<Row> localRandomPhaseRows() {
     spectrum.note(db, exemplar.name);
     color.note(distance, exemplar.name);
     covariance.note(own / ofTiling, exemplar.name);
-    double excess = 0.0;
-    for (std::uint32_t seed = 1; seed <= kSeeds; ++seed)
-      excess += test::strokeExcess(synthesized(noise, kStrokesSide, seed), kTrials).value;
-    strokes.note(excess / kSeeds, exemplar.name);
   }
   const std::string of = "against the Gaussian version, 256 x 256 -> 1024 x 1024, 3 seeds";
-  return {
-      {"local random phase, bake of 256 x 256 with its table, median", median(seconds.values), 0.3,
-       "s", "of which all but the next row is tiling's"},
-      {"its part beyond tiling's bake, median", median(beyond.values), kNoTarget, "s", ""},
-      {"spectrum_distance_db, median", median(spectrum.values), 0.4, "dB", of},
-      {"the same, worst", spectrum.largest(), 1.0, "dB", spectrum.worst},
-      {"color_distance, worst", color.largest(), 0.003, "", color.worst},
-      {"autocovariance_error over tiling's, median", median(covariance.values), 1.25, "", of},
-      {"the same, worst", covariance.largest(), 1.25, "", covariance.worst},
-      {"excess of strokes, median", median(strokes.values), kNoTarget, "", "512 x 512, 3 seeds"},
-      {"the same, worst", strokes.largest(), kNoTarget, "", strokes.worst}};
+  return {{"local random phase, bake of 256 x 256 with its table, median", median(seconds.values),
+           0.3, "s", "of which all but the next row is tiling's"},
+          {"its part beyond tiling's bake, median", median(beyond.values), kNoTarget, "s", ""},
+          {"spectrum_distance_db, median", median(spectrum.values), 0.4, "dB", of},
+          {"the same, worst", spectrum.largest(), 1.0, "dB", spectrum.worst},
+          {"color_distance, worst", color.largest(), 0.003, "", color.worst},
+          {"autocovariance_error over tiling's, median", median(covariance.values), 1.25, "", of},
+          {"the same, worst", covariance.largest(), 1.25, "", covariance.worst}};
 }
 
 } // namespace lichen::bench

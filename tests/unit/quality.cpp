@@ -16,7 +16,6 @@
 #include <functional>
 #include <numeric>
 #include <patch_distance.h>
-#include <stroke_excess.h>
 #include <vector>
 
 using namespace lichen;
@@ -64,28 +63,6 @@ SrgbImage powerLawNoise(int side, double exponent, std::uint32_t seed) {
   const float scale = 0.1f / float(std::sqrt(energy / double(image.pixelCount())));
   for (float& value : image.values)
     value = 0.5f + scale * value;
-  return image;
-}
-
-/// Cosines of 5.66 pixels in random directions, under windows of cells whose squares sum to 1.
-SrgbImage wavesOfCells(int side, int cell, int waves) {
-  SrgbImage image = makeImage(side, side, 1, [](int, int, int) { return 0.5f; });
-  constexpr double kTurn = 6.283185307179586;
-  for (int row = -1; row <= side / cell; ++row)
-    for (int column = -1; column <= side / cell; ++column)
-      for (int wave = 0; wave < waves; ++wave) {
-        const double angle = kTurn * double(hashed(column + 1, row + 1, std::uint32_t(2 * wave)));
-        const double phase =
-            kTurn * double(hashed(column + 1, row + 1, std::uint32_t(2 * wave + 1)));
-        for (int y = std::max(0, row * cell); y < std::min(side, (row + 2) * cell); ++y)
-          for (int x = std::max(0, column * cell); x < std::min(side, (column + 2) * cell); ++x) {
-            const double dx = double(x) / cell - column, dy = double(y) / cell - row; // in [0, 2)
-            const double window = std::sin(0.25 * kTurn * dx) * std::sin(0.25 * kTurn * dy);
-            const double turns = (std::cos(angle) * x + std::sin(angle) * y) / 5.66;
-            *image.pixel(x, y) +=
-                float(0.1 / std::sqrt(waves) * window * std::cos(kTurn * turns + phase));
-          }
-      }
   return image;
 }
 
@@ -268,51 +245,14 @@ TEST_CASE("a straight step has exactly the height that the seam measure reports"
   CHECK(seamVisibility(step(0.1f), step(0.2f)).value() == Approx(2.0).epsilon(1e-4));
 }
 
-TEST_CASE("images with random phases have strokes as chance has them, whatever their histogram") {
-  // Of 10 trials, the excess over its standard error has the t-distribution of 9 degrees of
-  // freedom: beyond 5 with a probability of 0.07 %.
-  double squares = 0.0;
-  for (std::uint32_t seed = 0; seed < 6; ++seed) {
-    SrgbImage image = powerLawNoise(kSide, 1.0, 200 + seed);
-    for (float& value : image.values)
-      value = value * value * value;
-    const test::StrokeExcess excess = test::strokeExcess(image, 10);
-    INFO(excess.value << " +- " << excess.standardError);
-    CHECK(std::abs(excess.value) < 5.0 * excess.standardError);
-    CHECK(excess.standardError < 0.06);
-    squares += std::pow(excess.value / excess.standardError, 2.0) / 6.0;
-  }
-  CHECK(squares < 3.0); // 9/7 expected
-}
-
-TEST_CASE("few waves at each place are an excess of strokes, many are not") {
-  constexpr int kStrokesSide = 192;
-  const auto excess = [](int waves) {
-    return test::strokeExcess(wavesOfCells(kStrokesSide, 24, waves), 10);
-  };
-  const test::StrokeExcess one = excess(1), four = excess(4), many = excess(64);
-  INFO(one.value << ", " << four.value << ", " << many.value << " +- " << many.standardError);
-  CHECK(one.value > 0.5);
-  CHECK(four.value > 3.0 * four.standardError);
-  CHECK(four.value < 0.5 * one.value);
-  CHECK(std::abs(many.value) < 5.0 * many.standardError);
-  // Transposed strokes are as many.
-  SrgbImage turned = wavesOfCells(kStrokesSide, 24, 1);
-  for (int y = 0; y < kStrokesSide; ++y)
-    for (int x = 0; x < y; ++x)
-      std::swap(*turned.pixel(x, y), *turned.pixel(y, x));
-  CHECK(test::strokeExcess(turned, 10).value == Approx(one.value).margin(3.0 * one.standardError));
-  CHECK(test::strokeExcess(makeImage(64, 64, 1, [](int, int, int) { return 0.5f; })).value == 0.0);
-}
-
 TEST_CASE("the measures are the same bytes on one thread and on many") {
   const SrgbImage a = powerLawNoise(kSide, 1.0, 17);
   const SrgbImage b = powerLawNoise(kSide, 1.5, 18);
   const auto all = [&] {
-    return std::array<double, 6>{
-        colorDistance(a, b).value(),       spectrumDistanceDb(a, b).value(),
-        autocovarianceError(a, b).value(), latticeVisibility(b, latticeView()).value(),
-        seamVisibility(a, b).value(),      test::strokeExcess(b, 3).value};
+    return std::array<double, 5>{colorDistance(a, b).value(), spectrumDistanceDb(a, b).value(),
+                                 autocovarianceError(a, b).value(),
+                                 latticeVisibility(b, latticeView()).value(),
+                                 seamVisibility(a, b).value()};
   };
   const auto many = all();
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
