@@ -174,11 +174,6 @@ DeviceNoise::drawnGaussian(const MaterialUse& use, const std::vector<SamplePoint
   return all;
 }
 
-std::vector<DeviceNoise::Value> DeviceNoise::drawnImpacts(const MaterialUse& use,
-                                                          const std::vector<SamplePoint>& points) {
-  return drawn(kImpacts, use, points);
-}
-
 TileFootprint DeviceNoise::onPlane(const Point& point) const {
   const shader::LichenMaterial& m = host.material();
   const auto toTile = [&](const std::array<float, 2>& v) {

@@ -40,7 +40,7 @@ struct SamplePoint {
                                                 std::uint32_t tileRotation = 1);
 
 /// The numbering of the passes (shaders_glsl/passes/evaluate.glsl).
-enum Quantity { kValue, kGaussian, kGradient, kImpacts, kLost, kWeights };
+enum Quantity { kValue, kGaussian, kGradient, kLost = 4, kWeights };
 
 /// The first map of the first noise of a file. The destructor checks that the device reported no
 /// message.
@@ -61,9 +61,6 @@ public:
                                          std::span<const std::uint32_t> spirv = {});
   [[nodiscard]] std::vector<Gaussian> drawnGaussian(const MaterialUse& use,
                                                     const std::vector<SamplePoint>& points);
-  /// How many impacts reach each point; textons count them.
-  [[nodiscard]] std::vector<Value> drawnImpacts(const MaterialUse& use,
-                                                const std::vector<SamplePoint>& points);
 
   // In C++, with the block of the last function above.
   [[nodiscard]] Footprint footprint(const SamplePoint& point) const;

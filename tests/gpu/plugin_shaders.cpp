@@ -12,15 +12,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <four_noises.frag.h>
-#include <roles.comp.fitted_texton.h>
 #include <roles.comp.h>
-#include <shader_switches.h>
-#include <tiling_maps.comp.fitted.h>
-#include <tiling_maps.comp.h>
-#include <triplanar_color.comp.fitted_triplanar.h>
-#include <triplanar_color.comp.h>
 #include <view.vert.h>
 
 using namespace lichen;
@@ -58,73 +51,6 @@ TEST_CASE("one shader and pipeline draw bundles with different maps") {
     for (std::size_t role = 0; role < kRoles; ++role)
       for (std::size_t k = 0; k < points.size(); ++k)
         REQUIRE((values[k * kRoles + role][0] == -1.0f) == !isThere[role]);
-  }
-  CHECK(device->messages().texts() == std::vector<std::string>{});
-}
-
-namespace {
-
-/// The input layout of triplanar_color.comp.
-struct SpacePoint {
-  std::array<float, 4> position{}, gradientX{}, gradientY{}, normal{};
-};
-
-/// Points with normals between the axes, in all octants.
-std::vector<SpacePoint> spacePoints() {
-  std::vector<SpacePoint> points(200);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const float t = float(k);
-    points[k].position = {0.013f * t, -0.007f * t, 0.011f * t, 0.0f};
-    points[k].gradientX = {0.02f, 0.0f, 0.01f, 0.0f};
-    points[k].gradientY = {0.0f, 0.05f, 0.0f, 0.0f};
-    points[k].normal = {std::cos(t), std::sin(t), std::cos(0.37f * t), 0.0f};
-  }
-  return points;
-}
-
-/// Checks that `fitted` has the values of `all` for a material, and that the switches which the
-/// library writes for it are those that the build compiles `fitted` with.
-template <class AnyPoint>
-void checkFitted(PluginHost& host, const MaterialUse& use, const std::string& expectedSwitches,
-                 std::span<const std::uint32_t> all, std::span<const std::uint32_t> fitted,
-                 const std::vector<AnyPoint>& points, std::size_t valuesEach) {
-  const LichenMaterialParameters* const parameters = &use.parameters;
-  LichenShaderSwitches switches;
-  LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
-  REQUIRE(lichenGetShaderSwitches(&parameters, 1, nullptr, &switches, nullptr) == LICHEN_SUCCESS);
-  CHECK(std::string(switches.text) == expectedSwitches);
-  const auto expected = host.evaluate(all, 0, use, points, valuesEach);
-  const auto values = host.evaluate(fitted, 0, use, points, valuesEach);
-  // Not a constant, which would also come of a shader that evaluates nothing.
-  CHECK(std::abs(expected[0][0] - expected[valuesEach][0]) > 1e-3f);
-  for (std::size_t k = 0; k < expected.size(); ++k)
-    for (std::size_t c = 0; c < 3; ++c)
-      REQUIRE(values[k][c] == Approx(expected[k][c]).margin(1e-5));
-}
-
-} // namespace
-
-TEST_CASE("a shader with the switches that the library writes has the same values") {
-  const auto device = requireDevice();
-  const std::vector<SyntheticMap> maps{kColor, kSlopes, kOrm};
-  {
-    PluginHost host(*device, syntheticGlb(maps));
-    checkFitted(host, host.use(), fitted_switches, tiling_maps_comp, tiling_maps_comp_fitted,
-                linePoints(), maps.size());
-  }
-  {
-    PluginHost host(*device, syntheticTextonGlb({}));
-    checkFitted(host, host.use(), fitted_texton_switches, roles_comp, roles_comp_fitted_texton,
-                linePoints(), kRoles);
-  }
-  {
-    SyntheticMap wood = kColor;
-    wood.grain = Grain::y;
-    PluginHost host(*device, syntheticGlb(std::span(&wood, 1)));
-    MaterialUse use = host.use();
-    use.parameters.mapping = LICHEN_MAPPING_TRIPLANAR;
-    checkFitted(host, use, fitted_triplanar_switches, triplanar_color_comp,
-                triplanar_color_comp_fitted_triplanar, spacePoints(), 1);
   }
   CHECK(device->messages().texts() == std::vector<std::string>{});
 }

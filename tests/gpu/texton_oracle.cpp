@@ -148,37 +148,6 @@ TEST_CASE("derivatives are differences over a texel, and those of a mix include 
   }
 }
 
-TEST_CASE("as many impacts reach a point as the process predicts, in the plane and on a surface") {
-  const auto meanOf = [](DeviceNoise& noise, const MaterialUse& use, std::size_t count) {
-    std::vector<SamplePoint> points = samplePoints(count);
-    for (SamplePoint& point : points) {
-      point.plane.gradientX = point.plane.gradientY = {};
-      point.dx = point.dy = {};
-    }
-    double mean = 0.0;
-    for (const auto& impacts : noise.drawnImpacts(use, points))
-      mean += double(impacts[0]) / double(count);
-    return mean;
-  };
-  DeviceNoise plane(syntheticTextonBundle({.order = 3, .channels = 1}));
-  MaterialUse use = plane.host.use();
-  setPeriod(use, 2.0, 2.0);
-  // A Bernoulli variable for each cell: 200 points, each with a standard deviation of at most
-  // sqrt(30 / 4); 5 standard errors. The 30 impacts are counted in a rectangular window of (24, 21)
-  // texels.
-  CHECK(meanOf(plane, use, 200) == Approx(30.0).margin(1.0));
-  DeviceNoise surface(syntheticTextonBundle({}), Mapping::surface);
-  const double mean = meanOf(surface, surface.host.use(), 400);
-  // [GLM17] proposition 3: lambda times the box of (22, 19, sqrt(22 * 19)) texels.
-  const double cube =
-      double(partOf<shader::LichenTextonMaterial>(surface.host.material()).surfaceCubeTexels);
-  const double expected = std::pow(22.0 * 19.0, 1.5) / (cube * cube * cube);
-  CHECK(expected == Approx(60.0).epsilon(0.1));
-  // 400 points, with a Bernoulli variable for each of some 90 cubes on the border: 5 standard
-  // errors.
-  CHECK(mean == Approx(expected).margin(5.0 * std::sqrt(90.0 / 4.0 / 400.0)));
-}
-
 TEST_CASE("a constant or a direction of the weight follows the material, not the noise's "
           "placement") {
   BundleFile file = syntheticTextonBundle({.order = 1, .steps = 5});

@@ -61,31 +61,6 @@ TEST_CASE("16-bit tiling matches the oracle: 99.9 % within 1/1024 and all within
   }
 }
 
-TEST_CASE("with any grain, a point has one value from every tile origin") {
-  for (const Grain grain : {Grain::none, Grain::x, Grain::y}) {
-    const Bundle bundle = fileOf({3, 64, 64, false, 5, joint, grain}).bundle;
-    const TilingReference reference(bundle);
-    for (const auto& [x, y] : {std::pair{1, 0}, {2, 1}, {3, -5}, {-7, 2}, {-1000, 1001}})
-      for (SamplePoint point : samplePoints(100)) {
-        for (float& along : point.plane.uv) // exact in float, also 1,001 tiles away
-          along = std::round(32.0f * along) / 32.0f;
-        const auto valueFrom = [&](std::int64_t originX, std::int64_t originY) {
-          return reference
-              .evaluate(point.plane,
-                        shaderMaterial(bundle, {}, {.tileOriginX = originX, .tileOriginY = originY})
-                            .material)
-              .value;
-        };
-        const auto there = valueFrom(x, y);
-        point.plane.uv = {point.plane.uv[0] + float(x), point.plane.uv[1] + float(y)};
-        const auto expected = valueFrom(0, 0);
-        INFO("grain " << int(grain) << ", tile " << x << ", " << y);
-        for (std::size_t c = 0; c < 3; ++c)
-          REQUIRE(there[c] == Approx(expected[c]).margin(1e-9));
-      }
-  }
-}
-
 namespace {
 
 // A sampler that filters in 8 bits rounds each linear interpolation, by up to 1/2 code. For an

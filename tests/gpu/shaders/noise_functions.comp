@@ -1,14 +1,11 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// The parts of tiling and textons, each over an array: questions[k] -> answers[3 k ... 3 k + 2].
+// The integer functions of the library, each over an array: questions[k] -> answers[3 k ... 3 k + 2].
 #include "lichen.glsl"
 
 const int kHash = 0;        // (i, j, seedWord, seed) -> pcg3d; offset, vertex hash; seed, pcg, turn
-const int kTriangle = 1;    // (position as float bits, cell) -> i, j, weights as float bits
-const int kCdf = 2;         // float bits -> float bits
-const int kFloorDivide = 3; // (value, period) -> quotient
-const int kCellNumber = 4;  // (float bits, period) -> numbers of cells of a texton's grid
+const int kFloorDivide = 1; // (value, period) -> quotient
 layout(constant_id = 0) const int kFunction = kHash;
 
 layout(local_size_x = 64) in;
@@ -36,30 +33,11 @@ void main() {
     material.own0.y = 4u;
     third.zw = floatBitsToUint(lichenTileRotationAt(vertex, material));
     third.xy = uvec2(lichenLatticeSeed(question.w, question.z & 3u), lichenPcg(question.x));
-  } else if (kFunction == kTriangle) {
-    LichenMaterial material;
-    material.cellI = int(question.z);
-    material.cellJ = int(question.w);
-    material.columnsPerTile = 3.5;
-    material.rowsPerTile = 4.0;
-    vec2 skewed = lichenSkewed(uintBitsToFloat(question.xy), material);
-    LichenTriangle triangle = lichenTriangle(skewed, material);
-    first.xyz = uvec3(triangle.vertex0.x, triangle.vertex1.x, triangle.vertex2.x);
-    second.xyz = uvec3(triangle.vertex0.y, triangle.vertex1.y, triangle.vertex2.y);
-    third.xyz = floatBitsToUint(triangle.weights);
-  } else if (kFunction == kCdf) {
-    first.xyz = floatBitsToUint(lichenGaussianCdf(uintBitsToFloat(question.xyz)));
-  } else if (kFunction == kFloorDivide) {
+  } else {
     int period = int(question.w);
     first.xyz = uvec3(ivec3(lichenFloorDivide(int(question.x), period),
                             lichenFloorDivide(int(question.y), period),
                             lichenFloorDivide(int(question.z), period)));
-  } else {
-    int period = int(question.w);
-    vec3 cells = uintBitsToFloat(question.xyz);
-    first.xyz = uvec3(lichenWrapped(int(lichenCellNumber(cells.x, period)), period),
-                      lichenWrapped(int(lichenCellNumber(cells.y, period)), period),
-                      lichenWrapped(int(lichenCellNumber(cells.z, period)), period));
   }
   answers[3u * index] = first;
   answers[3u * index + 1u] = second;
