@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Displaced surfaces: their outlines against points that the noise displaces in C++, finer
-// vertices, cracks, and which surfaces are displaced.
+// Displaced surfaces: their outlines against points that the noise displaces in C++, and which
+// surfaces are displaced. render_refinement.cpp has the distance of vertices, and cracks.
 #include "../unit/bundle_example.h"
 #include "rendered.h"
 #include "synthetic_noise.h"
@@ -12,7 +12,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -53,10 +52,10 @@ std::vector<std::byte> ballScene(const BundleFile& file) {
   return scene.glb();
 }
 
-renderer::RenderSettings displaced(float depth, float spacing = renderer::kVertexSpacing) {
+renderer::RenderSettings displaced(float depth) {
   renderer::RenderSettings settings = settingsOf(kSide, kSide, 1);
   settings.debugView = "roughness"; // no pixel of the ball is black
-  settings.displacement = {depth, spacing};
+  settings.displacement = {depth, renderer::kVertexSpacing};
   return settings;
 }
 
@@ -143,17 +142,6 @@ Difference difference(const Outline& a, const Outline& b) {
   return result;
 }
 
-/// Pixels that a convex body covers, but not the same body displaced outwards.
-int holesOf(const std::vector<std::byte>& scene) {
-  const LinearImage body = render(scene, displaced(0.0f));
-  const LinearImage moved = render(scene, displaced(kDepth));
-  int holes = 0;
-  for (int y = 0; y < kSide; ++y)
-    for (int x = 0; x < kSide; ++x)
-      holes += isCovered(body, x, y) && !isCovered(moved, x, y);
-  return holes;
-}
-
 /// A height map of each method, whose details are several pixels wide on the ball.
 std::array<BundleFile, 3> heightMaps() {
   const SyntheticMap tiling{
@@ -192,37 +180,6 @@ TEST_CASE(
         most = std::max(most, expected[k] - flat[k]);
       }
     CHECK(most - least > 6.0);
-  }
-}
-
-TEST_CASE("vertices closer together move the outline by less than a pixel") {
-  const BundleFile file = heightMaps()[0];
-  const std::vector<std::byte> scene = ballScene(file);
-  const auto at = [&](float spacing) {
-    return outlineOf(render(scene, displaced(kDepth, spacing)));
-  };
-  const Outline finer = at(renderer::kVertexSpacing / 4);
-  const Difference error = difference(at(renderer::kVertexSpacing), finer);
-  INFO("mean " << error.mean << ", most " << error.most);
-  CHECK(error.mean < 0.25);
-  CHECK(error.most < 2.0); // either outline is rounded to pixels
-  CHECK(difference(at(renderer::kVertexSpacing * 16), finer).mean > 2.0 * error.mean);
-}
-
-TEST_CASE("displaced surfaces have no cracks, at hard edges and borders of texture coordinates") {
-  for (const BundleFile& onBall : heightMaps()) {
-    BundleFile file = onBall;
-    INFO(file.bundle.noises[0].name);
-    GltfScene ball(encodeGlb(onBall).value());
-    // A pole and, aslant, the border of texture coordinates face the camera.
-    ball.addBall(0, {{"rotation", {0.31599, -0.35960, -0.13088, 0.86816}}});
-    ball.addCamera(kDistance, kFieldOfView);
-    CHECK(holesOf(ball.glb()) == 0);
-    file.bundle.materials[0]->mapping = Mapping::triplanar;
-    GltfScene box(encodeGlb(file).value());
-    box.addBox(0, {{"rotation", {0.5, 0.1, 0.1, 0.8544004}}});
-    box.addCamera(kDistance, kFieldOfView);
-    CHECK(holesOf(box.glb()) == 0);
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Environment light: directions of a panorama in the background and in mirrors; reciprocity and
-// energy conservation of reflection, on planes under lamps; and the share of the sky that a ball
-// occludes.
+// Environment light: directions of a panorama in the background and in mirrors; energy
+// conservation of reflection, on planes under lamps; and the share of the sky that a ball occludes.
 #include "rendered.h"
 
 #include <algorithm>
@@ -62,7 +61,6 @@ struct Plate {
   glm::dvec3 normal;
   double metallic = 1.0;
   double roughness = 1.0;
-  double base = 1.0;
 };
 
 constexpr glm::dvec3 kView{0.0, 0.0, 1.0}; // toward the camera
@@ -77,10 +75,9 @@ void addPlate(GltfScene& scene, const Plate& plate, float left) {
        {"NORMAL",
         scene.addFloats({n.x, n.y, n.z, n.x, n.y, n.z, n.x, n.y, n.z, n.x, n.y, n.z}, 3)}},
       scene.addIndices({0, 1, 2, 0, 2, 3}, 1),
-      scene.addMaterial({{"pbrMetallicRoughness",
-                          {{"baseColorFactor", {plate.base, plate.base, plate.base, 1}},
-                           {"metallicFactor", plate.metallic},
-                           {"roughnessFactor", plate.roughness}}}}));
+      scene.addMaterial(
+          {{"pbrMetallicRoughness",
+            {{"metallicFactor", plate.metallic}, {"roughnessFactor", plate.roughness}}}}));
 }
 
 /// Radiance of each plate under equal lamps in these directions, relative to the irradiance of one
@@ -183,32 +180,6 @@ TEST_CASE("background and mirror show the panorama in the right direction") {
   CHECK(mirrored > 100);
 }
 
-TEST_CASE("reflection is reciprocal: exchanging lamp and camera gives the same radiance") {
-  // Half floats, and a table with 32 steps that is sampled twice.
-  constexpr double kTolerance = 0.01;
-  const double angle = GENERATE(0.5, 1.3); // between camera and lamp
-  const glm::dvec3 lamp(std::sin(angle), 0.0, std::cos(angle));
-  const glm::dvec3 between = glm::normalize(kView - lamp);
-  // Pairs of plates: lamp and camera have exchanged roles on the second one.
-  std::vector<Plate> plates;
-  for (const double metallic : {0.0, 1.0})
-    for (const double roughness : {0.3, 0.6, 1.0})
-      for (const double right : {0.1, 0.4, 0.7})
-        for (const double up : {0.0, 0.5}) {
-          const glm::dvec3 normal = glm::normalize(glm::dvec3(right * 0.3, up, 1.0));
-          plates.push_back({normal, metallic, roughness, 0.9});
-          plates.push_back({glm::reflect(normal, between), metallic, roughness, 0.9});
-        }
-  const std::vector<double> measured = radiances(plates, {lamp});
-  for (std::size_t i = 0; i < plates.size(); i += 2) {
-    INFO("metallic " << plates[i].metallic << ", roughness " << plates[i].roughness);
-    const double forward = measured[i] / glm::dot(plates[i].normal, lamp);
-    const double backward = measured[i + 1] / glm::dot(plates[i + 1].normal, lamp);
-    REQUIRE(forward > 0.01);
-    CHECK(forward == Approx(backward).epsilon(kTolerance));
-  }
-}
-
 TEST_CASE("a white metal reflects all the light of lamps in all directions", "[large]") {
   constexpr std::size_t kPictures = 16;
   constexpr std::size_t kLamps = 16; // the maximum
@@ -217,7 +188,7 @@ TEST_CASE("a white metal reflects all the light of lamps in all directions", "[l
   std::vector<Plate> plates;
   for (const double roughness : {0.5, 0.8, 1.0})
     for (const double view : {0.2, 0.8, 1.2})
-      plates.push_back({{std::sin(view), 0.0, std::cos(view)}, 1.0, roughness, 1.0});
+      plates.push_back({{std::sin(view), 0.0, std::cos(view)}, 1.0, roughness});
   std::vector<double> albedo(plates.size(), 0.0);
   for (std::size_t picture = 0; picture < kPictures; ++picture) {
     std::vector<glm::dvec3> lamps; // spherical Fibonacci points: each has the same solid angle
@@ -242,7 +213,7 @@ TEST_CASE("a ball occludes its share of the sky, in one frame almost as in many"
   constexpr int kSide = 64;
   LinearImage white(2, 1, 3);
   std::fill(white.values.begin(), white.values.end(), 1.0f);
-  for (const auto& [frames, directions] : {std::pair(1, 16), {4, 64}, {16, 256}, {64, 256}}) {
+  for (const auto& [frames, directions] : {std::pair(1, 16), {4, 64}, {16, 256}}) {
     RenderSettings settings = settingsUnder(white, kSide);
     settings.frames = std::uint32_t(frames);
     const LinearImage picture = render(ballFromAbove().glb(), settings);
@@ -276,7 +247,7 @@ TEST_CASE("a white plane under E lux shows E / pi times the exposure, which the 
   constexpr double kHeight = 2.0;
   const auto radiance = [&](double lux, double moreLux, double candela, float stops) {
     GltfScene scene;
-    addPlate(scene, {kView, 0.0, 1.0, 1.0}, -0.5f);
+    addPlate(scene, {kView, 0.0, 1.0}, -0.5f);
     nlohmann::json& nodes = scene.json["nodes"];
     const auto add = [&](nlohmann::json node) {
       nodes.push_back(std::move(node));
