@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same geometry, stored in all forms that glTF allows, loads as the same triangles.
+// What a scene loads as: tangents, skins, nodes, cameras and notes. tests/unit/scene_meshes.cpp has
+// the forms in which glTF stores vertices and indices.
 #include "framing.h"
 #include "loaded_scene.h"
 
@@ -23,99 +24,25 @@ std::vector<glm::vec3> corners(const Scene& scene) {
   return result;
 }
 
-const std::vector<float> kQuad{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0};
-const std::vector<glm::vec3> kQuadCorners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
-                                          {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
-
-GltfScene quadScene(std::size_t indexBytes) {
+GltfScene quadScene() {
   GltfScene scene;
   const std::size_t material = scene.addMaterial(nlohmann::json::object());
-  const std::size_t positions = scene.addFloats(kQuad, 3);
-  scene.addMesh({{"POSITION", positions}}, scene.addIndices({0, 1, 2, 2, 1, 3}, indexBytes),
-                material);
+  const std::size_t positions = scene.addFloats({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, 3);
+  scene.addMesh({{"POSITION", positions}}, scene.addIndices({0, 1, 2, 2, 1, 3}, 2), material);
   return scene;
 }
 
 } // namespace
 
-TEST_CASE("indices of every size, strips, fans and vertices without indices become triangles") {
-  for (const std::size_t bytes : {1u, 2u, 4u})
-    CHECK(corners(loaded(quadScene(bytes))) == kQuadCorners);
-  GltfScene scene = quadScene(2);
-  nlohmann::json& primitive = scene.json["meshes"][0]["primitives"][0];
-  primitive.erase("indices");
-  CHECK(corners(loaded(scene)).size() == 3); // without an incomplete last triangle
-  primitive["mode"] = 5;
-  // glTF: triangle i of a strip is (i, i + 1 + i % 2, i + 2 - i % 2).
-  CHECK(corners(loaded(scene)) ==
-        std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}});
-  primitive["mode"] = 6;
-  CHECK(corners(loaded(scene)) ==
-        std::vector<glm::vec3>{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 0}});
-}
-
-TEST_CASE("interleaved attributes are read with their stride") {
-  GltfScene scene = quadScene(2);
-  std::vector<float> interleaved;
-  for (std::size_t v = 0; v < 4; ++v)
-    interleaved.insert(interleaved.end(),
-                       {kQuad[3 * v], kQuad[3 * v + 1], kQuad[3 * v + 2], 0.25f, 0.5f});
-  const std::size_t view = scene.addView(std::as_bytes(std::span(interleaved)));
-  scene.json["bufferViews"][view]["byteStride"] = 20;
-  scene.json["accessors"][0]["bufferView"] = view;
-  scene.json["accessors"].push_back({{"bufferView", view},
-                                     {"byteOffset", 12},
-                                     {"componentType", 5126},
-                                     {"count", 4},
-                                     {"type", "VEC2"}});
-  scene.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] =
-      scene.json["accessors"].size() - 1;
-  const Scene made = loaded(scene);
-  CHECK(corners(made) == kQuadCorners);
-  for (const Vertex& v : made.primitives[0].vertices)
-    CHECK(v.texCoord1 == glm::vec2(0.25f, 0.5f));
-}
-
-TEST_CASE("sparse values replace those of the bufferView, or zeros without one") {
-  GltfScene scene = quadScene(2);
-  const std::vector<float> moved{5, 6, 7};
-  const std::size_t values = scene.addView(std::as_bytes(std::span(moved)));
-  const std::vector<std::uint8_t> which{3};
-  const std::size_t indices = scene.addView(std::as_bytes(std::span(which)));
-  scene.json["accessors"][0]["sparse"] = {
-      {"count", 1},
-      {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
-      {"values", {{"bufferView", values}}}};
-  CHECK(corners(loaded(scene))[5] == glm::vec3(5, 6, 7));
-  CHECK(corners(loaded(scene))[1] == glm::vec3(1, 0, 0));
-  scene.json["accessors"][0].erase("bufferView");
-  CHECK(corners(loaded(scene))[5] == glm::vec3(5, 6, 7));
-  CHECK(corners(loaded(scene))[1] == glm::vec3(0, 0, 0));
-}
-
-TEST_CASE("normalized integers become fractions") {
-  GltfScene scene = quadScene(2);
-  const std::vector<std::uint8_t> colors(4 * 4, 51); // a fifth of 255
-  const std::size_t view = scene.addView(std::as_bytes(std::span(colors)));
-  scene.json["accessors"].push_back({{"bufferView", view},
-                                     {"componentType", 5121},
-                                     {"normalized", true},
-                                     {"count", 4},
-                                     {"type", "VEC4"}});
-  scene.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] =
-      scene.json["accessors"].size() - 1;
-  CHECK(loaded(scene).primitives[0].vertices[0].color.r == Approx(0.2f));
-}
-
 TEST_CASE("a mesh without normals gets flat normals") {
-  const Scene scene = loaded(quadScene(2));
+  const Scene scene = loaded(quadScene());
   for (const Vertex& v : scene.primitives[0].vertices)
     CHECK(v.normal == glm::vec3(0, 0, 1));
 }
 
 TEST_CASE("tangents of the file are used for its normal texture, with its normals") {
   const glm::vec4 stored(0, 0.6f, 0.8f, 1.0f), none(0.0f);
-  GltfScene scene = quadScene(2);
+  GltfScene scene = quadScene();
   nlohmann::json& material = scene.json["materials"][0];
   nlohmann::json& attributes = scene.json["meshes"][0]["primitives"][0]["attributes"];
   const auto tangent = [&] { return loaded(scene).primitives[0].vertices[0].tangent; };
@@ -157,7 +84,7 @@ TEST_CASE("tangents of the file are used for its normal texture, with its normal
 }
 
 TEST_CASE("a skinned mesh is where its first joint puts it, not its node") {
-  GltfScene scene = quadScene(2);
+  GltfScene scene = quadScene();
   scene.json["nodes"][0].update({{"skin", 0}, {"translation", {7, 7, 7}}});
   scene.json["nodes"].push_back({{"translation", {1e7, 2, 3}}});
   scene.json["scenes"][0]["nodes"].push_back(1);
@@ -173,7 +100,7 @@ TEST_CASE("a skinned mesh is where its first joint puts it, not its node") {
 }
 
 TEST_CASE("notes say that animations, weights of morph targets, points and lines are ignored") {
-  GltfScene scene = quadScene(2);
+  GltfScene scene = quadScene();
   scene.json["meshes"][0]["weights"] = {0.0};
   CHECK(loaded(scene).notes.empty());
   scene.json["nodes"][0]["weights"] = {0.5};
@@ -191,7 +118,7 @@ TEST_CASE("notes say that animations, weights of morph targets, points and lines
 }
 
 TEST_CASE("nodes apply scale, rotation and translation in that order, parents last") {
-  GltfScene scene = quadScene(2);
+  GltfScene scene = quadScene();
   const float half = std::sqrt(0.5f);
   scene.json["nodes"][0]["scale"] = {2, 1, 1};
   scene.json["nodes"][0]["rotation"] = {0, 0, half, half}; // x to y
@@ -237,7 +164,7 @@ TEST_CASE("the automatic camera shows the whole subject") {
 }
 
 TEST_CASE("a camera is found by its node's name or its own, and the error lists both") {
-  GltfScene scene = quadScene(2);
+  GltfScene scene = quadScene();
   scene.addCamera(4.0f, 0.6f); // a camera named "front"
   scene.json["nodes"].back()["name"] = "Camera.left";
   scene.json["nodes"].push_back(scene.json["nodes"].back());
@@ -264,7 +191,7 @@ TEST_CASE(
     "a missing image is an error that names it, or only a note if a noise replaces the image") {
   using nlohmann::json;
   const char* const extension = "LICHEN_materials_exemplar_noise";
-  GltfScene scene = quadScene(2);
+  GltfScene scene = quadScene();
   scene.json["images"] = {{{"uri", "absent%20bark.png"}}};
   scene.json["textures"] = {{{"source", 0}}};
   json& material = scene.json["materials"][0];

@@ -7,9 +7,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <cstring>
-#include <limits>
-
 using namespace lichen;
 using example::TinyScene;
 using nlohmann::json;
@@ -115,6 +112,8 @@ TEST_CASE("strips, fans and vertices without indices become lists of triangles")
   CHECK(geometryOf(scene).triangles == List{1, 2, 0, 2, 3, 0});
 }
 
+// Faults of accessors are in tests/gpu/render_hostile_scenes.cpp: the renderer reads them by the
+// same functions.
 TEST_CASE("the error for a mesh that cannot be read names it") {
   const auto broken = [](const auto& alter) {
     TinyScene scene = example::tableScene();
@@ -136,31 +135,10 @@ TEST_CASE("the error for a mesh that cannot be read names it") {
   CHECK_THAT(broken([](auto&, auto& p) { p["attributes"].erase("POSITION"); }),
              Contains("no POSITION"));
   CHECK_THAT(broken([](auto&, auto& p) { p["attributes"]["POSITION"] = 99; }), Contains("99"));
-  CHECK_THAT(broken([](auto&, auto& p) { p["attributes"]["POSITION"] = -1; }), Contains("-1"));
   CHECK_THAT(broken([](auto&, auto& p) { p["attributes"] = 0; }), Contains("attributes"));
   CHECK_THAT(broken([](auto&, auto& p) { p["material"] = 2; }), Contains("/material"));
   CHECK_THAT(broken([](auto&, auto& p) { p["attributes"]["NORMAL"] = 3; }),
              Contains("/accessors/3"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["accessors"][0]["count"] = 5; }),
-             Contains("; the view has"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["accessors"][0]["count"] = 4294967295u; }),
-             Contains("count"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["accessors"][0]["byteOffset"] = 1u << 31; }),
-             Contains("; the view has"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["accessors"][0]["componentType"] = 5125; }),
-             Contains("5126"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["byteStride"] = 8; }),
-             Contains("one every 8"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["byteStride"] = 256; }),
-             Contains("/bufferViews/0/byteStride: 256; expected a multiple of 4, at most 252"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["byteStride"] = 14; }),
-             Contains("/bufferViews/0/byteStride: 14; expected a multiple of 4"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["accessors"][0]["type"] = "VEC2"; }),
-             Contains("/accessors/0/type: \"VEC2\"; expected VEC3"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["byteLength"] = 1u << 20; }),
-             Contains("; the buffer has"));
-  CHECK_THAT(broken([](auto& s, auto&) { s.json["bufferViews"][0]["buffer"] = 1; }),
-             Contains("/bufferViews/0/buffer"));
   CHECK_THAT(broken([](auto& s, auto&) { s.json["materials"] = json::object(); }),
              Contains("/materials"));
   for (const json& materials : {json(5), json("x"), json::array({1})})
@@ -168,11 +146,6 @@ TEST_CASE("the error for a mesh that cannot be read names it") {
                Contains("/materials: not an array of objects"));
   CHECK_THAT(broken([](auto& s, auto&) { s.json["meshes"][0]["primitives"] = {1}; }),
              Contains("/meshes/0/primitives"));
-  CHECK_THAT(broken([](auto& s, auto&) {
-               const float nan = std::numeric_limits<float>::quiet_NaN();
-               std::memcpy(s.binary.data() + 4, &nan, sizeof nan);
-             }),
-             Contains("NaN"));
   CHECK_THAT(broken([](auto& s, auto& p) {
                p["indices"] = s.addAccessor(std::vector<std::uint16_t>{0, 1, 4}, "SCALAR", 5123, 1);
              }),
