@@ -274,23 +274,6 @@ TEST_CASE("quarter turns of tiles that are not square are an error, and half tur
   CHECK(apply.run(plank, "wood", {"--tile-rotation", "2"}).code == 0);
 }
 
-TEST_CASE("a noise applied twice is stored once, under its name") {
-  const Apply apply;
-  const std::string output = apply.workplace.path("out.glb");
-  const json once = apply.document(wool(), "0", kTriplanar);
-  const auto again = [&](const std::string& noise, const char* material) {
-    return succeed({"apply", output, "--noise", noise, "--material", material, "--mapping",
-                    "triplanar", "-o", output})
-        .errors;
-  };
-  again(wool(), "1");
-  CHECK(apply.output()["bufferViews"] == once["bufferViews"]);
-  CHECK(apply.output()["extensions"] == once["extensions"]);
-  const std::string other = bake(apply.workplace, apply.workplace.write("moss.png", smooth(8)),
-                                 "moss.glb", {"--name", "wool"});
-  CHECK_THAT(again(other, "0"), Catch::Contains("'wool-2'"));
-}
-
 TEST_CASE("the options set every parameter that needs no new bake") {
   const Apply apply;
   CHECK(apply

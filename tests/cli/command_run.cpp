@@ -67,11 +67,6 @@ std::string readTerminal(const Terminal& terminal) {
     ::dup2(terminal.theirs, STDERR_FILENO);
   else
     redirect(errors, STDERR_FILENO);
-  if (limits.fileBytes > 0) {
-    std::signal(SIGXFSZ, SIG_IGN); // makes write() fail instead, as on a full disk
-    const rlimit limit{limits.fileBytes, limits.fileBytes};
-    ::setrlimit(RLIMIT_FSIZE, &limit);
-  }
   if (limits.memoryBytes > 0) {
     const rlimit limit{limits.memoryBytes, limits.memoryBytes};
     ::setrlimit(RLIMIT_AS, &limit);

@@ -34,7 +34,6 @@ struct Ended {
 };
 
 struct Limits {
-  std::size_t fileBytes = 0;   ///< larger files fail, as on a full disk; 0 for no limit
   std::size_t memoryBytes = 0; ///< limit on the address space; 0 for no limit
   unsigned killedAfterMs = 0;  ///< send `signal` after this time; 0 for never
   int signal = SIGTERM;

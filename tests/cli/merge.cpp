@@ -95,21 +95,6 @@ TEST_CASE("merging a single bundle gives the bake itself, byte for byte") {
   CHECK((workplace.read("all.glb") == workplace.read("moss.glb")));
 }
 
-TEST_CASE("a noise whose name already exists gets a number, with a note") {
-  const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smooth(16));
-  const std::string first = bake(workplace, input, "a.glb");
-  const std::string second = bake(workplace, input, "b.glb", {"--seed", "2"});
-  CHECK_THAT(
-      succeed(merging(workplace, {first, second, first})).errors,
-      Catch::Contains("note: " + second + ": noise 'moss' is named 'moss-2', since another has") &&
-          Catch::Contains("'moss-3'"));
-  const Bundle all = readBundle(workplace.path("all.glb")).value();
-  CHECK(all.materialNames == std::vector<std::string>{"moss", "moss-2", "moss-3"});
-  CHECK(all.materials[1]->seed == 2);
-  CHECK(all.tables.size() == 2); // one exemplar, used three times
-}
-
 TEST_CASE("merged bundles can be merged again, and names stay unique") {
   const Workplace workplace;
   const std::string moss = bake(workplace, workplace.write("moss.png", smoothGrey(16)), "m.glb");

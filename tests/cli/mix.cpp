@@ -81,14 +81,6 @@ TEST_CASE("mix writes a valid bundle whose first and last steps match the photog
   CHECK(noise.at("materials")[0].at("mix").at("source") == "direction");
 }
 
-TEST_CASE("mix makes the same bytes on any number of threads") {
-  const Made& m = made();
-  for (const char* threads : {"1", "3"}) {
-    (void)m.mixed("again.glb", {"--threads", threads});
-    CHECK(m.workplace.read("again.glb") == m.workplace.read("mix.glb"));
-  }
-}
-
 TEST_CASE("mix reports its result as JSON") {
   const Made& m = made();
   const json report = jsonOf({"mix", m.dark, m.light, m.dark, "-o", m.workplace.path("three.glb"),

@@ -139,51 +139,6 @@ TEST_CASE("bake and synth write the same bytes on one thread, on two and again")
   }
 }
 
-TEST_CASE("a full disk leaves the old file intact and no partial file") {
-  const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smoothGrey(16));
-  const std::string bundle = bake(workplace, input, "moss.glb");
-  synth(workplace, bundle, {"--size", "64x64"});
-  const Names names = workplace.names();
-  const std::string oldBundle = workplace.read("moss.glb");
-  const std::string oldPicture = workplace.read("synth.png");
-
-  Limits limits;
-  limits.fileBytes = 2000;
-  const Ended baked = runLichen({"bake", input, "-o", bundle, "--seed", "2"}, limits);
-  const Ended made = runLichen(
-      {"synth", bundle, "-o", workplace.path("synth.png"), "--size", "64x64", "--seed", "2"},
-      limits);
-  for (const Ended& ended : {baked, made}) {
-    CHECK(ended.code == kResources);
-    CHECK_THAT(ended.errors, Catch::Contains("cannot be written"));
-  }
-  CHECK((workplace.read("moss.glb") == oldBundle));
-  CHECK((workplace.read("synth.png") == oldPicture));
-  CHECK(workplace.names() == names);
-}
-
-TEST_CASE("an interrupted bake leaves the old or the new bundle intact, and nothing else") {
-  const Workplace workplace;
-  const std::string input = workplace.write("moss.png", smooth(24));
-  const std::string bundle = bake(workplace, input, "moss.glb");
-  const std::string before = workplace.read("moss.glb");
-  bake(workplace, input, "other.glb", {"--seed", "2"});
-  const std::string after = workplace.read("other.glb");
-  const Names names = workplace.names();
-  REQUIRE((before != after));
-  for (const int signal : {SIGINT, SIGTERM})
-    for (const unsigned milliseconds : {1u, 20u, 150u}) {
-      Limits limits;
-      limits.killedAfterMs = milliseconds;
-      limits.signal = signal;
-      static_cast<void>(runLichen({"bake", input, "-o", bundle, "--seed", "2"}, limits));
-      const std::string now = workplace.read("moss.glb");
-      CHECK((now == before || now == after));
-      CHECK(workplace.names() == names);
-    }
-}
-
 TEST_CASE("a bake that is interrupted while it works ends at once and leaves the old bundle") {
   const Workplace workplace;
   const std::string input = workplace.write("moss.png", speckled(512, 512, 3));

@@ -90,19 +90,6 @@ TEST_CASE("a scene that cannot be read is bad input") {
     checkRefused(path + " -o " + (folder.path() / "o.png").string(), 3, path);
 }
 
-TEST_CASE("the error for a missing buffer file names it in one line") {
-  if (!hasDevice())
-    return;
-  const TemporaryFolder folder;
-  const std::string text =
-      R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 4, "uri": "gone%20.bin"}]})";
-  const std::string path = writeInto(folder, "s.gltf", std::as_bytes(std::span(text))).string();
-  checkRefused(path + " --size 8 -o " + (folder.path() / "o.png").string(), 3,
-               "lichen-render: " + path +
-                   ": /buffers/0: its file \"gone .bin\" is not in the scene's folder; copy it "
-                   "there, or export a .glb\n");
-}
-
 TEST_CASE("a fault in a noise is bad input, and the error states its JSON pointer") {
   if (!hasDevice())
     return;
