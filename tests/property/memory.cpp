@@ -145,13 +145,6 @@ TEST_CASE("a bake reports exhausted memory, whichever allocation fails") {
   CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
 }
 
-TEST_CASE("a bake without an inverse table reports exhausted memory") {
-  const MapExemplar color = test::threeMaterials(16, 12, 1, 1);
-  TilingOptions options;
-  options.gaussian = GaussianOnly::yes;
-  CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
-}
-
 TEST_CASE("a bake of a set reports exhausted memory, whichever allocation fails") {
   const MapExemplar grey = oneChannel(test::threeMaterials(24, 20, 1, 1));
   MapExemplar height = grey;

@@ -96,64 +96,6 @@ Eigen::MatrixXd squareRoot(const Eigen::MatrixXd& matrix) {
          solver.eigenvectors().transpose();
 }
 
-using Plane = std::vector<std::complex<double>>;
-
-/// The discrete Fourier transform by its definition; `sign` -1 is forward, +1 is inverse and
-/// divides by the size.
-Plane transformed(const Plane& plane, int width, int height, double sign) {
-  Plane result;
-  for (int v = 0; v < height; ++v) {
-    for (int u = 0; u < width; ++u) {
-      std::complex<double> sum = 0.0;
-      for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-          sum += plane[std::size_t(y * width + x)] *
-                 std::polar(1.0, sign * 2.0 * std::numbers::pi *
-                                     (double(u * x) / width + double(v * y) / height));
-      result.push_back(sign > 0.0 ? sum / double(width * height) : sum);
-    }
-  }
-  return result;
-}
-
-Plane planeOf(const std::vector<float>& values) { return {values.begin(), values.end()}; }
-
-/// [GLM14] algorithm 2 word for word, in double precision, with the starting phases of
-/// fitCoefficients.
-std::vector<float> algorithmTwo(const texton::GaussianModel& model, const FitOptions& options,
-                                int projections) {
-  const int width = model.width(), height = model.height();
-  const std::size_t channels = model.channels.size();
-  std::vector<Plane> target, texton;
-  for (const HalfSpectrum& channel : model.channels) {
-    target.push_back(transformed(planeOf(inverseFft(channel)), width, height, -1.0));
-    texton.push_back(planeOf(phaseRandomizedPlane(channel, options.seed)));
-  }
-  for (int step = 0; step < projections; ++step) {
-    for (Plane& plane : texton)
-      plane = transformed(plane, width, height, -1.0);
-    for (std::size_t i = 0; i < target[0].size(); ++i) {
-      std::complex<double> product = 0.0;
-      for (std::size_t c = 0; c < channels; ++c)
-        product += std::conj(target[c][i]) * texton[c][i];
-      for (std::size_t c = 0; c < channels; ++c)
-        texton[c][i] = i == 0 ? 0.0 : product / std::abs(product) * target[c][i];
-    }
-    for (Plane& plane : texton) {
-      plane = transformed(plane, width, height, 1.0);
-      for (int p = 0; p < width * height; ++p)
-        if (p % width >= options.width || p / width >= options.height)
-          plane[std::size_t(p)] = 0.0;
-    }
-  }
-  std::vector<float> coefficients;
-  for (const Plane& plane : texton)
-    for (int y = 0; y < options.height; ++y)
-      for (int x = 0; x < options.width; ++x)
-        coefficients.push_back(float(plane[std::size_t(y * width + x)].real()));
-  return coefficients;
-}
-
 } // namespace
 
 TEST_CASE("the kernel's autocorrelation is the sampled B-spline of twice the degree and one") {
@@ -203,25 +145,6 @@ TEST_CASE("the transport distance is Gelbrich's formula on the covariance matric
     CHECK(squaredTransportDistance(a, b) == Approx(expected / pixels).epsilon(1e-4));
     CHECK(squaredTransportDistance(b, a) == Approx(expected / pixels).epsilon(1e-4));
     CHECK(squaredTransportDistance(a, a) < 1e-6 * modelVariance(a));
-  }
-}
-
-TEST_CASE("the alternating projections of order 0 are algorithm 2") {
-  const texton::GaussianModel model = modelOf(cropped(threeMaterials(32, 32, 5), 3, 4, 12, 9));
-  FitOptions options = support(5, 0);
-  options.height = 4;
-  options.seed = 3;
-  for (const int projections : {1, 2, 50}) {
-    const std::vector<float> expected = algorithmTwo(model, options, projections);
-    const TextonCoefficients texton = papersTexton(model, options, projections);
-    REQUIRE(texton.values.size() == expected.size());
-    double difference = 0.0, size = 0.0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      difference += std::pow(double(texton.values[i]) - double(expected[i]), 2.0);
-      size += std::pow(double(expected[i]), 2.0);
-    }
-    // Projections amplify rounding only slightly: 1e-5 after 50.
-    CHECK(std::sqrt(difference / size) < 1e-4);
   }
 }
 
@@ -316,26 +239,6 @@ TEST_CASE("a nearly grey texton gets the covariance of another nearly grey exemp
   wanted.diagonal().array() += 2e-6 * variance;
   REQUIRE(correctCovariance(texton, 1, wanted));
   CHECK((noiseCovariance(texton, 1) - wanted).cwiseAbs().maxCoeff() <= 1.01e-6 * variance);
-}
-
-TEST_CASE(
-    "the border of a texton of slower structure is less visible than with the papers' algorithm") {
-  // Power falls with frequency to the -4: 97 % of it is slower than the support.
-  constexpr int kSide = 256;
-  texton::GaussianModel model;
-  model.channels.push_back({kSide, kSide, {}});
-  HalfSpectrum& spectrum = model.channels[0];
-  for (int v = 0; v < kSide; ++v)
-    for (int u = 0; u < spectrum.columns(); ++u) {
-      const double square = double(u * u + spectrum.signedRow(v) * spectrum.signedRow(v));
-      spectrum.values.emplace_back(square > 0.0 ? float(1e3 / square) : 0.0f);
-    }
-  const double ours = borderVisibility(fitCoefficients(model, support(63)));
-  const double papers = borderVisibility(papersTexton(model, support(63)));
-  // Measured 5.5 and 21; 18 with the weight that suffices for photographs (docs/decisions/008).
-  CAPTURE(ours, papers);
-  CHECK(papers > 15.0);
-  CHECK(ours < 7.0);
 }
 
 TEST_CASE("the visibility of a border is the mean step across it over that inside") {

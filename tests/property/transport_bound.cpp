@@ -43,25 +43,6 @@ TEST_CASE("the bound is below the exact cost, and close to it", "[large]") {
       }
 }
 
-TEST_CASE("on a line, where the sorted matching is the best, the bound reaches it", "[large]") {
-  constexpr std::size_t kCount = 20000;
-  Points source = gaussianCloud(kCount, 6);
-  Points target = clusters(kCount, 7);
-  for (Points* points : {&source, &target}) {
-    std::sort(points->begin(), points->end(),
-              [](const Point& a, const Point& b) { return a.x < b.x; });
-    for (Point& p : *points)
-      p = {p.x, 0.0f, 0.0f};
-  }
-  const TransportBound bound = boundTransportCost(source, target, unsorted(kCount));
-  CHECK(bound.lowerBound <= bound.cost);
-  CHECK(bound.excess() < 1e-3);
-  // The auction leaves some sources without a target, which get those that are left.
-  std::vector<std::uint32_t> auctioned = bound.auctioned;
-  std::sort(auctioned.begin(), auctioned.end());
-  CHECK(auctioned == unsorted(kCount));
-}
-
 TEST_CASE("an auction makes any matching nearly optimal, and bounds the remaining error") {
   for (const NamedSet& source : everyKindOfSet(300, 14)) {
     const Points target = gaussianCloud(300, 15);

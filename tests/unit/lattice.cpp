@@ -235,45 +235,6 @@ TEST_CASE("seed words that differ in one bit do not shift the field by fewer tha
   }
 }
 
-TEST_CASE("the search for shifts finds those of seeds that are added") {
-  // Up to kShifts, these are the nine powers 2^0 to 2^8, each of them in three words.
-  constexpr std::uint32_t kWord = 0x12345678u;
-  const auto addedToColumn = [](std::uint32_t i, std::uint32_t j, std::uint32_t word) {
-    return pcg(pcg(i + word) + j);
-  };
-  const auto addedToRow = [](std::uint32_t i, std::uint32_t j, std::uint32_t word) {
-    return pcg(pcg(i) + j + word);
-  };
-  CHECK(countShifted(addedToColumn, kWord) == 3 * 9);
-  CHECK(countShifted(addedToRow, kWord) == 3 * 9);
-}
-
-TEST_CASE("the search for repetitions finds those of linear hashes") {
-  // A hash of a sum of products: equal where the sums are.
-  const auto linear = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
-    return pcg((i * 0x9E3779B1u + j * 0x85EBCA6Bu) ^ latticeSeed(seed, 0));
-  };
-  CHECK(hasPeriod(linear));
-  // The seed is added to the column's number: another seed is the same field, shifted.
-  const auto addedSeed = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
-    return pcg(pcg(i) + j + latticeSeed(seed, 0));
-  };
-  CHECK_FALSE(hasPeriod(addedSeed));
-  CHECK_FALSE(isShifted(addedSeed, 1));
-  CHECK(isShifted(addedSeed, 2));
-  // Each row is the row above, seven vertices further on.
-  const auto shiftedRows = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
-    return pcg((i + 7u * j) ^ latticeSeed(seed, 0));
-  };
-  CHECK(hasPeriod(shiftedRows));
-  // A row that repeats after 3 * 2^20 vertices, which is too far for the first search.
-  const auto periodicRows = [](std::uint32_t i, std::uint32_t j, std::uint32_t seed) {
-    return pcg(pcg(i % (3u << 20u)) + pcg(j) + latticeSeed(seed, 0));
-  };
-  CHECK_FALSE(hasPeriod(periodicRows));
-  CHECK(isShifted(periodicRows, 1));
-}
-
 TEST_CASE("an integer tile origin matches the skewed coordinates exactly") {
   CHECK(latticeCell(10000000, -3) == std::array{35000006, -12});
   // Modulo 2^32, also of negative tiles: 7 2^39 + 2 (2^40 - 1) is -2 modulo 2^32.

@@ -35,42 +35,6 @@ TEST_CASE("a material's block holds its parameters") {
   CHECK(material.maxAnisotropy == 1.0f);
 }
 
-TEST_CASE("the lattice in a material's block is stretched along the grain, unless tiles are "
-          "rotated") {
-  struct Stretched {
-    Grain grain;
-    float columns, rows;
-  };
-  for (const auto& [grain, columns, rows] :
-       {Stretched{Grain::none, 3.5f, 4.0f}, {Grain::x, 1.75f, 4.0f}, {Grain::y, 3.5f, 2.0f}})
-    for (const Mapping mapping : {Mapping::uv, Mapping::triplanar})
-      for (const std::uint32_t rotation : {0u, 1u, 2u}) {
-        BundleFile file = example::smallest();
-        file.bundle.noises[0].as<TilingNoise>().grain = grain;
-        file.bundle.materials[0]->mapping = mapping;
-        file.bundle.materials[0]->tileRotation = rotation;
-        const OwnedBundle bundle(file);
-        const Filled filled = fill(parametersOf(bundle.handle));
-        REQUIRE(filled.result == LICHEN_SUCCESS);
-        INFO("grain " << int(grain) << ", rotation " << rotation);
-        CHECK(filled.block.material.columnsPerTile == (rotation > 1 ? 3.5f : columns));
-        CHECK(filled.block.material.rowsPerTile == (rotation > 1 ? 4.0f : rows));
-      }
-}
-
-TEST_CASE("with a grain along x, a material's cell holds a multiple of four tiles") {
-  BundleFile file = example::smallest();
-  file.bundle.noises[0].as<TilingNoise>().grain = Grain::x;
-  file.bundle.materials[0]->offset = {7.25, -1.75};
-  const OwnedBundle bundle(file);
-  const Filled filled = fill(parametersOf(bundle.handle));
-  REQUIRE(filled.result == LICHEN_SUCCESS);
-  const shader::LichenMaterial& material = filled.block.material;
-  CHECK(material.offsetX == 3.25f);
-  CHECK(material.offsetY == 0.25f);
-  CHECK(std::array{material.cellI, material.cellJ} == std::array{7 + 2 * 2, -4 * 2});
-}
-
 TEST_CASE("a material's block is that of the bundle library, with any parameters and placement") {
   BundleFile file = example::smallest();
   MaterialNoise& own = *file.bundle.materials[0];
