@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Three scenes by Blender's own exporter, and what Blender's cameras see of them:
 #   taskset --cpu-list 0 blender --background --factory-startup --python-exit-code 1 \
-#     --python tests/scenes/blender/export_scenes.py -- tests/scenes/blender [--pictures DIR]
+#     --python tests/scenes/blender/export_scenes.py -- tests/scenes/blender
 # Needs Debian's packages blender and python3-numpy; the tests need only what is written here. The
 # same version writes the same bytes on one processor, on several a normal may round otherwise; the
-# files here are by 3.4.1. With --pictures also Blender's own pictures, to look at.
+# files here are by 3.4.1.
 #
 # For each scene NAME.glb in the folder, and framing.json with, for each camera:
 #   "size"       width and height in pixels
@@ -359,19 +359,7 @@ def framing(view, size):
             "runs": [number for run in runs for number in run]}
 
 
-def picture(name, view, size, folder):
-    scene = bpy.context.scene
-    scene.camera = view
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 16
-    scene.cycles.use_denoising = False
-    scene.view_settings.view_transform = "Standard"
-    scene.render.resolution_percentage = 200
-    scene.render.filepath = os.path.join(folder, f"{name}-{view.name}.png")
-    bpy.ops.render.render(write_still=True)
-
-
-def export(name, folder, pictures):
+def export(name, folder):
     cameras, size = SCENES[name]()
     # Cameras are exported with the aspect ratio of this.
     render = bpy.context.scene.render
@@ -380,8 +368,6 @@ def export(name, folder, pictures):
     for camera_name in cameras:
         view = bpy.data.objects[camera_name]
         seen[camera_name] = framing(view, size)
-        if pictures:
-            picture(name, view, size, pictures)
     bpy.ops.export_scene.gltf(filepath=os.path.join(folder, name + ".glb"), export_format="GLB",
                               export_apply=True, export_cameras=True, export_lights=True,
                               export_colors=True, export_animations=False)
@@ -391,9 +377,8 @@ def export(name, folder, pictures):
 def main():
     parser = argparse.ArgumentParser(prog="export_scenes.py")
     parser.add_argument("folder")
-    parser.add_argument("--pictures")
     options = parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
-    seen = {name: export(name, options.folder, options.pictures) for name in SCENES}
+    seen = {name: export(name, options.folder) for name in SCENES}
     with open(os.path.join(options.folder, "framing.json"), "w", encoding="ascii") as file:
         json.dump(seen, file, separators=(",", ":"))
         file.write("\n")
