@@ -34,9 +34,9 @@ struct GltfContainer {
   std::span<const std::byte> otherChunks;
 };
 
-/// Splits a .glb or .gltf into its parts and parses the JSON, or returns the fault. Limits: 64 MiB
-/// of JSON, 4,194,304 values, 64 levels of nesting. The fault's code is "memory" when memory does
-/// not suffice.
+/// Splits a .glb or .gltf into its parts and parses the JSON, or returns the fault. The JSON may
+/// have 64 MiB, 4,194,304 values and 64 levels of nesting. If memory runs out, the fault's code is
+/// "memory".
 [[nodiscard]] std::variant<GltfContainer, Finding> openGltf(std::span<const std::byte> file);
 
 } // namespace lichen

@@ -31,7 +31,7 @@ LichenResult checkRange(const char* name, double value, NumberRange range,
   return LICHEN_ERROR_USAGE;
 }
 
-/// Reads a value of an enumeration whose numbers are the interface's, 0 to `last`.
+/// Converts an enumerator of lichen.h to the bundle's, which has the same number, at most `last`.
 template <class Value>
 LichenResult readChoice(const char* name, int number, Value last, Value& value,
                         LichenDiagnostic* diagnostic) {

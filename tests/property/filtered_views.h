@@ -40,7 +40,7 @@ struct FilteredView {
   /// Root mean square difference, relative to the standard deviation that an exact filter would
   /// leave.
   [[nodiscard]] double difference() const;
-  /// The standard error of the mean error of a filter that has none: from sampling, and from
+  /// The standard error of the mean error of an exact filter. It comes from the samples and from
   /// `pixels` pixels that each differ by `difference` deviations.
   [[nodiscard]] double standardError(double difference, int pixels) const;
   /// The largest mean error that passes: 0.004 (TARGETS.md) and three standard errors. The filter's

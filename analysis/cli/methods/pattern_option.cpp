@@ -14,8 +14,8 @@ namespace lichen::cli {
 namespace {
 
 constexpr NumberRange kNumbers{-512.0, 512.0}; // whole cycles per tile, and values
-constexpr std::size_t kMostPoints = 32;        // of a spline
-constexpr int kMostRepeats = 64;               // of a picture, along each axis of a tile
+constexpr std::size_t kMostPoints = 32;        // that a spline has
+constexpr int kMostRepeats = 64;               // that a picture has along each axis of a tile
 
 bool isWhole(double value) { return value == std::floor(value); }
 
