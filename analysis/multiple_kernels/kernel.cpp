@@ -107,14 +107,6 @@ private:
 
 } // namespace
 
-double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u, double v,
-                 KernelSlopes* slopes) {
-  DensitySum sum(spectrum, kernel);
-  for (const double side : {1.0, -1.0})
-    sum.add(u, v, side, 2.0 * WindowSpectrum::kFarthest);
-  return sum.result(slopes);
-}
-
 double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double frequency) {
   // As many directions as their steps along the ring stay below the width of the spectrum.
   constexpr double kStepsPerWidth = 12.0;

@@ -111,18 +111,14 @@ private:
 inline constexpr std::size_t kKernelParameters = 6;
 using KernelSlopes = std::array<double, kKernelParameters>;
 
-/// The power at the frequency (u, v) [cycles / tile]: its integral over all frequencies is the
-/// energy. `slopes`, unless null: its derivatives. Not for rings.
-[[nodiscard]] double densityAt(const WindowSpectrum& spectrum, const Kernel& kernel, double u,
-                               double v, KernelSlopes* slopes = nullptr);
-
-/// As densityAt() of a ring, which depends on the length of the frequency only.
+/// The power of a ring at frequencies of this length [cycles / tile]: its integral over all
+/// frequencies is the energy.
 [[nodiscard]] double ringDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
                                    double frequency);
 
-/// The power at a frequency of the plane where the noise is sampled once in each of `texels` x
-/// `texels` texels of a tile: with the power of the frequencies that are then the same. `slopes`:
-/// not of rings.
+/// The power at the frequency (u, v) [cycles / tile] where the noise is sampled once in each of
+/// `texels` x `texels` texels of a tile: with the power of the frequencies that are then the same.
+/// `slopes`, unless null: its derivatives; not of rings.
 [[nodiscard]] double sampledDensityAt(const WindowSpectrum& spectrum, const Kernel& kernel,
                                       const std::array<double, 2>& texels, double u, double v,
                                       KernelSlopes* slopes = nullptr);
