@@ -26,7 +26,7 @@ struct MethodInput {
 struct MethodAnalysis {
   /// The memory of a bake. `options` are the method's.
   BakeMemory (*memory)(const MethodOptions& options);
-  /// The members of `input` replace those of `options` with the same names.
+  /// Members of `input` replace members of `options` with the same names.
   Result<MethodBake> (*bake)(const MethodOptions& options, const MethodInput& input);
 };
 

@@ -59,7 +59,7 @@ inline constexpr const char* kDroppedByOthers =
 
 /// Words for a value: lists have commas, numbers up to six digits.
 [[nodiscard]] std::string wordsOf(const nlohmann::ordered_json& value);
-/// An object for people to read, as YAML has it: a member a line, those of an object indented below
+/// An object for people to read, as YAML has it: a member a line, an object's indented below
 /// its name, and a "-" before each object of a list. Null and what is empty is left out.
 [[nodiscard]] std::vector<std::string> linesOf(const nlohmann::ordered_json& object);
 

@@ -141,7 +141,7 @@ Json figuresOf(const BakedMaterial& baked) {
   return json;
 }
 
-/// Reads the images, and bakes them. Adds the notes on options to those of the bake.
+/// Reads the images, and bakes them. Adds notes on options to the bake's own.
 Result<BakedMaterial> readAndBake(Arguments& arguments) {
   std::vector<std::string> notes;
   if (leavesMethodOpen(arguments) && arguments.common.guide == kGuideRange.least)

@@ -26,7 +26,7 @@ using LanesOf =
     std::conditional_t<std::is_same_v<T, float>, FloatLanes,
                        std::conditional_t<std::is_same_v<T, std::int32_t>, IntLanes, UintLanes>>;
 
-/// Set where points should have taken different branches: all took that of the first.
+/// Set where points should have taken different branches: all took the first's.
 thread_local bool tookOneBranch = false;
 inline bool haveDiverged() { return tookOneBranch; }
 

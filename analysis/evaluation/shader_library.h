@@ -94,7 +94,7 @@ struct ShaderLibrary {
 #include "interface/structs.glsl"
 
   const RepeatingImage* cells = nullptr;      // of quilting
-  const std::uint32_t* tileOffsets = nullptr; // likewise, LICHEN_MAX_OFFSETS
+  const std::uint32_t* tileOffsets = nullptr; // LICHEN_MAX_OFFSETS of them
   Truth nearestTableLevel = false;
 
 #include "mapping/mix.glsl"

@@ -85,7 +85,7 @@ Result<Bundle> bakeIndexMap(const SpectrumPicture& spectrum, double aspect, bool
   MultipleKernelsOptions options;
   options.periodic = Periodic::yes;
   options.bits = bits;
-  // Transport makes the values Gaussian, as shares of areas need; those of few waves are not.
+  // Transport makes the values Gaussian, as shares of areas need; few waves alone are not.
   options.gaussian = GaussianOnly::no;
   if (hasSolids)
     return withoutTable<MultipleKernelsMap>(bakeMultipleKernels("index", maps, options));

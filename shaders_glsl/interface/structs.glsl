@@ -25,7 +25,7 @@ struct LichenMaterial {
 };
 
 /// A plane of triplanar noise, which has a lattice of its own, at the host's tile origin in space.
-/// That of the plane that looks along x is the material's.
+/// The plane that looks along x has the material's own seed.
 struct LichenPlane {
   int cellI, cellJ;
   float offsetX, offsetY;               // [tiles]

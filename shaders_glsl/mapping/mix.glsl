@@ -15,7 +15,7 @@ vec2 lichenImpactReach(LichenNoise noise) {
 
 /// Where a mask is fetched beside the point itself: at its texture coordinates plus and minus each
 /// column, which lie along x and y of tile space. The columns of `uvGradients` are the screen-space
-/// gradients of those coordinates, of `tileGradients` those of the tile coordinate.
+/// gradients of those coordinates, of `tileGradients` the tile coordinate's.
 mat2 lichenMaskReach(mat2 uvGradients, mat2 tileGradients, LichenNoise noise) {
   // As wide as the impacts lie: differences of neighbouring texels would jump at the mask's texels,
   // and what lies between two of them is often as wide as a texton.

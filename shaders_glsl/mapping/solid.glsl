@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A noise in a solid: a point in space and its screen-space derivatives -> LichenShadingPoint.
 // Needs neither texture coordinates nor normals. The exemplar lies as on the triplanar plane that
-// looks along z. Slopes come out as a gradient in space, as those of triplanar.glsl.
+// looks along z. Slopes come out as a gradient in space, as in triplanar.glsl.
 #ifndef LICHEN_SOLID_GLSL
 #define LICHEN_SOLID_GLSL
 

@@ -69,7 +69,7 @@ uvec2 lichenCosineVertex(ivec2 vertex, int finer, uvec2 origin, LichenMaterial m
   return uvec2(vertex);
 }
 
-/// Octaves from the lattice of the material's first to that of `octave`.
+/// Octaves from the lattice of the material's first octave to the lattice of `octave`.
 int lichenFinerOctaves(int octave, LichenMaterial material) {
   return max(octave - lichenCosinesMaterial(material).firstOctave, 0);
 }

@@ -41,7 +41,7 @@ LichenMap lichenMapOf(int role, LichenMap map) {
 }
 
 #if LICHEN_LAYERS > 1
-/// `map` as an index map, likewise.
+/// `map` as an index map.
 LichenMap lichenIndexMapOf(LichenMap map) {
   map.encoding = uint(LICHEN_ENCODING_INDEX);
   return map;
@@ -133,7 +133,7 @@ vec4 lichenDecode(LICHEN_IMAGE_3D table, LichenGaussian gaussian, float contrast
   // A table averages over no more than all of it.
   float within = min(contrast, 1.0);
   vec4 value = lichenDecodeTable(table, gaussian.value, within * within * gaussian.lost.x, map);
-  // The variance of c g clamped to the table, over that of g, is 2 c - 1 within 3 % up to c = 2 and
+  // The variance of c g clamped to the table, over the variance of g, is 2 c - 1 within 3 % up to c = 2 and
   // within a quarter up to 4, for near-Gaussian slopes. Slopes in clusters have less.
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     value.z *= max(1.0, 2.0 * contrast - 1.0);

@@ -59,7 +59,7 @@ float lichenFootprintShare(float loss, float interpolationLoss) {
   return max(loss - interpolationLoss, 0.0) / max(loss, kLeast);
 }
 
-/// The amplitude of a mip's texels, as a share of the Gaussian value's. `bytes` are those of a
+/// The amplitude of a mip's texels, as a share of the Gaussian value's. `bytes` are the bytes of a
 /// channel: LichenMap::mipRetained0, mipRetained1 or mipRetained2.
 float lichenMipRetained(int mip, uvec4 bytes) {
   // Chosen, not indexed: a copied array that is indexed lives in memory on most devices.

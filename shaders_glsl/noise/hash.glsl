@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The integer hashes, bit for bit those of bundle/include/lichen/lattice.h. Integers in, integers
+// The integer hashes, bit for bit as in bundle/include/lichen/lattice.h. Integers in, integers
 // out; uint arithmetic wraps modulo 2^32.
 // [JO20] Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg, pcg3d.
 #ifndef LICHEN_HASH_GLSL

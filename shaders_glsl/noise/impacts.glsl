@@ -20,7 +20,7 @@
 /// its reach.
 struct LichenImpacts {
   float footprintLevel; // of the mip that shows what the footprint does, at least 0
-  float level;          // likewise, as far as the textons have mips
+  float level;          // the same, as far as the textons have mips
   vec2 middle, radius; // [texels] of what a texton reaches, fetched at this level
   ivec2 firstCell;     // of those whose impacts may reach the point, in the period
   vec2 start, end;     // offsets to the point from corners of cells: first, beyond the last

@@ -135,7 +135,7 @@ vec4 lichenKernelWaves(float wave, uint word) {
   return uintBitsToFloat(uvec4(floatBitsToUint(wave)) ^ signs);
 }
 
-/// The direction of a ring's impact in a cell [2^-32 turns]. Those of neighbours are spread evenly,
+/// The direction of a ring's impact in a cell [2^-32 turns]. Neighbours' directions are spread evenly,
 /// by 2^32 over the plastic number and over its square: of few random ones some would stand out.
 uint lichenRingTurns(uint column, uint row, uint seed) {
   return column * 0xC13FA9A9u + row * 0x91E10DA5u + seed;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The simplex lattice: a position in tiles -> the triangle around it; vertices -> those of one
-// period. [HN18] section 3.
+// The simplex lattice: a position in tiles -> the triangle around it; vertices -> vertices of
+// one period. [HN18] section 3.
 #ifndef LICHEN_LATTICE_GLSL
 #define LICHEN_LATTICE_GLSL
 
@@ -53,7 +53,7 @@ ivec2 lichenWholePeriods(LICHEN_INOUT(ivec2) vertex, LichenMaterial material) {
   return ivec2(columns, rows);
 }
 
-/// Likewise, in tiles; an infinite lattice is left alone.
+/// The same in tiles; an infinite lattice is left alone.
 vec2 lichenReduceToPeriod(LICHEN_INOUT(uvec2) vertex, LichenMaterial material) {
   if (!lichenIsPeriodic(material))
     return vec2(0.0);

@@ -18,7 +18,7 @@
 
 /// Adds one cosine at three vertices: to the sum of Gaussian values, to the sum of the squared
 /// amplitudes of all channels under the windows, and in w to what the footprint takes of it.
-/// `box`: the cosine's half of a texel of column 0, the others those of the vertices' variants.
+/// `box`: the cosine's half of a texel of column 0, the others the variants of the vertices.
 /// Advances the vertices' random numbers. `isFiltered`: whether the footprint exceeds a texel.
 void lichenAddCosine(LICHEN_INOUT(vec4) sum, LICHEN_INOUT(float) squares,
                      LICHEN_INOUT(uvec3) states, LichenCosinesVertices vertices, vec3 footprint,

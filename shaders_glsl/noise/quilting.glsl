@@ -2,7 +2,7 @@
 // Quilting: tiles of the exemplar, cut along the outlines of what they show. A point on the plane
 // of tiles and its footprint -> two tiles and their weights, once for all maps -> the value of each
 // map. Tiles are taken where the exemplar repeats, so that its structure goes on. A tile's weight
-// is that of the centre of the cell that it shows at the point: a brick is wholly of one tile.
+// is taken at the centre of the cell that it shows at the point: a brick is wholly of one tile.
 // docs/decisions/012-quilting.md.
 #ifndef LICHEN_QUILTING_GLSL
 #define LICHEN_QUILTING_GLSL
@@ -45,7 +45,7 @@ float lichenHat(vec2 fromVertex) {
 }
 
 /// Where the tile of a vertex is fetched [tiles]. `height` is the hat of the vertex at the centre
-/// of the cell that the tile shows there, `sharpness` that of cuts at this level.
+/// of the cell that the tile shows there, `sharpness` the sharpness of cuts at this level.
 vec2 lichenQuiltingTap(uvec2 vertex, vec2 fromVertex, vec2 position, float level,
                        LichenMaterial material, LichenNoise noise, LICHEN_OUT(float) height,
                        LICHEN_OUT(float) sharpness) {

@@ -15,9 +15,9 @@ struct LichenSolidFootprint {
   vec3 a, b;
 };
 
-/// That of a pixel with these gradients [tiles / pixel].
+/// The footprint of a pixel with these gradients [tiles / pixel].
 LichenSolidFootprint lichenSolidFootprint(vec3 gradientX, vec3 gradientY, LichenNoise noise) {
-  // The axes of the pixel in texels are those of the matrix of its gradients' products.
+  // The axes of the pixel in texels are the axes of the matrix of its gradients' products.
   vec3 texels = vec3(noise.tileTexelsX, noise.tileTexelsY, noise.tileTexelsX);
   vec3 texelsX = texels * gradientX, texelsY = texels * gradientY;
   float xx = dot(texelsX, texelsX), yy = dot(texelsY, texelsY), product = dot(texelsX, texelsY);

@@ -115,7 +115,7 @@ void lichenAddSolidImpact(LICHEN_INOUT(LichenSolidKernelSums) sums, uint word, u
   sums.waves += waves;
   if (isSlope) {
     // As lichenAddSolidVertex has it, with what the window adds to both frequencies.
-    // That of a kernel without a wave lies along x.
+    // The axis of a kernel without a wave lies along x.
     float ratio = sqrt((z * z + kernel.depthSpread) / (square + kernel.planarSpread));
     vec2 slope = (depth < 0.0 ? -ratio : ratio) * normalize(vec2(planar.x + 1.0e-6, -planar.y));
     sums.depthX += slope.x * waves;

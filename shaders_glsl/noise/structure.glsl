@@ -87,7 +87,7 @@ vec3 lichenStructureAt(LICHEN_IMAGE_2D image, ivec2 corner, ivec2 size, vec2 tex
   return sum;
 }
 
-/// The offset of a vertex's tile in the list, for 16 random bits: one of those of its color, so
+/// The offset of a vertex's tile in the list, for 16 random bits: one of its color's, so
 /// that neighbours have others. [tiles]
 vec2 lichenListedOffset(LICHEN_IMAGE_2D image, LichenStructureImage structure, uint random,
                         uint color) {

@@ -21,7 +21,7 @@ struct LichenTilingPoint {
   float footprintLevel; // [mip levels] of the widest map
   float lossShare;      // what a fetch loses at this position, over its mean; of the widest map
   vec2 rotation0, rotation1, rotation2; // (cosine, sine) of each tile's angle
-  vec2 gradientX, gradientY; // [tiles / pixel] of the position; those of the tiles jump
+  vec2 gradientX, gradientY; // [tiles / pixel] of the position; a tile's own jump
 };
 
 /// The random offset of a vertex's tile, a whole number of texels; images repeat. [tiles]

@@ -37,15 +37,15 @@ struct Exemplar {
 [[nodiscard]] Bundle bakedBundle(std::span<const MapExemplar> maps,
                                  const TilingOptions& options = {});
 [[nodiscard]] Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options = {});
-/// Likewise for a texton of support 64.
+/// The same for a texton of support 64.
 [[nodiscard]] Bundle textonBundle(const SrgbImage& image);
-/// Likewise for local random-phase noise, by default of 50 cosines.
+/// The same for local random-phase noise, by default of 50 cosines.
 [[nodiscard]] Bundle localRandomPhaseBundle(const SrgbImage& image,
                                             const LocalRandomPhaseOptions& options = {});
 
-/// Likewise for multiple-kernels noise of at most 8 kernels.
+/// The same for multiple-kernels noise of at most 8 kernels.
 [[nodiscard]] Bundle multipleKernelsBundle(const SrgbImage& image);
-/// Likewise for quilting.
+/// The same for quilting.
 [[nodiscard]] Bundle quiltingBundle(const SrgbImage& image);
 
 } // namespace lichen::bench

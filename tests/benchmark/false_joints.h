@@ -18,7 +18,7 @@ struct FalseJoints {
   /// pixel belongs to a joint if at least half of the weight of its tiles does.
   double share = 0.0;
   double inner = 0.0;      ///< the same of pixels at least kInnerPixels inside their cell
-  double shownCells = 0.0; ///< the pixels of the cells shown, over those of the result
+  double shownCells = 0.0; ///< the pixels of the cells shown, over the result's
 };
 
 /// Measures a result of `tilesPerSide` x `tilesPerSide` exemplars. The exemplar has `side` x `side`

@@ -22,7 +22,7 @@ constexpr int kExemplarSide = 256;
 /// target.
 constexpr int kViewSide = 512;
 constexpr int kReferenceSide = 1024;
-/// Likewise for textons, whose points cost more: 0.0006.
+/// The same for textons, whose points cost more: 0.0006.
 constexpr int kTextonViewSide = 64;
 constexpr int kTextonReferenceSide = 320;
 /// Pixel sizes in tiles, from four pixels per texel to one per 100 tiles, in steps of about four.
@@ -86,7 +86,7 @@ double meanColourError(const NoiseEvaluator& noise, double pixelTiles) {
   return largestDifference(filtered, reference);
 }
 
-/// Likewise for textons, which are exact at any point.
+/// The same for textons, which are exact at any point.
 double textonColourError(const NoiseEvaluator& noise, double pixelTiles) {
   const auto seen = [&](double x, double y, double side) {
     TileFootprint at;

@@ -23,7 +23,7 @@ constexpr std::uint32_t kSeeds = 3;
 /// The moments of the Gaussian values over 16 seeds.
 struct Moments {
   double excessKurtosis = 0.0; ///< mean over channels
-  double covariance = 0.0;     ///< largest difference from that of independent channels
+  double covariance = 0.0;     ///< largest difference from independent channels'
 };
 
 Moments momentsOf(const Bundle& bundle) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far the neighbourhoods of a result's pixels are from those of its exemplar.
+// How far the neighbourhoods of a result's pixels are from neighbourhoods in its exemplar.
 #pragma once
 
 #include <lichen/image.h>

@@ -23,7 +23,7 @@ public:
 
   [[nodiscard]] VkDescriptorSetLayout layout() const { return layout_; }
   [[nodiscard]] VkDescriptorSet set() const { return set_; }
-  /// The mean of the exemplar's code values, which that of each picture has to be near.
+  /// The mean of the exemplar's code values, to which each picture's mean has to be near.
   [[nodiscard]] const std::array<double, 3>& mean() const { return mean_; }
 
 private:

@@ -12,7 +12,7 @@ namespace lichen::bench {
 /// The target of a row that is there for comparison.
 inline constexpr double kNoTarget = std::numeric_limits<double>::infinity();
 
-/// A number beside a measurement. The name is that of a column: "ms", "fetches".
+/// A number beside a measurement. It names a column: "ms", "fetches".
 struct Detail {
   std::string name;
   double value = 0.0;
@@ -64,7 +64,7 @@ std::vector<Row> textonRows();    ///< time, model error, flatness, border, cova
 std::vector<Row> structureRows(); ///< what repeats, beside tiling
 std::vector<Row> quiltingRows();  ///< structure that quilting keeps, and when a bake chooses it
 std::vector<Row> localRandomPhaseRows(); ///< time and quality of local random-phase noise
-std::vector<Row> multipleKernelsRows();  ///< likewise of multiple-kernels noise
+std::vector<Row> multipleKernelsRows();  ///< the same of multiple-kernels noise
 std::vector<Row> shaderRows();           ///< ratios to plain and bare fetches
 std::vector<Row> optionRows();           ///< mappings, layers, blend sharpness, tile rotation
 

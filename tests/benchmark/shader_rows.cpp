@@ -48,7 +48,7 @@ struct TimedShader {
   std::unique_ptr<ReadyNoise> noise; ///< owns the set; null for the peers
 };
 
-/// Throws std::runtime_error if the mean of the picture is not near that of the exemplar.
+/// Throws std::runtime_error if the mean of the picture is not near the exemplar's.
 TimedShader peer(const char* name, Fragment fragment, const Screen& screen,
                  const PeerImages& images) {
   // The methods have no mean in common, and what interpolation loses of the variance changes it.
@@ -63,7 +63,7 @@ TimedShader peer(const char* name, Fragment fragment, const Screen& screen,
   for (std::size_t c = 0; c < mean.size(); ++c)
     if (!(std::abs(mean[c] - images.mean()[c]) < kTolerance))
       throw std::runtime_error(std::string(name) + ": a channel of the picture has a mean of " +
-                               std::to_string(mean[c]) + ", that of the exemplar " +
+                               std::to_string(mean[c]) + ", the mean of the exemplar " +
                                std::to_string(images.mean()[c]));
   return shader;
 }

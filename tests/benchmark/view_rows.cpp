@@ -158,8 +158,8 @@ std::vector<Row> rowsOf(const Kind& kind, const Measured& all) {
   }
   constexpr double kStepTarget = 1.2;
   rows.push_back(
-      {fmt::format("{}: shimmer over that of supersampled frames, median", kind.name),
-       median(all.steps), kStepTarget, "",
+      {fmt::format("{}: shimmer over supersampled frames', median", kind.name), median(all.steps),
+       kStepTarget, "",
        fmt::format("squared steps of 60 frames; worst {:.2f}; unfiltered {:.1f}; variance over the "
                    "frames {:.2f}",
                    largest(all.steps), median(all.points), median(all.variance))});

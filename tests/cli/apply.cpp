@@ -215,7 +215,7 @@ TEST_CASE("the report lists frames, singularities and factors that multiply the 
   CHECK(apply.notes(moss(), "wood", {"--quiet"}).empty());
 }
 
-TEST_CASE("factors are kept or set to 1, and one note lists those of many materials") {
+TEST_CASE("factors are kept or set to 1, and one note lists many materials'") {
   Apply apply;
   apply.material()["pbrMetallicRoughness"]["baseColorFactor"] = {0.800000011920929, 0, 0, 0.51};
   apply.material(1)["pbrMetallicRoughness"]["baseColorFactor"] = {0.05, 0.09, 0, 1};

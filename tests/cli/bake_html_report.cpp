@@ -28,7 +28,7 @@ PageElement reportOf(const Workplace& workplace, const std::string& input,
   return parsedPage(workplace.read("report.html"));
 }
 
-/// The sections of maps, without those of what lies between the inputs of a mix.
+/// The sections of maps, without what lies between the inputs of a mix.
 std::vector<PageElement> mapsOf(const PageElement& page) {
   std::vector<PageElement> maps;
   for (PageElement& article : page.all("article"))

@@ -70,7 +70,7 @@ TEST_CASE("images of every kind keep their colour") {
   }
 }
 
-TEST_CASE("palette and CMYK images, and those of opposite extremes side by side, bake cleanly") {
+TEST_CASE("palette and CMYK images, and opposite extremes side by side, bake cleanly") {
   const Workplace workplace;
   samples::Png palette;
   palette.colourType = 3;

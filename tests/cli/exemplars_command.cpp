@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lichen-exemplars: its files, and its error messages, which match those of the lichen command.
+// lichen-exemplars: its files, and its error messages, which match the lichen command's.
 #include "checkout_paths.h"
 #include "command_run.h"
 

@@ -140,7 +140,8 @@ TEST_CASE("--table-levels and each number of --tile-rotation give another patter
 TEST_CASE("--texels-per-tile magnifies the same pattern") {
   const SrgbImage plain = made({"--size", "64x64"});
   const SrgbImage large = made({"--size", "128x128", "--texels-per-tile", "64"});
-  // Pixel centres of the plain image lie between those of the large one: the mean of four is close.
+  // Pixel centres of the plain image lie between pixel centres of the large one: the mean of four
+  // is close.
   double sum = 0.0;
   for (int y = 0; y < plain.height; ++y)
     for (int x = 0; x < plain.width; ++x)

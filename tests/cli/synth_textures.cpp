@@ -87,7 +87,7 @@ TEST_CASE("each program gets the textures of all maps under the names that it kn
   expected("unity", {"BaseColor", "Normal", "MaskMap", "Height"});
 }
 
-TEST_CASE("channels of the textures are those of the maps, packed as each program has them") {
+TEST_CASE("the textures have the maps' channels, packed as each program has them") {
   const SrgbImage orm = alone("occlusionRoughnessMetallic"), normal = alone("normal");
   const Workplace blender, unity, unreal, up;
   writeTextures(blender, {});
@@ -164,7 +164,7 @@ TEST_CASE("textures as EXR hold linear light") {
     REQUIRE(double(light.values[i]) == Approx(double(expected.values[i])).margin(0.005));
 }
 
-TEST_CASE("options of all maps need --all-maps, and those of one map exclude it") {
+TEST_CASE("options of all maps need --all-maps, and options of one map exclude it") {
   const std::string& bundle = made().bundle;
   const Workplace workplace;
   const std::string file = workplace.write("file", std::string("x"));

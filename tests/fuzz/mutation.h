@@ -14,12 +14,12 @@
 namespace lichen::fuzz {
 
 using Bytes = std::vector<std::byte>;
-using Random = std::mt19937_64; // the standard defines its sequence, but not those of distributions
+using Random = std::mt19937_64; // the standard defines its sequence, but no distribution's
 
 [[nodiscard]] std::size_t below(Random& random, std::size_t limit);
 
 /// Flips a bit, overwrites an integer with an edge value, truncates the file, replaces its end with
-/// that of another of `files`, or removes or repeats a block.
+/// another file's, or removes or repeats a block.
 void mutateBytes(Bytes& file, const std::vector<Bytes>& files, Random& random);
 
 /// Replaces, removes or repeats a JSON value, or copies one over another.

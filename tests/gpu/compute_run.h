@@ -66,7 +66,7 @@ private:
 /// Returns the bytes of the output buffer. Throws std::runtime_error with the device's message.
 [[nodiscard]] std::vector<std::byte> runCompute(VulkanDevice& device, const ComputeRun& run);
 
-/// Likewise for several runs, one after the other in one command buffer.
+/// The same for several runs, one after the other in one command buffer.
 [[nodiscard]] std::vector<std::vector<std::byte>> runComputes(VulkanDevice& device,
                                                               std::span<const ComputeRun> runs);
 

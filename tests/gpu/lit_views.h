@@ -45,7 +45,7 @@ struct LitError {
   double aliasing = 0.0;
 };
 
-/// A level plane whose only material is that of a bundle, under the built-in sun and sky. The
+/// A level plane whose only material is a bundle's, under the built-in sun and sky. The
 /// samples of a reference are at most half a texel apart, so that the noise's own filter has
 /// nothing to do there.
 class LitPlane {

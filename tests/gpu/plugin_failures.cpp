@@ -393,7 +393,7 @@ TEST_CASE(
     CHECK(createWith(fixture, functions).result == LICHEN_SUCCESS);
     CHECK(ManyMemoryTypes::requested == Types{4, 4, 4, 5});
   }
-  SECTION("if all types fail, the error is that of the first") {
+  SECTION("if all types fail, the first type's error is returned") {
     ManyMemoryTypes::unmappable = 4;
     ManyMemoryTypes::full = 5;
     const Created created = createWith(fixture, functions);

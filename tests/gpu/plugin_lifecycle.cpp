@@ -167,7 +167,7 @@ TEST_CASE("retired assets live until their last frame has completed") {
       lichenVulkanRetireAssets(assets, frame);
       if (frame + 1 >= framesInFlight)
         lichenVulkanFrameCompleted(context, frame + 1 - framesInFlight);
-      // Those of the frames that have not completed, all of them and no more.
+      // Of the frames that have not completed: all their assets and no more.
       CHECK(Proxy::alive - withoutAssets == (int(framesInFlight) - 1) * perGeneration);
     }
   REQUIRE(perGeneration > 0);

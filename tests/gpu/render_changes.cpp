@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes between frames: each picture equals that of a file with the same values, rendered from
-// scratch.
+// Changes between frames: each picture equals the picture of a file with the same values, rendered
+// from scratch.
 #include "failure.h"
 #include "rendered.h"
 #include "scene_renderer.h"

@@ -160,8 +160,7 @@ std::array<BundleFile, 3> heightMaps() {
 
 } // namespace
 
-TEST_CASE(
-    "the outline of a displaced ball is that of points displaced on the CPU, by each method") {
+TEST_CASE("a displaced ball has the outline of points displaced on the CPU, by each method") {
   for (const BundleFile& file : heightMaps()) {
     INFO(file.bundle.noises[0].name);
     const auto noise = NoiseEvaluator::create(file.bundle, *file.bundle.materials[0]).value();

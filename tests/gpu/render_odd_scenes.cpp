@@ -94,8 +94,8 @@ const Outline kNothing = [](double, double) { return -1e9; };
 /// What is known of the picture beside its outline.
 enum class Known {
   outline,  ///< no more
-  asPlain,  ///< it is that of the plain scene
-  otherSky, ///< the sky is not that of the plain scene
+  asPlain,  ///< it is the plain scene's
+  otherSky, ///< the sky is not the plain scene's
 };
 
 struct OddScene {
@@ -272,7 +272,7 @@ float darkestInside(const LinearImage& picture, const Outline& outline) {
   return darkest;
 }
 
-/// How many pixels outside an outline are not those of a picture of the sky alone, and how many
+/// How many pixels outside an outline differ from a picture of the sky alone, and how many
 /// inside are.
 std::pair<int, int> misplaced(const LinearImage& picture, const LinearImage& sky,
                               const Outline& outline) {

@@ -104,7 +104,7 @@ TEST_CASE("textons in the plane and on surfaces match the oracle, which sums ove
     }
 }
 
-TEST_CASE("derivatives are differences over a texel, and those of a mix include the mean's slope") {
+TEST_CASE("derivatives are differences over a texel, and a mix's include the mean's slope") {
   for (const int steps : {1, 3}) {
     DeviceNoise noise(
         syntheticTextonBundle({.order = 3, .steps = steps, .channels = 1, .wholeFloats = true}));
@@ -174,7 +174,7 @@ TEST_CASE("a constant or a direction of the weight follows the material, not the
   for (SamplePoint& point : points)
     point.hasMix = false;
   const auto gaussians = noise.drawnGaussian(use, points);
-  // Texture coordinates are those of tiles times the scale, rotated.
+  // Texture coordinates are tile coordinates times the scale, rotated.
   const double cosine = use.parameters.scale * std::cos(use.parameters.rotation),
                sine = use.parameters.scale * std::sin(use.parameters.rotation);
   const std::array way{mix.end[0] - mix.start[0], mix.end[1] - mix.start[1]};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A second, slow and simple evaluation of texton noise in double precision: the oracle for the
 // shader library. In the plane it lists all impacts of a periodic domain with all their copies
-// around it; on a surface, all those of a large box around the point. It sums their textons over
+// around it; on a surface, all impacts in a large box around the point. It sums their textons over
 // all coefficients, and uses neither a window of cells nor a border of zeros. It shares only the
 // integer hash with the code under test; other tests check that hash.
 #pragma once
@@ -20,7 +20,7 @@ public:
   /// periodic.
   [[nodiscard]] Vec inPlane(double tileX, double tileY, std::uint32_t mip,
                             const MixPlace& mix = {}) const;
-  /// Likewise at a point [metres] of a surface.
+  /// The same at a point [metres] of a surface.
   [[nodiscard]] Vec onSurface(const Vec& point, const SurfaceFrame& frame, std::uint32_t mip,
                               const MixPlace& mix) const;
 

@@ -89,7 +89,7 @@ double quantile99(std::vector<double> values) {
   return *at;
 }
 
-/// The standard deviation of a value's channels: those of the Gaussian channels and of the lost
+/// The standard deviation of a value's channels: of the Gaussian channels and of the lost
 /// variance, each times the value's derivative, and the table's own.
 Vec valueDeviation(const TilingReference& reference, const SyntheticMap& map,
                    const TilingReference::Sample& sample, double contrast) {
@@ -161,7 +161,7 @@ TEST_CASE("8-bit tiling differs from the oracle by no more than 8-bit filtering 
 }
 
 TEST_CASE("gradients passed to the sampler change only the driver's level of detail, and the lost "
-          "variance is that of the square whose area its probes cover") {
+          "variance is the same as of the square whose area its probes cover") {
   DeviceNoise noise(fileOf(kMaps[0]));
   const TilingReference reference(noise.bundle, 0, FetchedBy::gradients);
   const std::vector<SamplePoint> points = samplePoints(1000);

@@ -152,7 +152,7 @@ private:
     return {f[0] * std::cos(angle), f[0] * std::sin(angle)};
   }
 
-  /// Bits 0 to 3 are the signs of the four waves, and bit 4 that of their phase.
+  /// Bits 0 to 3 are the signs of the four waves, and bit 4 the sign of their phase.
   void addWaves(Vec& value, std::size_t k, double window, double turns, std::uint32_t bits) const {
     const auto signOf = [&](std::size_t bit) { return (bits >> bit & 1u) != 0 ? -1.0 : 1.0; };
     const double wave = window * std::sqrt(2.0) * std::cos(kTurn * (turns - signOf(4) / 8.0));
@@ -171,7 +171,7 @@ private:
   }
 
   /// Calls add(cell, offsetOf) for all cells within reach along the first axes; offsetOf(jitter) is
-  /// the position less that of an impact so far [cells] within the cell, in tiles.
+  /// the position less an impact's, so far [cells] within the cell, in tiles.
   template <class Add>
   static void forCells(const Vec& position, const Vec& cellsPerTile, std::size_t axes, int reach,
                        const Add& add) {

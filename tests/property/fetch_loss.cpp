@@ -162,7 +162,7 @@ TEST_CASE("a Gaussian image stores the loss of fetches at random positions", "[l
   }
 }
 
-TEST_CASE("no other losses of the levels follow those of fetches better, in the mean square") {
+TEST_CASE("no other losses of the levels follow the losses of fetches better, in the mean square") {
   // Least squares: what the interpolated losses leave is orthogonal to the hat of each level.
   constexpr int kSteps = 16, kPositions = 8000;
   for (const NamedImage& one : images()) {

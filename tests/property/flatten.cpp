@@ -138,7 +138,7 @@ TEST_CASE("beside its trend, an exemplar is mirrored at its borders") {
     return std::cos(0.5 * kTurn * kHalfWaves * (x + 0.5) / kSide);
   };
   const MapExemplar map = slopes(kSide, kSide, wave);
-  const double period = 2.0 * kSide / kHalfWaves; // that of the wave: half remains
+  const double period = 2.0 * kSide / kHalfWaves; // the wave's: half remains
   const MapExemplar flat = flattened(map, period, false);
   for (int x = 0; x < kSide; ++x) {
     INFO(x);
@@ -196,7 +196,7 @@ std::vector<double> lightOfParts(const std::vector<float>& codes, int side) {
 
 constexpr int kSurfaceSide = 256;
 
-/// Standard deviation of the light of `lit` over that of `even`, both of the same material.
+/// Standard deviation of the light of `lit` over the light of `even`, both of the same material.
 double unevenness(const std::vector<float>& lit, const std::vector<float>& even, int side) {
   std::vector<double> ratio = lightOfParts(lit, side);
   const std::vector<double> material = lightOfParts(even, side);

@@ -24,7 +24,7 @@ std::string reportOf(const ErrorRate& rate) {
 
 } // namespace
 
-TEST_CASE("the upper bound of an error rate is that of tables") {
+TEST_CASE("the upper bound of an error rate equals published tables") {
   CHECK(upperErrorBound(0, 29) == Approx(0.098145).margin(1e-6)); // 1 - 0.05^(1/29)
   CHECK(upperErrorBound(5, 110) == Approx(0.093194).margin(1e-6));
   CHECK(upperErrorBound(10, 10) == 1.0);

@@ -34,7 +34,7 @@ Bundle bakedAs(Method method, std::span<const MapExemplar> maps) {
 /// Checks the mean, the deviation and quantiles of each decoded channel of the noise against the
 /// exemplar's. The tolerance of mean and deviation, in deviations of the exemplar, is five standard
 /// errors of the mean of 512^2 texels that correlate over 9. `ofQuantiles` is
-/// that of quantiles, `ofKernels` the same for multiple kernels.
+/// the tolerance of quantiles, `ofKernels` the same for multiple kernels.
 void checkDistribution(const MapExemplar& map, double ofQuantiles,
                        std::optional<double> ofKernels = {}) {
   for (const Method method : {Method::localRandomPhase, Method::multipleKernels}) {
@@ -96,7 +96,7 @@ TEST_CASE("the noise of light far above 1 has its distribution") {
     }
   const std::vector<float> light = decodedValues(map);
   REQUIRE(*std::max_element(light.begin(), light.end()) > 16.0f);
-  checkDistribution(map, 0.13); // likewise: measured 0.098
+  checkDistribution(map, 0.13); // measured 0.098
 }
 
 TEST_CASE("the noise of two channels of a map of three has their distribution") {

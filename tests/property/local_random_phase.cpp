@@ -85,7 +85,7 @@ TEST_CASE("the squares of the windows sum to 1") {
   CHECK(largest < 1e-6);
 }
 
-TEST_CASE("the correlation of the windows is that of random samples") {
+TEST_CASE("the correlation of the windows equals the correlation of random samples") {
   const WindowSpectrum spectrum;
   CHECK(spectrum.correlation(0.0, 0.0) == Approx(1.0));
   CHECK(spectrum.correlation(0.0, 1.74) == 0.0);

@@ -137,7 +137,7 @@ TEST_CASE("blocks become as narrow as a line in the spectrum") {
   CHECK(count == Approx(63.0 * 127.0 + 0.5 * 126.0)); // column 0 counts half, (0, 0) not at all
 }
 
-TEST_CASE("the derivatives of a kernel's power are those of differences") {
+TEST_CASE("the derivatives of a kernel's power equal differences") {
   for (const KernelWindow window : kWindows) {
     const WindowSpectrum spectrum(window);
     for (const Kernel& kernel : someKernels()) {

@@ -119,7 +119,8 @@ Placement originAt(std::int64_t x, std::int64_t y, std::int64_t z = 0) {
 
 } // namespace
 
-TEST_CASE("a noise a billion tiles away is that of an origin there, or in a period that nearby") {
+TEST_CASE("a noise a billion tiles away equals the noise of an origin there, or in a period the "
+          "noise nearby") {
   // A billion tiles and three eighths become a tile origin and an offset; for a periodic lattice,
   // whole periods and a remainder. All are binary fractions.
   Placement periodic;

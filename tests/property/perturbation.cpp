@@ -116,7 +116,7 @@ TEST_CASE("the waves of a picture are its Fourier series") {
   CHECK(few.front().amplitude >= few.back().amplitude);
 }
 
-TEST_CASE("the waves of a spline are those of a cubic B-spline") {
+TEST_CASE("a spline has the waves of a cubic B-spline") {
   const std::vector<double> points{0.2, 1.0, -0.4, 0.7, 0.1};
   const std::vector<PatternWave> waves = patternOfSpline(2, -3, points);
   const auto count = int(points.size());
@@ -145,7 +145,7 @@ TEST_CASE("waves of one frequency and of its mirror add up") {
   CHECK(sum[0].v == 3);
   CHECK(sum[0].amplitude == Approx(2.0));
   CHECK(sum[0].phase == Approx(0.1));
-  CHECK(sum[1].u == 2); // those of (0, 4) cancel
+  CHECK(sum[1].u == 2); // the two at (0, 4) cancel
 }
 
 TEST_CASE("patterns that cannot be are refused") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Borders that quilting closes: those of bars and of squares.
+// Borders that quilting closes, of bars and of squares.
 #include "plane_of.h"
 
 #include <catch2/catch.hpp>

@@ -87,7 +87,8 @@ const CellField& wallCells() {
 
 } // namespace
 
-TEST_CASE("texels of a brick point to its centre, those of mortar to that of a brick beside it") {
+TEST_CASE(
+    "texels of a brick point to its centre, texels of mortar to the centre of a brick beside it") {
   for (const Bond& bond : {Bond{}, Bond{30, 14}}) {
     const MapExemplar wall = wallOf(bond);
     const CellField cells = cellsOf({&wall, 1}, kBricks);

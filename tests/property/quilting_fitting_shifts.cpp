@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shifts that bring edges onto edges: those of sheet metal with grooves and rivets.
+// Shifts that bring edges onto edges, in sheet metal with grooves and rivets.
 #include "plane_of.h"
 
 #include <catch2/catch.hpp>

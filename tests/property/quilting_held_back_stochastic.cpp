@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ten materials without a structure. Their features are larger than those of the pictures for the
+// Ten materials without a structure. Their features are larger than in the pictures for the
 // verdict: up to a third of the side.
 #include "quilting_held_back_pictures.h"
 #include "verdict_held_back_drawing.h"

@@ -100,7 +100,7 @@ public:
                 offsets_[1].atPixel(picture.x, picture.y)};
   }
 
-  /// The numbers of a middle; those of a whole picture wrap.
+  /// The numbers of a middle; in a whole picture they wrap.
   [[nodiscard]] std::pair<int, int> cellOf(Point middle) const {
     constexpr int kSteps = 48; // in a box, more than cells
     const auto numberOf = [](float position, float length, int boxes) {
@@ -171,7 +171,7 @@ public:
     return scaled(joint_, 1.0f + 0.09f * smoothAt(fine_, picture.x, picture.y) +
                               0.05f * smoothAt(coarse_, picture.x, picture.y));
   }
-  /// `local` is along and across, in pixels. `slopes` are those of the height.
+  /// `local` is along and across, in pixels. `slopes` are the height's.
   [[nodiscard]] Color face(const Spot& spot, std::pair<int, int> cell, Point local, Point slopes,
                            float inside) const {
     const auto toss = [&](std::uint32_t k) { return hashed(cell.first, cell.second, seed_ + k); };

@@ -14,7 +14,7 @@
 
 using namespace lichen;
 
-TEST_CASE("values of quilting are those of the published test vectors") {
+TEST_CASE("values of quilting equal the published test vectors") {
   std::ifstream file(sourcePath("docs/gltf_extension/test_vectors.json"));
   const nlohmann::json vectors = nlohmann::json::parse(file);
   REQUIRE(vectors["quilting"].size() > 20);

@@ -26,7 +26,7 @@ constexpr int kResultSide = 256;
 /// that the samples are independent, and together they visit all texels of the exemplar.
 constexpr int kStride = 67;
 constexpr std::uint32_t kSeeds = 8;
-constexpr std::uint32_t kSeedsOfFewValues = 4; // its covariances scatter less than those of slopes
+constexpr std::uint32_t kSeedsOfFewValues = 4; // its covariances scatter less than slopes'
 constexpr std::uint32_t kSeedsOfControl = 2;   // the control is far from the limit
 
 MapExemplar mapLike(const MapExemplar& sizes, MapTarget target, std::vector<MapChannel> channels,
@@ -199,7 +199,7 @@ Deviation deviationOf(const Bundle& bundle, const std::vector<double>& wanted, s
 
 } // namespace
 
-TEST_CASE("covariances between the maps of a set are those of the exemplar") {
+TEST_CASE("covariances between the maps of a set equal the exemplar's") {
   const std::vector<MapExemplar> maps = materialSet();
   const Bundle bundle = bakedBundle(maps);
   const std::vector<double> wanted = crossCovariances(decodedMaps(maps));

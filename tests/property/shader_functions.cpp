@@ -93,7 +93,24 @@ TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near 
   CHECK(retainedAt(2.0) == 0.0);
 }
 
-TEST_CASE("windows of cosines and spreads of kernels are those of the bakes") {
+TEST_CASE(
+    "each channel that a map of occlusion, roughness and metallic has goes to its own place") {
+  Library library;
+  for (std::uint32_t channels = 0; channels < 8; ++channels) {
+    Library::LichenMap map{};
+    map.ormChannels = channels;
+    const glsl::vec3 found = library.lichenOrm({1.0f, 2.0f, 3.0f}, {-1.0f, -2.0f, -3.0f}, map);
+    float stored = 1.0f; // the value holds only what the map has, in order
+    for (int channel = 0; channel < 3; ++channel) {
+      INFO(channels << ", " << channel);
+      const bool isThere = (channels >> channel & 1u) != 0;
+      CHECK(found[channel].v == (isThere ? stored : -1.0f - float(channel)));
+      stored += isThere ? 1.0f : 0.0f;
+    }
+  }
+}
+
+TEST_CASE("windows of cosines and spreads of kernels equal the bakes'") {
   Library library;
   std::mt19937 generator(2u);
   std::uniform_real_distribution<float> place(0.0f, 1.0f);
@@ -329,8 +346,8 @@ TEST_CASE("the index of a distant cell is exact, modulo 2^32 or the period") {
 }
 
 TEST_CASE("the sums of impacts, weights and squared weights on surfaces follow proposition 3") {
-  // [GLM17] section 6: lambda r^3 impacts. The integral of the weight over t is r / 2 and that of
-  // its square r / 3; the amplitude makes the variance that of the texton.
+  // [GLM17] section 6: lambda r^3 impacts. The integral of the weight over t is r / 2 and of
+  // its square r / 3; the amplitude makes the variance the texton's.
   const SyntheticTexton texton{.coefficientsX = 12, .coefficientsY = 10};
   const Bundle bundle = syntheticTextonBundle(texton).bundle;
   const auto noise = std::bit_cast<Library::LichenNoise>(shaderNoise(bundle, 0));

@@ -109,7 +109,7 @@ TEST_CASE("the spectrum error is the power ratio of the noise and its exemplar",
         Approx(filterDecibels(64)).margin(kMargin));
 }
 
-TEST_CASE("the spectrum error of colours is that of their luminance") {
+TEST_CASE("the spectrum error of colours equals the error of their luminance") {
   // All channels vary in the exemplar, only green in the noise: 0.7152 of luminance, a third of the
   // channels.
   MapExemplar map = linearMap({});

@@ -264,7 +264,7 @@ TEST_CASE("turbulence displaces a structure by its deviation, along both axes") 
   constexpr double kTurbulence = 0.002;
   const Offsets none(3);
   const WaveStructure still(none), displaced(none, kTurbulence);
-  // The mean square of a change is that of the slope, times that of the displacement.
+  // The mean square of a change is the slope's times the displacement's.
   double slopes = 0.0;
   for (const Wave& wave : kWaves)
     slopes += 0.5 * std::pow(2.0 * std::numbers::pi * wave.amplitude, 2.0) *

@@ -377,7 +377,7 @@ TEST_CASE("risks do not depend on the number of threads") {
     CHECK(many[k].score == alone[k].score);
 }
 
-TEST_CASE("cloudiness and low frequency of a height map are those of its slopes") {
+TEST_CASE("a height map has the cloudiness and low frequency of its slopes") {
   constexpr int kSide = 64;
   constexpr double kTurn = 2.0 * std::numbers::pi;
   // A slow wave that would be a risk for other data, and a fast one with nearly all the slope.

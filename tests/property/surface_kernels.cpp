@@ -73,7 +73,7 @@ double expectedCovariance(const Bundle& bundle, double dx, double dy) {
 
 } // namespace
 
-TEST_CASE("on any tangent plane the covariance of kernels is that of the plane") {
+TEST_CASE("on any tangent plane kernels have the covariance of the plane") {
   for (const KernelWindow window : {KernelWindow::gabor, KernelWindow::gaussianSinc}) {
     const Bundle bundle = bundleOf(window);
     const auto evaluator = methodEvaluator(bundle, 0);
@@ -117,7 +117,7 @@ TEST_CASE("on any tangent plane the covariance of kernels is that of the plane")
           expectedCovariance(bundle, distances[d][0] / kWidth, distances[d][1] / kHeight);
       INFO(nameOf(window) << " at " << distances[d][0] << ", " << distances[d][1] << ": " << sums[d]
                           << " of " << expected);
-      // 5 standard errors, alpha 6e-7. Texels are square: those of the plane.
+      // 5 standard errors, alpha 6e-7. Texels are square, in the plane too.
       CHECK(std::abs(sums[d] - expected) <
             5.0 * std::sqrt((squares[d] - sums[d] * sums[d]) / kPlaces));
     }

@@ -114,7 +114,7 @@ double thicknessOf(const SyntheticTexton& texton) {
 
 } // namespace
 
-TEST_CASE("the covariance in a tangent plane of any direction is that of noise in the plane, and "
+TEST_CASE("a tangent plane of any direction has the covariance of noise in the plane, and "
           "falls across planes as the weights do") {
   struct Case {
     Vec normal;

@@ -196,7 +196,7 @@ TEST_CASE("half floats preserve a texton's covariance up to rounding") {
   // limit is four of these.
   const double measured = worstError(storedCovariance(bake), wanted);
   CHECK(measured <= 2.4e-4);
-  // The reported error is that of the half floats, not of the coefficients before rounding.
+  // The reported error is the half floats', not the error of the coefficients before rounding.
   CHECK(bake.figures.quality.covarianceError == Approx(measured).epsilon(1e-3));
 }
 

@@ -116,7 +116,7 @@ TEST_CASE("amplitudes of one channel are averaged, whatever the number of textur
   CHECK(found.rankError < 1e-3);
 }
 
-TEST_CASE("the barycentre of two is that of three of which two are the same") {
+TEST_CASE("two have the same barycentre as three of which two are the same") {
   const texton::GaussianModel a = randomModel(10, 8, 3, 1);
   const texton::GaussianModel b = randomModel(10, 8, 3, 2);
   const texton::GaussianModel two = barycenter(std::vector{a, b}, std::vector{0.3, 0.7}).model;

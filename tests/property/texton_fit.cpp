@@ -114,7 +114,7 @@ TEST_CASE("the kernel's autocorrelation is the sampled B-spline of twice the deg
           next[i + j] += spline[i] / kStepsPerTexel;
       spline = next;
     }
-    // The variance of a box of n samples is 1 / (12 n^2) less than that of one of length 1. The
+    // The variance of a box of n samples is 1 / (12 n^2) less than of one of length 1. The
     // error is half of that for each box times the spline's second derivative, at most 2. The next
     // order is n^-4.
     const double tolerance =

@@ -138,7 +138,7 @@ TEST_CASE("weights give one texton with the exemplars' weighted mean") {
   checkStatistics(alone.noise.maps[0].mean, alone.noise.maps[0].covariance, exemplars[1].maps[0]);
 }
 
-TEST_CASE("the variance of filtered noise at each step of a mix is that of its losses, also beyond "
+TEST_CASE("the variance of filtered noise at each step of a mix follows its losses, also beyond "
           "the last mip") {
   // Steps with 1, 1.5 and 2 times the first standard deviation, of unrelated white coefficients.
   BundleFile file = syntheticTextonBundle(

@@ -213,7 +213,7 @@ TEST_CASE("the error for exemplars that cannot be mixed gives the reason") {
                   ErrorKind::usage) == "a weight of -0.5; expected 0 or more");
   CHECK(messageOf(fitTextonBarycenter(pair, std::vector{0.0, 0.0}, support(8)), ErrorKind::usage) ==
         "weights of sum 0; expected a sum above 0");
-  // One coefficient correlates all channels fully, unlike those of the exemplars.
+  // One coefficient correlates all channels fully, unlike the exemplars'.
   CHECK(messageOf(fitTextonPath(pair, 1, support(1)), ErrorKind::badInput) ==
         "a mix of 1 moss.png, 0 rust.png: 1 x 1 coefficients cannot vary as these colours do; "
         "use a larger texton, or exemplars with detail");

@@ -277,7 +277,7 @@ TEST_CASE("rotated colours have the same mean, variance and histogram everywhere
       INFO("angles " << angles << " at " << f << ", " << g << ": variance " << moments.variance
                      << " of " << wanted.variance);
       // 8100 cells: the standard error of the difference of two means is 1.6 % of a standard
-      // deviation, and that of two variances at most 2.2 %. The limits are 4.4 of these, alpha 1e-5
+      // deviation, and of two variances at most 2.2 %. The limits are 4.4 of these, alpha 1e-5
       // each; of the histogram 1e-6, sqrt(ln(2e6) / 2) sqrt(2 / 8100).
       CHECK(std::abs(moments.mean - wanted.mean) < 0.07 * std::sqrt(wanted.variance));
       CHECK(moments.variance == Approx(wanted.variance).epsilon(0.10));

@@ -35,7 +35,7 @@ TEST_CASE("at the seam a blended image is the displaced image, at every size") {
   }
 }
 
-TEST_CASE("a blended image continues across its borders, and its middle is that of the exemplar") {
+TEST_CASE("a blended image continues across its borders, and its middle is the exemplar's") {
   constexpr int kWidth = 96, kHeight = 80;
   // A sixteenth of each side is blended, except in the first and the last line.
   constexpr int kBandX = kWidth / 16, kBandY = kHeight / 16;

@@ -60,7 +60,7 @@ TEST_CASE("a synthesized image has the exemplar's mean and covariance", "[large]
   // Patches of 7 x 7 texels: a value is correlated over sum rho = 49 texels, its square over sum
   // rho^2 = 22. Standard errors over 1536^2 pixels: 0.46 % of a standard deviation for a mean, 0.43
   // % for a variance, and 0.1 % of it from the offsets, (2/3) sqrt(3 x 22 / 128^2) per triangle.
-  // Tolerances are at least 4.3 of these: alpha 5e-5 for the three means, and likewise for the
+  // Tolerances are at least 4.3 of these: alpha 5e-5 for the three means, and the same for the
   // covariance.
   const LinearImage image = synthesized(sized(1536, 1536));
   const exemplar::Moments found = exemplar::momentsOf(image.values, 3);

@@ -225,7 +225,7 @@ TEST_CASE("an averaged cell is the expectation of the table over the variance th
     const double mean = sum / kSamples;
     const double deviationOfValue = std::sqrt(std::max(0.0, squares / kSamples - mean * mean));
     // Five standard errors of the Monte Carlo mean, alpha 6e-7, and of the cell's own 32 samples.
-    // Their error is a fifth of that of independent samples: they are stratified, and contribute
+    // Their error is a fifth of independent samples' error: they are stratified, and contribute
     // only where the directions lose differently.
     const double tolerance =
         5.0 * deviationOfValue * (1.0 / std::sqrt(double(kSamples)) + 0.2 / std::sqrt(32.0));

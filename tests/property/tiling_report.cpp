@@ -58,7 +58,7 @@ TEST_CASE("lattice_visibility follows the lattice of the noise, with any grain")
     }
 }
 
-TEST_CASE("the risks of all maps are those of borders that fade along the grain of the noise") {
+TEST_CASE("all maps have the risk of borders that fade along the grain of the noise") {
   // Neither map has a grain of its own.
   const std::vector<MapExemplar> maps{threeMaterials(64, 64, 5), threeMaterials(64, 64, 6)};
   Noise noise;

@@ -159,7 +159,7 @@ TEST_CASE("the outermost thousandths of a map of one channel come out of its tab
   const double lowest = quantile(0.5 / 256.0);
   CHECK(double(values[std::size_t(0.999 * kPixels)]) == Approx(highest).epsilon(0.01));
   CHECK(double(values[std::size_t(0.001 * kPixels)]) == Approx(lowest).epsilon(0.01));
-  // Within the cells, quantiles are those of the exemplar, to half of the next cell's difference.
+  // Within the cells, quantiles are the exemplar's, to half of the next cell's difference.
   // The outermost cell averages 1/256 of the variance away, and restoring it stretches the table
   // about the mean, 0.2, by half of that; interpolation adds as much again.
   for (const double u : {0.01, 0.1, 0.5, 0.9, 0.99})

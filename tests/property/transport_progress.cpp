@@ -56,7 +56,7 @@ TEST_CASE("bakes of every kind report progress, and end at every step if the cal
   check(gaussian, {map}, 4, kAllStops);
   check({}, {greyOf(map)}, 3, kAllStops);
   check({}, {test::threeMaterials(24, 24, 2)}, 5, kAllStops);
-  // Each stop of a set bakes its first map again. The last steps are those of the second map.
+  // Each stop of a set bakes its first map again. The last steps are the second map's.
   MapExemplar height = greyOf(test::threeMaterials(32, 32, 5));
   height.target = MapTarget::emissive;
   check({}, {test::threeMaterials(32, 32, 4), height}, 5, 4);

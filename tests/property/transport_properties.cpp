@@ -114,7 +114,7 @@ TEST_CASE("the matching is never worse than its start") {
   const Points source = quantizedColors(2000, 9);
   const Points target = gaussianCloud(2000, 10);
   const std::vector<std::uint32_t> start = assign(source, target, {});
-  // The rounds after those of assign() use other blocks.
+  // The rounds after assign()'s use other blocks.
   const std::vector<std::uint32_t> improved =
       improveAssignment(source, target, start, {.swapRounds = 8, .exactRounds = 8});
   CHECK(isBijection(improved));

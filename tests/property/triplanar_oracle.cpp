@@ -33,7 +33,7 @@ using NamedNoise = std::pair<const char*, Bundle>;
 
 constexpr int kWidth = 64, kHeight = 48;
 constexpr double kAspect = double(kWidth) / kHeight, kTileMetres = 0.5;
-/// Seeds whose noise on texture coordinates is that of the first in the planes x, y and z.
+/// Seeds whose noise on texture coordinates equals the first one's in the planes x, y and z.
 constexpr std::array<std::uint32_t, 3> kSeeds{7u, 4134746869u, 254121764u};
 static_assert(latticeSeed(kSeeds[1], 0) == latticeSeed(kSeeds[0], 1) &&
               latticeSeed(kSeeds[2], 0) == latticeSeed(kSeeds[0], 2));

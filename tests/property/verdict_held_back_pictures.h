@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pictures for the error rates of the verdict.
 //
-// Each has its own seed, colours, sizes and contrast, and those of 176 to 208 pixels their own
+// Each has its own seed, colours, sizes and contrast, and pictures of 176 to 208 pixels their own
 // side. Whether its noise is good was decided for each kind before any was judged, by what a person
 // sees in such a noise. The seeds were fixed before the first run of all pictures, and none was
 // changed after.

@@ -375,7 +375,7 @@ TEST_CASE("light and not its sRGB code is interpolated inside a frame") {
     REQUIRE(value == Approx(half));
 }
 
-TEST_CASE("slopes inside a turned frame are those of the turned surface") {
+TEST_CASE("slopes inside a turned frame are the turned surface's") {
   // A plane that rises by (0.3, -0.2) along x and along y, which is up.
   MapExemplar map;
   map.channels = {MapChannel::red, MapChannel::green};

@@ -52,7 +52,7 @@ TEST_CASE("a document equals the result of nlohmann's own parser") {
         "JSON syntax error at byte 35");
 }
 
-TEST_CASE("base64 is that of RFC 4648, section 10") {
+TEST_CASE("base64 has the test vectors of RFC 4648, section 10") {
   const std::string kStart = "data:;base64,";
   const std::string_view text = "foobar";
   for (std::size_t length = 0;

@@ -246,7 +246,7 @@ BundleFile smallestTexton() {
   const double energy = bilinearEnergy(texels, side);
   texton.scale = {6.0 * std::sqrt(map.covariance[0])};
   for (double& texel : texels)
-    texel /= 6.0 * std::sqrt(energy); // makes the variance that of the map
+    texel /= 6.0 * std::sqrt(energy); // makes the variance the map's
   const std::vector<double> coarse = halved(texels, side);
   constexpr double kCoarseTexelArea = 4.0;
   texton.mipLoss.push_back(1.0 - 36.0 * kCoarseTexelArea * bilinearEnergy(coarse, side / 2));
@@ -312,7 +312,7 @@ BundleFile smallestKernels() {
   row.cubes = 24;
   row.layers = 24;
   row.toWindowZ = 4.5f;
-  row.colors[0][0] = 0.1350f; // squares, those of cosines halved, sum to 1 / 36
+  row.colors[0][0] = 0.1350f; // squares, of cosines halved, sum to 1 / 36
   KernelRow ring = row;
   ring.frequency = {5.0f, 0.0f};
   ring.toWindow = {4.0f, 0.0f, 0.0f, 4.0f};

@@ -65,7 +65,7 @@ TEST_CASE("the specification describes every property of the schemas") {
   }
 }
 
-TEST_CASE("the hashes and seeds are those of the published test vectors") {
+TEST_CASE("the hashes and seeds equal the published test vectors") {
   for (const nlohmann::json& v : vectors()["pcg"])
     CHECK(pcg(v["value"]) == v["hash"].get<std::uint32_t>());
   for (const nlohmann::json& v : vectors()["pcg3d"])
@@ -75,7 +75,7 @@ TEST_CASE("the hashes and seeds are those of the published test vectors") {
     CHECK(latticeSeed(v["seed"], v["plane"]) == v["word"].get<std::uint32_t>());
 }
 
-TEST_CASE("hashes of vertices are those of the published test vectors") {
+TEST_CASE("hashes of vertices equal the published test vectors") {
   CHECK(vectors()["vertexHash"].size() > 20);
   for (const nlohmann::json& v : vectors()["vertexHash"]) {
     const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();
@@ -84,7 +84,7 @@ TEST_CASE("hashes of vertices are those of the published test vectors") {
   }
 }
 
-TEST_CASE("tile offsets are those of the published test vectors") {
+TEST_CASE("tile offsets equal the published test vectors") {
   for (const nlohmann::json& v : vectors()["tileOffset"]) {
     const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();
     const auto size = v["size"].get<std::array<std::uint32_t, 2>>();
@@ -94,7 +94,7 @@ TEST_CASE("tile offsets are those of the published test vectors") {
   }
 }
 
-TEST_CASE("tile rotations are those of the published test vectors") {
+TEST_CASE("tile rotations equal the published test vectors") {
   CHECK(vectors()["tileRotation"].size() > 20);
   for (const nlohmann::json& v : vectors()["tileRotation"]) {
     const auto vertex = v["vertex"].get<std::array<std::int32_t, 2>>();
@@ -104,7 +104,7 @@ TEST_CASE("tile rotations are those of the published test vectors") {
   }
 }
 
-TEST_CASE("tile origins and periodic lattices are those of the published test vectors") {
+TEST_CASE("tile origins and periodic lattices equal the published test vectors") {
   for (const nlohmann::json& v : vectors()["latticeCell"]) {
     const auto tile = v["tile"].get<std::array<std::int64_t, 2>>();
     const Grain grain = grainOf(v);

@@ -131,7 +131,7 @@ TEST_CASE("textons are read beside an ignored noise, whose tables are skipped") 
           all.tables[all.noises[1].maps[m].as<TextonMap>().image].texels);
 }
 
-TEST_CASE("the exemplar's size is that of the Gaussian image, or the one that textons state") {
+TEST_CASE("the exemplar's size is the Gaussian image's, or the one that textons state") {
   const Bundle bundle = example::textonMix().bundle;
   const auto sizeOf = [&](std::size_t noise) {
     return exemplarSize(bundle, bundle.noises[noise], bundle.noises[noise].maps[0]);

@@ -33,7 +33,7 @@ double chiSquare(const std::vector<int>& counts) {
   return sum;
 }
 
-/// The same of counts with these probabilities; those of probability 0 must be 0.
+/// The same of counts with these probabilities; where one is 0, the count must be.
 double chiSquare(const std::vector<int>& counts, const std::vector<double>& probabilities) {
   const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
   double sum = 0.0;
@@ -91,7 +91,7 @@ bool hasPeriod(const Hash& hash) {
   return false;
 }
 
-/// Whether the field of `seed` is that of seed 1, shifted along a row or along a column by any
+/// Whether the field of `seed` is the field of seed 1, shifted along a row or along a column by any
 /// distance but 0.
 bool isShifted(const Hash& hash, std::uint32_t seed) {
   // Every distance is a multiple of 2^16 less a number below 2^16.

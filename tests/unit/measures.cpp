@@ -64,7 +64,7 @@ TEST_CASE("the direction of waves of four pixels is right to half a degree") {
   }
 }
 
-TEST_CASE("two equal crossed gratings have no anisotropy, unequal ones that of the closed form") {
+TEST_CASE("two equal crossed gratings have no anisotropy, unequal ones the closed form's") {
   const auto crossed = [](double amplitude) {
     const double step = 2.0 * std::numbers::pi / 16.0; // whole periods over 64 gradients
     return grey(kSide + 2, [=](int x, int y) {

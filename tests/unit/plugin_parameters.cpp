@@ -35,7 +35,7 @@ TEST_CASE("a material's block holds its parameters") {
   CHECK(material.maxAnisotropy == 1.0f);
 }
 
-TEST_CASE("a material's block is that of the bundle library, with any parameters and placement") {
+TEST_CASE("a material's block equals the bundle library's, with any parameters and placement") {
   BundleFile file = example::smallest();
   MaterialNoise& own = *file.bundle.materials[0];
   own.mapping = Mapping::triplanar;
@@ -90,7 +90,7 @@ TEST_CASE("a material's block is that of the bundle library, with any parameters
   same(changed, placement, fill(parameters, hostPlacement));
 }
 
-TEST_CASE("the blocks of every kind of noise and mapping are those of the bundle library") {
+TEST_CASE("the blocks of every kind of noise and mapping equal the bundle library's") {
   BundleFile mix = example::textonMix();
   mix.bundle.materials[1]->mix = {MixSource::direction, 0.0, {0.5, -1.0}, {2.0, 3.0}, 0, 0, 0, 0};
   for (BundleFile& file :
@@ -133,7 +133,7 @@ TEST_CASE("the blocks of every kind of noise and mapping are those of the bundle
   }
 }
 
-TEST_CASE("the default parameters are those of a material that says nothing") {
+TEST_CASE("the default parameters belong to a material that says nothing") {
   const BundleFile file = example::smallest();
   const OwnedBundle bundle(file);
   auto parameters = got<LichenMaterialParameters>(lichenGetDefaultParameters, bundle.handle, 0);

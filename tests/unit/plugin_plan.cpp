@@ -29,7 +29,7 @@ TEST_CASE("the inverse table of one dimension is a 3-D image one texel high and 
   CHECK(image.mipLevels == 3);
 }
 
-TEST_CASE("of all images, only those of cosines need no linear filter") {
+TEST_CASE("of all images, only cosines need no linear filter") {
   const OwnedBundle bundle(example::smallestCosines());
   auto map = got<LichenMapProperties>(lichenGetMapProperties, bundle.handle, 0, 0);
   auto properties = got<LichenBundleProperties>(lichenGetBundleProperties, bundle.handle);

@@ -146,7 +146,8 @@ TEST_CASE("colour distance of a shifted set is the shift over the root of three"
   CHECK(colorDistance(image, shifted).value() == Approx(length / std::sqrt(3.0)).epsilon(0.002));
 }
 
-TEST_CASE("colour distance of two uniform grey distributions is that of their quantiles") {
+TEST_CASE("the colour distance of two uniform grey distributions equals the distance of their "
+          "quantiles") {
   // W2 of U[0, 1] and U[0, 1/2]: the integral of (u - u / 2)^2 is 1/12. The sets differ in size.
   const auto ramp = [](int width, float top) {
     return makeImage(width, 1, 1,
@@ -183,7 +184,7 @@ TEST_CASE("white and 1/f^2 noise differ by the distance of their power laws") {
   CHECK(spectrumDistanceDb(white, pink).value() == Approx(std::sqrt(sum / 61.0)).margin(0.3));
 }
 
-TEST_CASE("the autocovariance error of a box-filtered white noise is that of a triangle") {
+TEST_CASE("the autocovariance error of a box-filtered white noise equals a triangle's") {
   constexpr int kImageSide = 512;
   const SrgbImage white = whiteNoise(kImageSide, kImageSide, 8);
   const SrgbImage boxed = makeImage(kImageSide, kImageSide, 1, [&](int x, int y, int) {

@@ -58,7 +58,7 @@ struct Rectification {
   std::optional<TileCorners> corners{}; ///< as given, or recorded; pixels of the first map
 };
 
-/// How the exemplar is made from its maps. The defaults are those of a bake.
+/// How the exemplar is made from its maps. The defaults are a bake's.
 struct ExemplarOptions {
   MaterialSetOptions set{}; ///< with which the maps were read
   Flattening flattening{.automatic = true};

@@ -119,7 +119,7 @@ private:
     std::shared_ptr<const MethodEvaluator> method;
     shader::LichenTriplanarMaterial material;
     std::vector<std::size_t> maps; ///< the layer's, by map of the first layer
-    std::vector<Value> means;      ///< likewise; 0 of slopes
+    std::vector<Value> means;      ///< of the same values; 0 for slopes
   };
   NoiseEvaluator() = default;
   [[nodiscard]] Value layered(std::size_t map, const Footprint& at) const;

@@ -30,7 +30,7 @@ bool checkShape(ObjectReader& reader, const char* key, const Table& image) {
   return false;
 }
 
-/// Checks the magnitudes, beyond which decoded values could be infinite. Those of 8 bits cannot be.
+/// Checks the magnitudes, beyond which decoded values could be infinite. Values of 8 bits cannot.
 void checkTexels(ObjectReader& reader, const NoiseMap& map, const Table& image) {
   const float most = map.encoding == ValueEncoding::log2 ? kMostQuiltingLog2 : kMostQuiltingTexel;
   for (std::uint32_t level = 0; level < image.mipLevels; ++level)

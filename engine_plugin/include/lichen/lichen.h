@@ -455,7 +455,7 @@ typedef struct LichenMaterialParameters {
   uint32_t noiseSummary[116];
 } LichenMaterialParameters;
 
-/* Those of a material that has a noise; material < materialCount. */
+/* The use by a material that has a noise; material < materialCount. */
 LICHEN_API LichenResult lichenGetMaterialParameters(LichenBundle bundle, uint32_t material,
                                                     LichenMaterialParameters* parameters);
 /* The defaults for a noise that no material uses; noise < noiseCount. */
