@@ -5,7 +5,6 @@
 #include <lichen/vulkan_device.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cstring>
@@ -115,8 +114,8 @@ std::size_t findChoice(const std::vector<VkPhysicalDeviceProperties>& devices,
   std::size_t index = 0;
   const char* end = choice.data() + choice.size();
   if (const auto parsed = std::from_chars(choice.data(), end, index);
-      parsed.ec == std::errc() && parsed.ptr == end)
-    return std::min(index, devices.size());
+      parsed.ec == std::errc() && parsed.ptr == end && index < devices.size())
+    return index;
   const std::string lowerChoice = lowered(choice);
   return std::size_t(std::find_if(devices.begin(), devices.end(),
                                   [&](const auto& device) {
@@ -140,19 +139,6 @@ int queueFamilyOf(VkInstance instance, VkPhysicalDevice device,
         (!options.canPresent || options.canPresent(instance, device, i)))
       return int(i);
   return -1;
-}
-
-/// VkPhysicalDeviceFeatures consists of VkBool32 members only, so this compares it as an array.
-bool containsFeatures(const VkPhysicalDeviceFeatures& available,
-                      const VkPhysicalDeviceFeatures& required) {
-  constexpr std::size_t kCount = sizeof(VkPhysicalDeviceFeatures) / sizeof(VkBool32);
-  std::array<VkBool32, kCount> has{}, needed{};
-  std::memcpy(has.data(), &available, sizeof available);
-  std::memcpy(needed.data(), &required, sizeof required);
-  for (std::size_t i = 0; i < kCount; ++i)
-    if (needed[i] && !has[i])
-      return false;
-  return true;
 }
 
 } // namespace
@@ -240,10 +226,7 @@ Result<void> VulkanDevice::createDevice(const VulkanDeviceOptions& options) {
   queueFamily_ = std::uint32_t(family);
   VkPhysicalDeviceFeatures available{};
   vkGetPhysicalDeviceFeatures(physicalDevice_, &available);
-  if (!containsFeatures(available, options.features))
-    return Error{ErrorKind::environment,
-                 device + " does not have a feature that this program requires"};
-  VkPhysicalDeviceFeatures features = options.features;
+  VkPhysicalDeviceFeatures features{};
   features.fullDrawIndexUint32 = available.fullDrawIndexUint32;
 
   const float priority = 1.0f;

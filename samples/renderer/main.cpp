@@ -1,19 +1,68 @@
 // SPDX-License-Identifier: MIT
 // lichen-render: renders a glTF scene to a picture.
-#include "command_line.h"
-#include "environment.h"
+#include "debug_views.h"
 #include "picture.h"
 #include "program.h"
 #include "progress_line.h"
 #include "renderer.h"
 
+#include <lichen/files.h>
+
+#include <CLI/App.hpp>
 #include <nlohmann/json.hpp>
 
 #include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <options.h>
 
 namespace lichen::renderer {
 namespace {
+
+constexpr const char* kProgram = "lichen-render";
+constexpr double kMaxDepth = 1e6; // metres, as the largest tile
+
+/// addOptions() sets the defaults.
+struct Command : SceneOptions {
+  std::string output;
+  double depth = 0.0; ///< of displacement, in metres
+  std::string debugView;
+  bool listDevices = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+void addOptions(CLI::App& app, Command& command) {
+  using namespace cli;
+  addSceneOptions(app, command, "16");
+  addText(app, "-o,--output", command.output, "OUT.png|OUT.exr",
+          "Picture to write: .png is tone-mapped sRGB, .exr linear light (required)");
+  addValue(app, "--displace", command.depth, number({0.0, kMaxDepth}), "0",
+           "Move surfaces out along their normals by the height of their noise times so many "
+           "metres");
+  Choices<std::string> views;
+  for (const std::string_view name : debugViewNames())
+    views.emplace_back(name, name);
+  addValue(app, "--debug-view", command.debugView, oneOf(views), "",
+           "Show one quantity instead of the shaded scene");
+  addFlag(app, "--list-devices", command.listDevices, "List the Vulkan devices and exit");
+  addFlag(app, "--json", command.json,
+          "Write one JSON object, and nothing else, to standard output");
+  addFlag(app, "--quiet", command.quiet, "Print errors only, no notes and no report");
+}
+
+/// Errors: usage; environment if the output folder does not exist.
+Result<void> check(const Command& command) {
+  if (command.scene.empty() || command.output.empty())
+    return usageError(kProgram, std::string(command.scene.empty() ? "the scene" : "--output") +
+                                    " is required; for example: " + kProgram +
+                                    " SCENE.glb -o OUT.png");
+  const std::filesystem::path output(command.output);
+  const std::string extension = output.extension().string();
+  if (extension != ".png" && extension != ".exr")
+    return usageError(kProgram, command.output + ": unknown extension; use .png or .exr");
+  return checkFolder(output.parent_path());
+}
 
 Result<void> listDevices(bool json) {
   Result<std::vector<std::string>> devices = VulkanDevice::listDevices();
@@ -75,39 +124,25 @@ Result<Picture> render(const Command& command, VulkanDevice& device, const Scene
 }
 
 Result<void> run(const Command& command) {
-  if (command.listDevices)
-    return listDevices(command.json);
   const auto start = std::chrono::steady_clock::now();
   Result<Scene> scene = readScene(command.scene);
   if (!scene)
     return scene.error();
-  note(command, scene.value().notes);
-
-  RenderSettings settings;
-  settings.width = std::uint32_t(command.size[0]);
-  settings.height = std::uint32_t(command.size[1]);
-  settings.frames = std::uint32_t(command.frames);
-  settings.camera = command.camera;
-  settings.exposureEv = float(command.exposureEv);
-  settings.toneMap = std::filesystem::path(command.output).extension() == ".png";
-  settings.debugView = command.debugView;
-  settings.displacement.depth = float(command.depth);
-  if (!command.environment.empty()) {
-    std::vector<std::string> notes;
-    Result<LinearImage> panorama = readPanorama(command.environment, notes);
-    if (!panorama)
-      return panorama.error();
-    note(command, notes);
-    scene.value().notes.insert(scene.value().notes.end(), notes.begin(), notes.end());
-    settings.environment = std::move(panorama).value();
-  }
-  VulkanDeviceOptions options;
-  options.choice = command.device;
-  options.validation = command.validate;
-  Result<std::unique_ptr<VulkanDevice>> device = VulkanDevice::create(options);
+  std::vector<std::string>& notes = scene.value().notes;
+  const std::size_t ofScene = notes.size();
+  note(command, notes);
+  Result<RenderSettings> settings = settingsOf(command, notes);
+  if (!settings)
+    return settings.error();
+  note(command, {notes.begin() + std::ptrdiff_t(ofScene), notes.end()});
+  settings.value().toneMap = std::filesystem::path(command.output).extension() == ".png";
+  settings.value().debugView = command.debugView;
+  settings.value().displacement.depth = float(command.depth);
+  Result<std::unique_ptr<VulkanDevice>> device = VulkanDevice::create(deviceOptionsOf(command));
   if (!device)
     return device.error();
-  Result<Picture> picture = render(command, *device.value(), scene.value(), settings);
+  Result<Picture> picture =
+      render(command, *device.value(), scene.value(), std::move(settings).value());
   if (!picture)
     return picture.error();
   note(command, picture.value().notes);
@@ -123,19 +158,26 @@ Result<void> run(const Command& command) {
   return {};
 }
 
+Result<void> parseAndRun(int argc, char** argv) {
+  Command command;
+  CLI::App app("Renders a glTF scene, including its noise materials, to a picture.", kProgram);
+  addOptions(app, command);
+  const Result<bool> parsed = parseArguments(app, argc, argv);
+  if (!parsed)
+    return parsed.error();
+  if (!parsed.value())
+    return {};
+  if (command.listDevices)
+    return listDevices(command.json);
+  if (Result<void> checked = check(command); !checked)
+    return checked;
+  return run(command);
+}
+
 } // namespace
 } // namespace lichen::renderer
 
 int main(int argc, char** argv) {
   using namespace lichen::renderer;
-  return runProgram("lichen-render", [&]() -> lichen::Result<void> {
-    lichen::Result<std::variant<Command, std::string>> parsed = parseCommandLine(argc, argv);
-    if (!parsed)
-      return parsed.error();
-    if (const auto* text = std::get_if<std::string>(&parsed.value())) {
-      std::fputs(text->c_str(), stdout);
-      return {};
-    }
-    return run(std::get<Command>(parsed.value()));
-  });
+  return runProgram(kProgram, [&] { return parseAndRun(argc, argv); });
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Arguments in the style of the lichen command, one-line messages, and the exit codes of result.h.
+// Options in the style of the lichen command, one-line messages, and the exit codes of result.h.
 #include "program.h"
 
+#include "environment.h"
 #include "failure.h"
 #include "printable.h"
 
@@ -13,10 +14,13 @@
 #include <exception>
 #include <new>
 #include <options.h>
-#include <sstream>
 
 namespace lichen::renderer {
 namespace {
+
+constexpr int kMaxSide = 16384;
+constexpr int kMaxFrames = 4096;
+constexpr double kMaxExposure = 20.0;
 
 int fail(const char* program, const Error& error) {
   std::fprintf(stderr, "%s: %s\n", program, oneLine(error.message).c_str());
@@ -25,8 +29,51 @@ int fail(const char* program, const Error& error) {
 
 } // namespace
 
-Result<std::optional<std::string>> parseArguments(CLI::App& app, int argc,
-                                                  const char* const* argv) {
+void addSceneOptions(CLI::App& app, SceneOptions& options, const char* defaultFrames) {
+  using namespace cli;
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  addText(app, "SCENE", options.scene, "", "A .glb or .gltf file");
+  addValue(app, "--size", options.size, imageSize(kMaxSide), "1280x720", "Size in pixels");
+  addText(app, "--camera", options.camera, "NAME|auto",
+          "A camera or camera node of the scene; auto frames the scene [default: the first "
+          "camera, else auto]");
+  addText(app, "--environment", options.environment, "FILE",
+          "Light the scene with a latitude-longitude panorama: EXR, PNG or JPEG [default: a "
+          "built-in sky]");
+  addValue(app, "--exposure", options.exposureEv, number({-kMaxExposure, kMaxExposure}), "0",
+           "Exposure in stops, -20 to 20");
+  addValue(app, "--frames", options.frames, wholeNumber(1, kMaxFrames), defaultFrames,
+           "Frames to average, 1 to 4096: more frames smooth edges, penumbrae and sky light");
+  addText(app, "--device", options.device, "INDEX|NAME",
+          "Vulkan device: its index or part of its name [default: the best]");
+  addFlag(app, "--validate", options.validate,
+          "Fail if the Vulkan validation layers report anything");
+}
+
+Result<RenderSettings> settingsOf(const SceneOptions& options, std::vector<std::string>& notes) {
+  RenderSettings settings;
+  settings.width = std::uint32_t(options.size[0]);
+  settings.height = std::uint32_t(options.size[1]);
+  settings.frames = std::uint32_t(options.frames);
+  settings.camera = options.camera;
+  settings.exposureEv = float(options.exposureEv);
+  if (!options.environment.empty()) {
+    Result<LinearImage> panorama = readPanorama(options.environment, notes);
+    if (!panorama)
+      return panorama.error();
+    settings.environment = std::move(panorama).value();
+  }
+  return settings;
+}
+
+VulkanDeviceOptions deviceOptionsOf(const SceneOptions& options) {
+  VulkanDeviceOptions device;
+  device.choice = options.device;
+  device.validation = options.validate;
+  return device;
+}
+
+Result<bool> parseArguments(CLI::App& app, int argc, const char* const* argv) {
   app.set_version_flag("--version", app.get_name() + " " LICHEN_VERSION,
                        "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this page and exit");
@@ -34,13 +81,12 @@ Result<std::optional<std::string>> parseArguments(CLI::App& app, int argc,
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) { // --help and --version
-    std::ostringstream text;
-    app.exit(success, text);
-    return std::optional(text.str());
+    app.exit(success);
+    return false;
   } catch (const CLI::ParseError& fault) {
     return usageError(app.get_name(), cli::parseFault(app, fault));
   }
-  return std::optional<std::string>();
+  return true;
 }
 
 Error usageError(const std::string& program, const std::string& message) {

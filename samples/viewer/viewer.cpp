@@ -334,24 +334,14 @@ Result<void> view(const ViewCommand& command) {
   Result<Scene> scene = readScene(command.scene);
   if (!scene)
     return scene.error();
+  std::vector<std::string> notes;
+  RenderSettings settings = take(settingsOf(command, notes));
+  writeNotes(notes);
   SkyCache skies;
-  RenderSettings settings;
-  settings.width = std::uint32_t(command.size[0]);
-  settings.height = std::uint32_t(command.size[1]);
-  settings.frames = std::uint32_t(command.frames);
-  settings.camera = command.camera;
-  settings.exposureEv = float(command.exposureEv);
   settings.skies = &skies;
-  if (!command.environment.empty()) {
-    std::vector<std::string> notes;
-    settings.environment = take(readPanorama(command.environment, notes));
-    writeNotes(notes);
-  }
 
   Window window(settings.width, settings.height, oneLine(scene.value().name));
-  VulkanDeviceOptions options;
-  options.choice = command.device;
-  options.validation = command.validate;
+  VulkanDeviceOptions options = deviceOptionsOf(command);
   options.instanceExtensions = Window::instanceExtensions();
   options.deviceExtensions = {VK_KHR_SWAPCHAIN_EXTENSION_NAME};
   options.canPresent = Window::canPresent;

@@ -19,16 +19,14 @@
 
 namespace lichen {
 
+/// dynamicRendering and synchronization2 are always enabled, and fullDrawIndexUint32 where the
+/// device supports it: limits.maxDrawIndexedIndexValue applies unreduced.
 struct VulkanDeviceOptions {
   /// An index into listDevices(), or part of a device name (case-insensitive). If empty, the first
   /// discrete GPU is used, else the first integrated GPU, virtual GPU or CPU device. With
   /// canPresent set, only devices that can present are considered.
   std::string choice;
   bool validation = false; ///< enables the Khronos layer with synchronization validation
-  /// Core features that the device must support. dynamicRendering and synchronization2 are always
-  /// enabled. fullDrawIndexUint32 is enabled where the device supports it:
-  /// limits.maxDrawIndexedIndexValue applies unreduced.
-  VkPhysicalDeviceFeatures features{};
   std::vector<const char*> instanceExtensions;
   std::vector<const char*> deviceExtensions;
   /// Returns whether a queue family can present to the program's window system. A program with a
