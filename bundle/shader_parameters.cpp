@@ -210,7 +210,7 @@ shader::LichenTriplanarMaterial shaderMaterial(const shader::LichenNoise& noise,
   result.contrast = float(material.contrast);
   result.maxAnisotropy = float(std::max(1.0, placement.maxAnisotropy));
   result.seedWord = latticeSeed(material.seed, 0);
-  result.seed = material.seed;
+  result.mapping = LICHEN_FEATURE_UV << unsigned(material.mapping);
   result.noise = shader::uint(material.noise);
   if (material.mapping == Mapping::triplanar)
     setPlanes(planes, noise, material, placement);

@@ -26,13 +26,11 @@
 #define LICHEN_GLSL
 
 #include "interface/lichen_interface.h"
+#include "noise/switches.glsl"
 
 #ifdef LICHEN_SET
 #ifndef LICHEN_FIRST_BINDING
 #define LICHEN_FIRST_BINDING 0
-#endif
-#ifndef LICHEN_LAYERS
-#define LICHEN_LAYERS 1
 #endif
 // Bit r: some noise has a map of role r. Others are never there. A literal, or the host's
 // specialization constant.
@@ -54,7 +52,7 @@ layout(std140, LICHEN_BINDING(LICHEN_BINDING_NOISE)) uniform LichenNoiseBlock {
 };
 layout(std140, LICHEN_BINDING(LICHEN_BINDING_MATERIAL)) uniform LichenMaterialBlock {
   LichenMaterial lichenMaterial;
-#if !defined(LICHEN_MAPPINGS) || (LICHEN_MAPPINGS & 2) != 0 || LICHEN_LAYERS > 1
+#if LICHEN_HAS_TRIPLANAR || LICHEN_LAYERS > 1
   LichenPlane lichenPlaneY, lichenPlaneZ;
 #endif
 #if LICHEN_LAYERS > 1
@@ -92,11 +90,7 @@ layout(LICHEN_BINDING(LICHEN_BINDING_CELLS)) uniform texture2D lichenCells;
 #endif
 #endif
 
-#include "mapping/mix.glsl"
-#include "mapping/solid.glsl"
-#include "mapping/surface.glsl"
-#include "mapping/triplanar.glsl"
-#include "mapping/uv.glsl"
+#include "library.glsl"
 
 #ifdef LICHEN_SET
 // In two steps, so that a role's name becomes its number before it is pasted.
@@ -106,18 +100,22 @@ layout(LICHEN_BINDING(LICHEN_BINDING_CELLS)) uniform texture2D lichenCells;
 #define LICHEN_TABLE_OF(role) lichenTable##role
 
 #if LICHEN_LAYERS > 1
+#include "noise/layers.glsl"
 #include "mapping/layered.glsl"
-#define LICHEN_HAS(role) ((((lichenNoise.roles & uint(LICHEN_ROLES) & 7u) >> uint(role)) & 1u) != 0u)
-#define LICHEN_VALUE(role, shading) (LICHEN_HAS(role) ? shading.values[(role) < 3 ? (role) : 0] : vec4(0.0))
+#define LICHEN_HAS(role)                                                                           \
+  ((((lichenNoise.roles & uint(LICHEN_ROLES) & 7u) >> uint(role)) & 1u) != 0u)
+#define LICHEN_VALUE(role, shading)                                                                \
+  (LICHEN_HAS(role) ? shading.values[(role) < 3 ? (role) : 0] : vec4(0.0))
 #define LICHEN_SHADING_POINT LichenLayeredPoint
-#define LICHEN_POINT(uv, gradientX, gradientY) lichenLayeredUv(uv, gradientX, gradientY)
 #define LICHEN_POINT_ANYWHERE(uv, uvGradientX, uvGradientY, position, gradientX, gradientY,        \
                               normal)                                                              \
-  lichenLayeredAnywhere(uv, uvGradientX, uvGradientY, position, gradientX, gradientY, normal)
+  lichenLayeredAt(uv, uvGradientX, uvGradientY, position, gradientX, gradientY, normal)
+#define LICHEN_POINT(uv, gradientX, gradientY)                                                     \
+  lichenLayeredAt(uv, gradientX, gradientY, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0))
 #define LICHEN_POINT_SOLID(position, gradientX, gradientY)                                         \
-  lichenLayeredInSpace(position, gradientX, gradientY, vec3(0.0))
+  LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, vec3(0.0))
 #define LICHEN_POINT_TRIPLANAR(position, gradientX, gradientY, normal)                             \
-  lichenLayeredInSpace(position, gradientX, gradientY, normal)
+  lichenLayeredAt(vec2(0.0), vec2(0.0), vec2(0.0), position, gradientX, gradientY, normal)
 #else
 #define LICHEN_HAS(role) ((((lichenNoise.roles & uint(LICHEN_ROLES)) >> uint(role)) & 1u) != 0u)
 #define LICHEN_VALUE(role, shading)                                                                \

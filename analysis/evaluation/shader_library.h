@@ -97,11 +97,8 @@ struct ShaderLibrary {
   const std::uint32_t* tileOffsets = nullptr; // LICHEN_MAX_OFFSETS of them
   Truth nearestTableLevel = false;
 
-#include "mapping/mix.glsl"
-#include "mapping/solid.glsl"
-#include "mapping/surface.glsl"
-#include "mapping/triplanar.glsl"
-#include "mapping/uv.glsl"
+#include "noise/switches.glsl"
+#include "library.glsl"
 #ifndef LICHEN_WIDE // it indexes vectors
 #include "noise/layers.glsl"
 #endif

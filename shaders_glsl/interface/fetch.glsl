@@ -2,8 +2,6 @@
 // All fetches of the library. By default images are combined samplers; a host that keeps images and
 // samplers apart, or in arrays, defines these macros before it includes anything, all of them.
 // docs/integration.md has both.
-#ifndef LICHEN_FETCH_GLSL
-#define LICHEN_FETCH_GLSL
 
 #ifndef LICHEN_IMAGE_2D
 // Types of what functions are handed: Gaussian images, textons and cosines, and tables.
@@ -19,5 +17,3 @@
 
 // Quilting, whose cells all maps share, also needs LICHEN_SAMPLE_CELLS(uv, level), a vec4 of the
 // noise's image of cells, and LICHEN_TILE_OFFSET(index), a uint of the offsets in its block.
-
-#endif

@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The images of layers as numbers: slots (layerSlot() in bundle/), and from LICHEN_FIRST_INDEX on
 // the index maps. Included by lichen.glsl in place of the fetches of single images.
-#ifndef LICHEN_LAYER_IMAGES_GLSL
-#define LICHEN_LAYER_IMAGES_GLSL
-
-#include "../interface/lichen_interface.h"
-#ifndef LICHEN_MAPPINGS
-#define LICHEN_MAPPINGS 11 // no surfaces
-#endif
-#include "../noise/switches.glsl"
 
 #define LICHEN_FIRST_INDEX 6
 
@@ -73,5 +65,3 @@ vec4 lichenSampleLayerTable(int image, vec3 uvw, float level) {
 #define LICHEN_SAMPLE_2D_GRAD(image, uv, uvX, uvY) lichenSampleLayerGrad(image, uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) lichenSampleLayerTable(image, uvw, level)
 #define LICHEN_FETCH_2D(image, texel) lichenFetchLayer(image, texel)
-
-#endif

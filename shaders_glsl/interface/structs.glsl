@@ -9,7 +9,7 @@ struct LichenMaterial {
   float uvToTileXX, uvToTileXY, uvToTileYX, uvToTileYY;
   float offsetX, offsetY;
   float contrast;       // [0, 4] scale of the Gaussian value about its mean
-  float planeSharpness; // [1, 64] exponent of the planes' weights; 0 but for triplanar noise
+  float planeSharpness; // [1, 64] exponent of the planes' weights, of triplanar noise
   // Cells per tile: of the lattice of tiling, of the first octave of cosines, or of the impacts of
   // textons. Cells of surface and of solid noise are cubes, columnsPerTile of them to the width of a
   // tile.
@@ -18,14 +18,14 @@ struct LichenMaterial {
   float periodTilesX, periodTilesY; // the period in tiles; unused when infinite
   int periodColumns, periodRows;    // 0, 0 when the cells do not repeat; lattices: even rows
   uint seedWord;          // latticeSeed(seed, plane): 0, of surface noise 3, of solid noise 4
-  uint seed;                        // as the material gives it
+  uint mapping;           // LICHEN_FEATURE_UV, _TRIPLANAR, _SURFACE or _SOLID
   float maxAnisotropy;    // [1, 64] of the images' sampler; read with LICHEN_ANISOTROPIC 1
   uint noise;             // index of the noise in its bundle
   uvec4 own0, own1, own2; // of the method: Lichen...Material below
 };
 
 /// A plane of triplanar noise, which has a lattice of its own, at the host's tile origin in space.
-/// The plane that looks along x has the material's own seed.
+/// The material itself holds the plane that looks along x.
 struct LichenPlane {
   int cellI, cellJ;
   float offsetX, offsetY;               // [tiles]
@@ -49,7 +49,7 @@ struct LichenTilingMaterial {
 struct LichenTextonMaterial {
   float amplitude;         // [texels] of one impact; of surface noise, of one in the tangent plane
   uint pointProcess;       // LICHEN_POINTS_*
-  float surfaceCubeTexels; // side of the cubes of surface noise, 0 of noise in a plane
+  float surfaceCubeTexels; // side of the cubes of surface noise
   int cellK;               // of surface noise: the third of cellI and cellJ
   // A mix has the weight mixWeight + mixPerU u + mixPerV v if it is a constant or goes along a
   // direction; all three are 0 if a mask or vertex colours say it.
@@ -63,15 +63,13 @@ struct LichenCosinesMaterial {
   int firstOctave;
   uint guided; // 1: tiles of the structure have the offsets of its list, if there is one
   // In solids: what cellI, cellJ and offsetX, offsetY are along z [tile widths].
-  uint isSolid; // 0 of noise in a plane
   int cellK;
   float offsetZ;
 };
 
 /// What only multiple-kernels noise has of a material: own0 to own2.
 struct LichenKernelsMaterial {
-  uint isSolid, isSurface; // 0 of noise in a plane
-  // Otherwise the third of cellI and cellJ and of offsetX and offsetY [tile widths].
+  // On surfaces and in solids: the third of cellI and cellJ and of offsetX and offsetY [tile widths].
   int cellK;
   float offsetZ;
 };

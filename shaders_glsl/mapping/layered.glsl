@@ -3,13 +3,6 @@
 // LICHEN_LAYERS is above 1. Images are numbers, and each fetch chooses one. Noises that are not
 // layered are drawn too, but only base colour, normals, and occlusion, roughness and metallic, and
 // not on surfaces.
-#ifndef LICHEN_LAYERED_GLSL
-#define LICHEN_LAYERED_GLSL
-
-#include "../noise/layers.glsl"
-#include "solid.glsl"
-#include "triplanar.glsl"
-#include "uv.glsl"
 
 // With one method the loops over nodes, layers and roles are unrolled, so that compilers know each
 // image. With more the code of a noise is there once: drivers that inline all calls would need
@@ -43,7 +36,7 @@ LichenShadingPoint lichenLayerPoint(LichenLayeredPlace at, LichenTriplanarMateri
                                     noise);
 #endif
 #if LICHEN_HAS_SOLIDS
-  if (lichenIsSolid(planes.material, noise))
+  if (lichenIsSolid(planes.material))
     return lichenPointSolidGrad(at.position, at.gradientX, at.gradientY, planes.material, noise);
 #endif
   return lichenPointUvGrad(at.uv, at.uvGradientX, at.uvGradientY, planes.material, noise);
@@ -58,7 +51,9 @@ vec4 lichenLayerWeightsAt(LichenLayeredPlace at) {
     LichenShadingPoint shading =
         lichenLayerPoint(at, lichenIndexMaterials[node], lichenIndexNoises[node]);
     int image = LICHEN_FIRST_INDEX + node;
-    vec4 index = lichenValue(image, image, shading, lichenIndexMapOf(lichenIndexMaps[node]));
+    LichenMap map = lichenIndexMaps[node];
+    map.encoding = uint(LICHEN_ENCODING_INDEX);
+    vec4 index = lichenValue(image, image, shading, map);
     float share =
         lichenIndexWeight(index, lichenLayers.threshold[node], lichenLayers.softness[node]);
     above = mix(above, vec3(share), equal(ivec3(node), ivec3(0, 1, 2)));
@@ -94,12 +89,15 @@ vec4 lichenLayeredValue(int role, LichenLayeredPlace at, vec4 weights) {
   }
   if (role != LICHEN_NORMAL)
     return max(lichenLayered(sum, vec4(0.0)), 0.0);
-  bool inSpace = lichenHasSlopesInSpace(lichenMaterial, lichenNoise);
+  bool inSpace = lichenHasSlopesInSpace(lichenMaterial);
   return lichenLayered(sum, inSpace ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(0.0, 0.0, 1.0, 1.0));
 }
 
-/// The weights and all values.
-LichenLayeredPoint lichenLayeredAt(LichenLayeredPlace at) {
+/// The point of a material with any mapping.
+LichenLayeredPoint lichenLayeredAt(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, vec3 position,
+                                   vec3 gradientX, vec3 gradientY, vec3 normal) {
+  LichenLayeredPlace at =
+      LichenLayeredPlace(uv, uvGradientX, uvGradientY, position, gradientX, gradientY, normal);
   LichenLayeredPoint point;
   point.weights = lichenLayerWeightsAt(at);
   vec4 color = vec4(0.0), slopes = vec4(0.0), orm = vec4(0.0);
@@ -117,32 +115,3 @@ LichenLayeredPoint lichenLayeredAt(LichenLayeredPlace at) {
   point.values = vec4[3](color, slopes, orm);
   return point;
 }
-
-/// The point at texture coordinates, as lichenPointUvGrad.
-LichenLayeredPoint lichenLayeredUv(vec2 uv, vec2 gradientX, vec2 gradientY) {
-  LichenLayeredPlace at;
-  at.uv = uv;
-  at.uvGradientX = gradientX;
-  at.uvGradientY = gradientY;
-  return lichenLayeredAt(at);
-}
-
-/// The point in space, as lichenPointTriplanarGrad or, with any normal, lichenPointSolidGrad.
-LichenLayeredPoint lichenLayeredInSpace(vec3 position, vec3 gradientX, vec3 gradientY,
-                                        vec3 normal) {
-  LichenLayeredPlace at;
-  at.position = position;
-  at.gradientX = gradientX;
-  at.gradientY = gradientY;
-  at.normal = normal;
-  return lichenLayeredAt(at);
-}
-
-/// The point of a material with any mapping.
-LichenLayeredPoint lichenLayeredAnywhere(vec2 uv, vec2 uvGradientX, vec2 uvGradientY, vec3 position,
-                                         vec3 gradientX, vec3 gradientY, vec3 normal) {
-  return lichenLayeredAt(
-      LichenLayeredPlace(uv, uvGradientX, uvGradientY, position, gradientX, gradientY, normal));
-}
-
-#endif

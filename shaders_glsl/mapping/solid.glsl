@@ -2,11 +2,6 @@
 // A noise in a solid: a point in space and its screen-space derivatives -> LichenShadingPoint.
 // Needs neither texture coordinates nor normals. The exemplar lies as on the triplanar plane that
 // looks along z. Slopes come out as a gradient in space, as in triplanar.glsl.
-#ifndef LICHEN_SOLID_GLSL
-#define LICHEN_SOLID_GLSL
-
-#include "../noise/shading_point.glsl"
-#include "../noise/tile_frame.glsl"
 
 /// The shading point at `position` [metres, relative to the host's integer tile origin], with the
 /// position's derivatives along the screen: usable in compute and in non-uniform control flow.
@@ -34,5 +29,3 @@ LichenShadingPoint lichenPointSolidGrad(vec3 position, vec3 positionGradientX,
 #endif
   return shading;
 }
-
-#endif

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A noise on a surface without texture coordinates: a point in space, its screen-space derivatives,
-// the normal and the tangent there -> LichenShadingPoint. Slopes come out in the tangent space that
-// span, as uv.glsl turns them.
+// the normal and the tangent there -> LichenShadingPoint. Slopes lie in
+// the exemplar's directions, as on texture coordinates: lichenSlopesToUv turns them to the tangent's.
 // [GLM17] Galerne, Leclaire and Moisan 2017, section 6: a frame that turns little along the
 // surface.
-#ifndef LICHEN_SURFACE_GLSL
-#define LICHEN_SURFACE_GLSL
-
-#include "../noise/shading_point.glsl"
 
 /// The columns point to the right, down and outward in the exemplar as it lies on the surface:
 /// orthonormal, whatever interpolation has made of the vertices' directions. `tangent` is glTF's,
@@ -54,5 +50,3 @@ LichenShadingPoint lichenPointSurfaceGrad(vec3 position, vec3 positionGradientX,
 #endif
   return shading;
 }
-
-#endif

@@ -4,10 +4,6 @@
 // tangents.
 // Planes look along x, y and z. Each shows one field through all of space: the same from both sides
 // of a sheet, and mirrored on the far face of a body (docs/decisions/013-triplanar.md).
-#ifndef LICHEN_TRIPLANAR_MAPPING_GLSL
-#define LICHEN_TRIPLANAR_MAPPING_GLSL
-
-#include "../noise/shading_point.glsl"
 
 // The shader scales the largest weight to 1, subtracts this from all three and skips planes below
 // 0, so weights have no jump. A plane of this weight moves an 8-bit value, whose deviation is an
@@ -36,7 +32,7 @@ LichenShadingPoint lichenPointTriplanarGrad(vec3 position, vec3 positionGradient
       weights.x >= weights.y ? (weights.x >= weights.z ? 0 : 2) : (weights.y >= weights.z ? 1 : 2);
   int second = first == 2 ? 0 : first + 1;
   int third = 3 - first - second;
-  if (lichenAlongAxis(weights, second) < lichenAlongAxis(weights, third)) {
+  if (lichenChosen(weights, second) < lichenChosen(weights, third)) {
     int swapped = second;
     second = third;
     third = swapped;
@@ -63,5 +59,3 @@ vec3 lichenNormalFromGradient(vec3 normal, vec3 gradient) {
   vec3 outward = normalize(normal);
   return normalize(outward - gradient + dot(gradient, outward) * outward);
 }
-
-#endif

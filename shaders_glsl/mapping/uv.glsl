@@ -2,11 +2,6 @@
 // A noise on texture coordinates: where it is evaluated, and how its slopes become normals.
 // uv (float2) and its screen-space gradients -> LichenShadingPoint; slopes (float2) -> normal in
 // tangent space; their variance lost to filtering -> roughness.
-#ifndef LICHEN_UV_GLSL
-#define LICHEN_UV_GLSL
-
-#include "../noise/shading_point.glsl"
-#include "../noise/tile_frame.glsl"
 
 /// The shading point at `uv` with explicit gradients: usable in compute and in non-uniform control
 /// flow.
@@ -66,4 +61,29 @@ float lichenRoughness(float roughness, float slopeVariance) {
   return sqrt(sqrt(min(1.0, alpha * alpha + 2.0 * max(0.0, slopeVariance))));
 }
 
-#endif
+// The weight of a mix of textons from a mask; lichenSetMix takes it from elsewhere. The library fetches
+// no mask, since each host binds images in its own way.
+
+/// Half the size of a texton [tiles].
+vec2 lichenImpactReach(LichenNoise noise) {
+  return 0.5 * lichenTextonCoefficients(noise) / vec2(noise.tileTexelsX, noise.tileTexelsY);
+}
+
+/// Where a mask is fetched beside the point itself: at its texture coordinates plus and minus each
+/// column, which lie along x and y of tile space. The columns of `uvGradients` are the screen-space
+/// gradients of those coordinates, of `tileGradients` the tile coordinate's.
+mat2 lichenMaskReach(mat2 uvGradients, mat2 tileGradients, LichenNoise noise) {
+  // As wide as the impacts lie: differences of neighbouring texels would jump at the mask's texels,
+  // and what lies between two of them is often as wide as a texton.
+  float area = determinant(tileGradients);
+  mat2 uvPerTile = area != 0.0 ? uvGradients * inverse(tileGradients) : mat2(0.0);
+  vec2 reach = lichenImpactReach(noise);
+  return mat2(reach.x * uvPerTile[0], reach.y * uvPerTile[1]);
+}
+
+/// From a mask: its value at the point, and for each column of lichenMaskReach the value at plus
+/// the column less that at minus the column.
+void lichenMixByMask(LICHEN_INOUT(LichenPoint) point, float weight, vec2 differences,
+                     LichenNoise noise) {
+  lichenSetMix(point, weight, differences / (2.0 * lichenImpactReach(noise)));
+}

@@ -2,14 +2,6 @@
 // The lattices of local random-phase noise, one for each octave: a point on the plane of tiles ->
 // the three vertices around it, with their windows and random numbers. [LRP14] section 3.1; the
 // deviations are in docs/decisions/009-local-random-phase.md.
-#ifndef LICHEN_COSINE_VERTICES_GLSL
-#define LICHEN_COSINE_VERTICES_GLSL
-
-#include "../interface/lichen_interface.h"
-#include "hash.glsl"
-#include "lattice.glsl"
-#include "method_parts.glsl"
-#include "solid_footprint.glsl"
 
 /// What all maps of a noise share at one point.
 struct LichenCosinesPoint {
@@ -69,21 +61,11 @@ uvec2 lichenCosineVertex(ivec2 vertex, int finer, uvec2 origin, LichenMaterial m
   return uvec2(vertex);
 }
 
-/// Octaves from the lattice of the material's first octave to the lattice of `octave`.
-int lichenFinerOctaves(int octave, LichenMaterial material) {
-  return max(octave - lichenCosinesMaterial(material).firstOctave, 0);
-}
-
-/// Columns and rows of an octave in one tile.
-vec2 lichenCellsPerTile(int octave, LichenMaterial material) {
-  return float(1 << lichenFinerOctaves(octave, material)) *
-         vec2(material.columnsPerTile, material.rowsPerTile);
-}
-
 /// `stream`: the number that their random numbers belong to.
 LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave, uint stream,
                                             LichenMaterial material) {
-  int finer = lichenFinerOctaves(octave, material);
+  // Octaves from the lattice of the material's first octave to this one's.
+  int finer = max(octave - lichenCosinesMaterial(material).firstOctave, 0);
   float scale = float(1 << finer);
   vec2 place = point.inside.xy * scale;
   vec2 corner = floor(place);
@@ -92,7 +74,7 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
   int far = int(place.x + place.y >= 1.0);
   vec3 columns = place.x - vec3(float(far), 1.0, 0.0);
   vec3 rows = place.y - vec3(float(far), 0.0, 1.0);
-  vec2 perCell = 1.0 / lichenCellsPerTile(octave, material);
+  vec2 perCell = 1.0 / (scale * vec2(material.columnsPerTile, material.rowsPerTile)); // [tiles]
   uint seed = lichenPcg(point.seedWord + stream);
   uvec2 vertex0 = lichenCosineVertex(cell + far, finer, point.origin, material);
   uvec2 vertex1 = lichenCosineVertex(cell + ivec2(1, 0), finer, point.origin, material);
@@ -101,10 +83,8 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
   vertices.states = uvec3(lichenVertexHash(vertex0.x, vertex0.y, seed),
                           lichenVertexHash(vertex1.x, vertex1.y, seed),
                           lichenVertexHash(vertex2.x, vertex2.y, seed));
-  // The difference wraps, and 2^32 is no multiple of 3: far from the origin.
-  vertices.colors = (uvec3(vertex0.x, vertex1.x, vertex2.x) -
-                     uvec3(vertex0.y, vertex1.y, vertex2.y) + 0x80000000u) %
-                    3u;
+  vertices.colors =
+      uvec3(lichenVertexColor(vertex0), lichenVertexColor(vertex1), lichenVertexColor(vertex2));
   vertices.offsetX = (columns + 0.5 * rows) * perCell.x;
   vertices.offsetY = rows * perCell.y;
   vertices.windows = lichenCosineWindows(columns, rows);
@@ -113,5 +93,3 @@ LichenCosinesVertices lichenCosinesVertices(LichenCosinesPoint point, int octave
   vertices.spread = kSpread * vec2(1.0, 0.75) / (perCell * perCell);
   return vertices;
 }
-
-#endif

@@ -2,10 +2,6 @@
 // At which mip level a trilinear sampler fetches a pixel, and what a bilinear fetch loses between
 // texels: a position and its derivatives (float2, texels) -> level; share of the mean loss.
 // Decision 3 has the measurements.
-#ifndef LICHEN_FOOTPRINT_LEVEL_GLSL
-#define LICHEN_FOOTPRINT_LEVEL_GLSL
-
-#include "../interface/lichen_interface.h"
 
 // 1 when tiling's sampler is anisotropic: fetches then pass gradients, not a level. A literal.
 #ifndef LICHEN_ANISOTROPIC
@@ -67,5 +63,3 @@ float lichenMipRetained(int mip, uvec4 bytes) {
   uint word = byte < 8 ? (byte < 4 ? bytes.x : bytes.y) : (byte < 12 ? bytes.z : bytes.w);
   return float(int((word >> (8u * uint(byte & 3))) & 255u)) * (1.0 / 255.0);
 }
-
-#endif

@@ -2,8 +2,6 @@
 // The integer hashes, bit for bit as in bundle/include/lichen/lattice.h. Integers in, integers
 // out; uint arithmetic wraps modulo 2^32.
 // [JO20] Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020: pcg, pcg3d.
-#ifndef LICHEN_HASH_GLSL
-#define LICHEN_HASH_GLSL
 
 /// Vertex (i, j) of the lattice, modulo 2^32 -> two random halves of 16 bits.
 uint lichenVertexHash(uint i, uint j, uint seedWord) {
@@ -67,5 +65,3 @@ uint lichenPoissonCount(uint hash) {
 
 /// The word that stands for a noise's seed and a projection plane (0 for uv).
 uint lichenLatticeSeed(uint seed, uint plane) { return lichenPcg(lichenPcg(seed) + plane); }
-
-#endif

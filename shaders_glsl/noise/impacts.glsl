@@ -5,15 +5,6 @@
 // signs +1 and -1. Here the points lie in the cells of a grid, one in each (stratified) or a
 // Poisson number of mean 1; the covariance of the noise is the same, since the signs are
 // independent. Specified bit for bit in docs/gltf_extension/README.md.
-#ifndef LICHEN_IMPACTS_GLSL
-#define LICHEN_IMPACTS_GLSL
-
-#include "../interface/lichen_interface.h"
-#include "footprint_level.glsl"
-#include "hash.glsl"
-#include "method_parts.glsl"
-#include "surface_cubes.glsl"
-#include "switches.glsl"
 
 /// What all maps of a texton noise share at one point. Offsets from an impact or a
 /// cell's corner to the point [texels] are in the frame of the impact's texton, from the middle of
@@ -62,15 +53,6 @@ uint lichenCellNumber(float cell, int period) {
   if (LICHEN_USES(LICHEN_FEATURE_PERIOD) && period != 0)
     number -= lichenLowWord(floor(cell / float(period))) * uint(period);
   return number;
-}
-
-/// `value` reduced to [0, period), for |value| < 2^22 periods; any value where the period is 0.
-int lichenWrapped(int value, int period) {
-  if (period == 0)
-    return value;
-  // Integer division is slow on many devices; the quotient of floats is off by 1 at most so far.
-  int rest = value - int(floor(float(value) / float(period))) * period;
-  return rest < 0 ? rest + period : (rest >= period ? rest - period : rest);
 }
 
 /// The part of a frame outside of which bilinear fetches of a mip are 0: the coefficients, and half
@@ -237,5 +219,3 @@ void lichenStep(LICHEN_INOUT(LichenWalk) walk, LichenImpacts impacts, LichenMate
 bool lichenHasImpact(LichenWalk walk, LichenImpacts impacts) {
   return walk.corner.y > impacts.end.y;
 }
-
-#endif

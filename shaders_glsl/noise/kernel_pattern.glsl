@@ -1,14 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The pattern that multiple-kernels noise perturbs: a sum of cosines that repeats with the tile, in
 // the rows below the kernels. A point and its footprint -> Gaussian values. [MKN12] section 5.
-#ifndef LICHEN_KERNEL_PATTERN_GLSL
-#define LICHEN_KERNEL_PATTERN_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "method_parts.glsl"
-#include "switches.glsl"
-#include "wave.glsl"
 
 /// The sum of the cosines.
 struct LichenPattern {
@@ -48,5 +40,3 @@ LichenPattern lichenPatternAt(LICHEN_IMAGE_2D image, vec2 position, vec3 footpri
   }
   return pattern;
 }
-
-#endif

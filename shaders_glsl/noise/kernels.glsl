@@ -3,17 +3,6 @@
 // a point; impacts -> their waves; a footprint -> what it leaves of the kernel.
 // [MKN12] Gilet, Dischler and Ghazanfarpour 2012. Deviations, with reasons:
 // docs/decisions/010-multiple-kernels.md.
-#ifndef LICHEN_KERNELS_GLSL
-#define LICHEN_KERNELS_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "decode.glsl"
-#include "hash.glsl"
-#include "lattice.glsl"
-#include "method_parts.glsl"
-#include "solid_footprint.glsl"
-#include "wave.glsl"
 
 /// What all maps of a noise share at one point.
 struct LichenKernelsPoint {
@@ -234,5 +223,3 @@ LichenGaussian lichenOfKernels(vec3 sum, float squares, float lost, float depthS
   return LichenGaussian(0.5 + material.contrast * sum, vec3(lost / max(squares, kLeast)),
                         material.contrast * depthSlope);
 }
-
-#endif

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The simplex lattice: a position in tiles -> the triangle around it; vertices -> vertices of
 // one period. [HN18] section 3.
-#ifndef LICHEN_LATTICE_GLSL
-#define LICHEN_LATTICE_GLSL
-
-#include "../interface/lichen_interface.h"
-#include "switches.glsl"
 
 /// The triangle of the simplex lattice that holds a point.
 struct LichenTriangle {
@@ -17,6 +12,12 @@ struct LichenTriangle {
 vec2 lichenSkewed(vec2 position, LichenMaterial material) {
   float row = position.y * material.rowsPerTile;
   return vec2(position.x * material.columnsPerTile - 0.5 * row, row);
+}
+
+/// In [0, 3): vertices side by side have different colors.
+uint lichenVertexColor(uvec2 vertex) {
+  // The difference wraps, and 2^32 is no multiple of 3: at half of it, far from the origin.
+  return (vertex.x - vertex.y + 0x80000000u) % 3u;
 }
 
 /// The triangle that holds a point given in skewed coordinates, relative to the noise's cell.
@@ -33,6 +34,15 @@ LichenTriangle lichenTriangle(vec2 skewed, LichenMaterial material) {
   triangle.vertex2 = corner + uvec2(0u, 1u);
   triangle.weights = vec3(abs(third), mix(inside, 1.0 - inside.yx, bvec2(isUpper)));
   return triangle;
+}
+
+/// `value` reduced to [0, period), for |value| < 2^22 periods; any value where the period is 0.
+int lichenWrapped(int value, int period) {
+  if (period == 0)
+    return value;
+  // Integer division is slow on many devices; the quotient of floats is off by 1 at most so far.
+  int rest = value - int(floor(float(value) / float(period))) * period;
+  return rest < 0 ? rest + period : (rest >= period ? rest - period : rest);
 }
 
 /// floor(value / period), for |value| < 2^20 and period > 0. Integer division is slow on many
@@ -62,5 +72,3 @@ vec2 lichenReduceToPeriod(LICHEN_INOUT(uvec2) vertex, LichenMaterial material) {
   vertex = uvec2(near);
   return vec2(periods) * vec2(material.periodTilesX, material.periodTilesY);
 }
-
-#endif

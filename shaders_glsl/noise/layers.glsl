@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A layered noise: Gaussian values of index maps -> weights of the layers; their values -> a blend
 // that preserves the variance. [MKN12] section 5; docs/decisions/011-layers.md.
-#ifndef LICHEN_LAYERS_GLSL
-#define LICHEN_LAYERS_GLSL
-
-#include "../interface/lichen_interface.h"
-#include "gaussian_cdf.glsl"
 
 /// The share of a node that lies above its threshold. `index` is the value of its index map: the
 /// Gaussian value, and in w what filtering lost of its variance. Its mean over all points is the
@@ -61,5 +56,3 @@ vec4 lichenLayered(LichenLayerSum sum, vec4 linear) {
   // [HN18] eq. 8, about the blended means: layers are independent.
   return sum.means + mix(vec4(inversesqrt(sum.squares)), vec4(1.0), linear) * sum.rest;
 }
-
-#endif

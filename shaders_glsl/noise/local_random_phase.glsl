@@ -5,17 +5,6 @@
 // decode.glsl makes the material's value of it.
 // [LRP14] Gilet et al. 2014. Deviations, with reasons: docs/decisions/009-local-random-phase.md.
 
-#ifndef LICHEN_LOCAL_RANDOM_PHASE_GLSL
-#define LICHEN_LOCAL_RANDOM_PHASE_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "cosine_vertices.glsl"
-#include "decode.glsl"
-#include "method_parts.glsl"
-#include "structure.glsl"
-#include "wave.glsl"
-
 /// Adds one cosine at three vertices: to the sum of Gaussian values, to the sum of the squared
 /// amplitudes of all channels under the windows, and in w to what the footprint takes of it.
 /// `box`: the cosine's half of a texel of column 0, the others the variants of the vertices.
@@ -98,5 +87,3 @@ void lichenSetPoint(LICHEN_OUT(LichenCosinesPoint) point, vec2 position, vec2 gr
   point.gradientX = gradientX;
   point.gradientY = gradientY;
 }
-
-#endif

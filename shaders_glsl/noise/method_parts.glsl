@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What a noise and a material hold for their method: words -> the method's own structs.
-#ifndef LICHEN_METHOD_PARTS_GLSL
-#define LICHEN_METHOD_PARTS_GLSL
-
-#include "../interface/lichen_interface.h"
 
 LichenTilingMaterial lichenTilingMaterial(LichenMaterial material) {
   return LichenTilingMaterial(uintBitsToFloat(material.own0.x), material.own0.y);
@@ -29,13 +25,12 @@ vec2 lichenTextonImageSize(LichenNoise noise) {
 }
 
 LichenCosinesMaterial lichenCosinesMaterial(LichenMaterial material) {
-  return LichenCosinesMaterial(int(material.own0.x), material.own0.y, material.own0.z,
-                               int(material.own0.w), uintBitsToFloat(material.own1.x));
+  return LichenCosinesMaterial(int(material.own0.x), material.own0.y, int(material.own0.z),
+                               uintBitsToFloat(material.own0.w));
 }
 
 LichenKernelsMaterial lichenKernelsMaterial(LichenMaterial material) {
-  return LichenKernelsMaterial(material.own0.x, material.own0.y, int(material.own0.z),
-                               uintBitsToFloat(material.own0.w));
+  return LichenKernelsMaterial(int(material.own0.x), uintBitsToFloat(material.own0.y));
 }
 
 LichenKernelsNoise lichenKernelsNoise(LichenNoise noise) {
@@ -51,5 +46,3 @@ LichenCosinesNoise lichenCosinesNoise(LichenNoise noise) {
   return LichenCosinesNoise(noise.own0.x, noise.own0.y, noise.own0.z, noise.own0.w, noise.own1.x,
                             noise.own1.y, noise.own1.z, noise.own1.w);
 }
-
-#endif

@@ -3,13 +3,6 @@
 // footprint -> for each kernel the cells of its grid in reach -> the sum of the kernel over their
 // impacts, with the share of the variance that the footprint loses.
 // [MKN12] Gilet, Dischler and Ghazanfarpour 2012.
-#ifndef LICHEN_MULTIPLE_KERNELS_GLSL
-#define LICHEN_MULTIPLE_KERNELS_GLSL
-
-#include "kernel_pattern.glsl"
-#include "kernels.glsl"
-#include "solid_kernels.glsl"
-#include "surface_kernels.glsl"
 
 /// The sum over the impacts of a kernel that reach the point, of their four waves.
 vec4 lichenKernelSum(LichenKernel kernel, uint seed, uint window) {
@@ -31,14 +24,9 @@ vec4 lichenKernelSum(LichenKernel kernel, uint seed, uint window) {
     // Its middle, at both ends of the row.
     float middleLow = -shear * low, middleHigh = -shear * high;
     int end = int(floor(kernel.place.x - min(middleLow, middleHigh) + chord));
-    uint row = kernel.corner.y + uint(j);
-    if (kernel.period.y != 0)
-      row = uint(int(row) - lichenFloorDivide(int(row), kernel.period.y) * kernel.period.y);
+    uint row = uint(lichenWrapped(int(kernel.corner.y) + j, kernel.period.y));
     for (int i = int(floor(kernel.place.x - max(middleLow, middleHigh) - chord)); i <= end; ++i) {
-      uint column = kernel.corner.x + uint(i);
-      if (kernel.period.x != 0)
-        column =
-            uint(int(column) - lichenFloorDivide(int(column), kernel.period.x) * kernel.period.x);
+      uint column = uint(lichenWrapped(int(kernel.corner.x) + i, kernel.period.x));
       uint word = lichenVertexHash(column, row, seed);
       vec2 offset = kernel.place - vec2(float(i), float(j)) - lichenKernelPlace(word);
       sum += lichenKernelImpact(word, lichenRingTurns(column, row, seed), offset, kernel, window);
@@ -93,5 +81,3 @@ void lichenSetPoint(LICHEN_OUT(LichenKernelsPoint) point, vec2 position, vec2 gr
   point.gradientX = gradientX;
   point.gradientY = gradientY;
 }
-
-#endif

@@ -6,22 +6,6 @@
 //   lichenGaussianAt the Gaussian value of a map there, and what filtering lost of it;
 //                    lichenSurfaceGaussianAt, lichenSolidGaussianAt
 // Decoding (decode.glsl) and mappings (mapping/) name no method.
-#ifndef LICHEN_NOISE_GLSL
-#define LICHEN_NOISE_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "decode.glsl"
-#include "local_random_phase.glsl"
-#include "multiple_kernels.glsl"
-#include "solid_cosines.glsl"
-#include "solid_kernels.glsl"
-#include "surface_kernels.glsl"
-#include "texton.glsl"
-#include "tiling.glsl"
-#if (LICHEN_METHODS & 16) != 0
-#include "quilting.glsl"
-#endif
 
 /// What all maps of a noise share at one point; the member of its method is set.
 struct LichenPoint {
@@ -213,6 +197,4 @@ LichenGaussian lichenSolidGaussian(LICHEN_IMAGE_2D image, LichenPoint point,
 #endif
   return gaussian;
 }
-#endif
-
 #endif

@@ -4,17 +4,8 @@
 // map. Tiles are taken where the exemplar repeats, so that its structure goes on. A tile's weight
 // is taken at the centre of the cell that it shows at the point: a brick is wholly of one tile.
 // docs/decisions/012-quilting.md.
-#ifndef LICHEN_QUILTING_GLSL
-#define LICHEN_QUILTING_GLSL
 
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "decode.glsl"
-#include "footprint_level.glsl"
-#include "hash.glsl"
-#include "lattice.glsl"
-#include "method_parts.glsl"
-
+#if (LICHEN_METHODS & 16) != 0
 /// What all maps of a noise share at one point.
 struct LichenQuiltingPoint {
   vec2 uv0, uv1;        // [tiles] where two tiles are fetched
@@ -22,11 +13,6 @@ struct LichenQuiltingPoint {
   uvec2 colors;         // lichenVertexColor() of their vertices, for debug views
   float footprintLevel; // [mip levels] of the widest map
 };
-
-/// In [0, 3): vertices side by side have different colours.
-uint lichenVertexColor(uvec2 vertex) {
-  return (vertex.x - vertex.y + 0x80000000u) % 3u; // unsigned around the origin
-}
 
 /// Where the tile of a vertex is taken from [tiles]: a random one of a list, or a random multiple
 /// of `step`.
@@ -72,7 +58,7 @@ void lichenSetPoint(LICHEN_OUT(LichenQuiltingPoint) point, vec2 position, vec2 g
   vec2 skewed = lichenSkewed(position, material);
   LichenTriangle triangle = lichenTriangle(skewed, material);
   vec2 inside = skewed - floor(skewed);
-  bool isUpper = inside.x + inside.y >= 1.0;
+  bool isUpper = triangle.vertex0.x == triangle.vertex1.x;
   vec3 heights;
   float sharpness;
   point.uv0 = lichenQuiltingTap(triangle.vertex0, inside - (isUpper ? 1.0 : 0.0), position, level,
@@ -132,5 +118,4 @@ LichenGaussian lichenGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
                             lichenQuiltingTile(image, point.uv1, point.weights.y, level, map),
                         vec3(0.0), 0.0);
 }
-
 #endif

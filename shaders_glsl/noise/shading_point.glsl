@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A point where a noise is evaluated, whatever its method and mapping: a host computes it once per
 // fragment (mapping/) and evaluates each of the noise's maps there (lichenValue).
-#ifndef LICHEN_SHADING_POINT_GLSL
-#define LICHEN_SHADING_POINT_GLSL
-
-#include "noise.glsl"
-#include "tile_frame.glsl"
-#include "triplanar.glsl"
 
 /// What all maps of a noise share at one point.
 struct LichenShadingPoint {
@@ -28,11 +22,11 @@ LichenGaussian lichenGaussian(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table,
                                    here);
 #endif
 #if LICHEN_HAS_SURFACES
-  if (lichenIsSurface(shading.material, shading.noise))
+  if (lichenIsSurface(shading.material))
     return lichenSurfaceGaussian(image, table, shading.point, shading.material, shading.noise, here);
 #endif
 #if LICHEN_HAS_SOLIDS
-  if (lichenIsSolid(shading.material, shading.noise))
+  if (lichenIsSolid(shading.material))
     return lichenSolidGaussian(image, shading.point, shading.material, shading.noise, here);
 #endif
   return lichenGaussianAt(image, table, shading.point, shading.material, shading.noise, here);
@@ -49,15 +43,13 @@ vec4 lichenValue(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenShadingPoin
     return lichenTriplanarSlopes(image, table, shading.triplanar, shading.point, shading.noise,
                                  map);
 #endif
-  if (!lichenHasSlopesInSpace(shading.material, shading.noise) &&
-      !lichenIsSurface(shading.material, shading.noise))
+  if (!lichenHasSlopesInSpace(shading.material) &&
+      !lichenIsSurface(shading.material))
     return lichenValueAt(image, table, shading.point, shading.material, shading.noise, map);
   LichenGaussian gaussian = lichenGaussian(image, table, shading, map);
   vec4 value = lichenDecode(table, gaussian, shading.material.contrast,
                             lichenMapAt(table, shading.point, shading.noise, map));
-  if (isSlope && lichenIsSolid(shading.material, shading.noise))
+  if (isSlope && lichenIsSolid(shading.material))
     value = vec4(lichenSlopesToUv(value.xy, shading.material), gaussian.depthSlope, value.z);
   return value;
 }
-
-#endif

@@ -5,16 +5,6 @@
 // The exemplar has a frequency (x, y); its third component is uniform up to 1.2 times the length of
 // both. Planes across z then have the spectrum of the exemplar, and others nearly that, rotated
 // about the direction in which the exemplar is smoothest: docs/decisions/009-local-random-phase.md.
-#ifndef LICHEN_SOLID_COSINES_GLSL
-#define LICHEN_SOLID_COSINES_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "decode.glsl"
-#include "cosine_vertices.glsl"
-#include "method_parts.glsl"
-#include "solid_vertices.glsl"
-#include "tile_frame.glsl"
 
 #if LICHEN_HAS_SOLIDS
 /// Sums over cosines.
@@ -127,6 +117,4 @@ LichenGaussian lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenCosinesPoint p
                         vec3(sum.lost / max(sum.squares, kLeast)),
                         material.contrast * sum.depthSlope);
 }
-#endif
-
 #endif

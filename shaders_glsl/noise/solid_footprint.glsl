@@ -1,10 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A pixel in a solid, and what it averages of a frequency there.
-#ifndef LICHEN_SOLID_FOOTPRINT_GLSL
-#define LICHEN_SOLID_FOOTPRINT_GLSL
-
-#include "../interface/lichen_interface.h"
-#include "wave.glsl"
 
 /// The largest third frequency of a wave over the length of the two of the exemplar.
 const float kLichenMostDepth = 1.2;
@@ -33,5 +28,3 @@ LichenSolidFootprint lichenSolidFootprint(vec3 gradientX, vec3 gradientY, Lichen
       (middle + slope * halfDifference) * gradientX + slope * product * gradientY,
       slope * product * gradientX + (middle - slope * halfDifference) * gradientY);
 }
-
-#endif

@@ -2,16 +2,7 @@
 // Multiple-kernels noise in a solid: a point in space and its footprint -> for each kernel the sum
 // over the impacts around it -> the Gaussian value and the share of its variance that the footprint
 // loses. Kernels of the plane become ellipsoids with waves in space; the image stays the same.
-// docs/decisions/009-local-random-phase.md
-#ifndef LICHEN_SOLID_KERNELS_GLSL
-#define LICHEN_SOLID_KERNELS_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "hash.glsl"
-#include "method_parts.glsl"
-#include "kernels.glsl"
-#include "solid_footprint.glsl"
+// docs/decisions/010-multiple-kernels.md
 
 #if LICHEN_HAS_SOLIDS
 /// A kernel in space. Offsets along z are in layers of cells.
@@ -115,7 +106,7 @@ void lichenAddSolidImpact(LICHEN_INOUT(LichenSolidKernelSums) sums, uint word, u
   sums.waves += waves;
   if (isSlope) {
     // As lichenAddSolidVertex has it, with what the window adds to both frequencies.
-    // The axis of a kernel without a wave lies along x.
+    // The slope of a kernel without a wave lies along x.
     float ratio = sqrt((z * z + kernel.depthSpread) / (square + kernel.planarSpread));
     vec2 slope = (depth < 0.0 ? -ratio : ratio) * normalize(vec2(planar.x + 1.0e-6, -planar.y));
     sums.depthX += slope.x * waves;
@@ -125,7 +116,7 @@ void lichenAddSolidImpact(LICHEN_INOUT(LichenSolidKernelSums) sums, uint word, u
 
 /// The sums over the impacts of a kernel that reach the point.
 LichenSolidKernelSums lichenSolidKernelSums(LichenSolidKernel kernel, uint seed, bool isSlope) {
-  // As lichenKernelSums, in each layer with the chords of an ellipse that is smaller there.
+  // As lichenKernelSum, in each layer with the chords of an ellipse that is smaller there.
   mat2 q = kernel.plane.toWindow;
   float xx = dot(q[0], q[0]), product = dot(q[0], q[1]), yy = dot(q[1], q[1]);
   float perY = yy - product * product / xx, perZ = kernel.toWindowZ * kernel.toWindowZ;
@@ -210,6 +201,4 @@ LichenGaussian lichenSolidGaussianAt(LICHEN_IMAGE_2D image, LichenKernelsPoint p
   }
   return lichenOfKernels(sum, squares, lost, depthSlope, material);
 }
-#endif
-
 #endif

@@ -3,14 +3,6 @@
 // tiles -> the four vertices of the tetrahedron around it, with their windows and random numbers.
 // They are body-centred cubic, each of half the edges of the octave before.
 // docs/decisions/009-local-random-phase.md
-#ifndef LICHEN_SOLID_VERTICES_GLSL
-#define LICHEN_SOLID_VERTICES_GLSL
-
-#include "../interface/lichen_interface.h"
-#include "cosine_vertices.glsl"
-#include "hash.glsl"
-#include "method_parts.glsl"
-#include "solid_footprint.glsl"
 
 #if LICHEN_HAS_SOLIDS
 /// The four vertices around a point in the lattice of one octave.
@@ -71,6 +63,4 @@ LichenSolidVertices lichenSolidVertices(LichenCosinesPoint point, int octave,
   vertices.spread = kSpread * cubesPerTile * cubesPerTile;
   return vertices;
 }
-#endif
-
 #endif

@@ -3,14 +3,6 @@
 // its footprint -> tiles of the image at the three vertices around it, magnified by cubic B-splines
 // and blended so that the variance is the same everywhere, with a list of offsets nearly so.
 // [LRP14] section 5.1, eq. 4; docs/decisions/009-local-random-phase.md.
-#ifndef LICHEN_STRUCTURE_GLSL
-#define LICHEN_STRUCTURE_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "cosine_vertices.glsl"
-#include "footprint_level.glsl"
-#include "method_parts.glsl"
 
 /// Where an image of cosines has the structure; its sides are powers of two.
 struct LichenStructureImage {
@@ -167,5 +159,3 @@ void lichenAddStructure(LICHEN_INOUT(vec4) sum, LICHEN_INOUT(float) squares, LIC
   squares += perDeviation * whole * whole;
   sum.w += perDeviation * (whole * whole - retained * retained);
 }
-
-#endif

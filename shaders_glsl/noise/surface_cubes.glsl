@@ -5,11 +5,6 @@
 // [GLM17] Galerne, Leclaire and Moisan 2017, section 6. Impacts lie in cubes, one in each
 // (stratified) or a Poisson number of mean 1. Specified bit for bit in
 // docs/gltf_extension/README.md.
-#ifndef LICHEN_SURFACE_CUBES_GLSL
-#define LICHEN_SURFACE_CUBES_GLSL
-
-#include "../interface/lichen_interface.h"
-#include "hash.glsl"
 
 /// Cubes around a point. Offsets from an impact to the point have x and y along the tangent plane,
 /// in the method's units, and the height over it, in units of that where the weight is 0. Cubes are
@@ -149,5 +144,3 @@ void lichenSurfaceStep(LICHEN_INOUT(LichenSurfaceWalk) walk, LichenSurfaceCubes 
 bool lichenHasImpact(LichenSurfaceWalk walk, LichenSurfaceCubes cubes) {
   return walk.column.y <= cubes.lastColumn.y;
 }
-
-#endif

@@ -3,11 +3,6 @@
 // each kernel the sum over impacts around the point, projected onto that plane -> the Gaussian
 // value and the share of its variance that the footprint loses. The image is the plane's.
 // docs/decisions/010-multiple-kernels.md
-#ifndef LICHEN_SURFACE_KERNELS_GLSL
-#define LICHEN_SURFACE_KERNELS_GLSL
-
-#include "kernels.glsl"
-#include "surface_cubes.glsl"
 
 #if LICHEN_HAS_SURFACES
 /// The cubes of a kernel's grid around a point. Offsets are in the window's coordinates.
@@ -96,6 +91,4 @@ LichenGaussian lichenSurfaceGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D ta
   }
   return lichenOfKernels(sum, squares, lost, 0.0, material);
 }
-#endif
-
 #endif

@@ -2,15 +2,7 @@
 // Texton noise: impacts around a point -> the material's value.
 // N(x) = mean + lambda^-1/2 sum_i e_i h(x - x_i), signs e_i, h the B-spline of the coefficients.
 // [GLM17] Galerne, Leclaire and Moisan 2017, sections 3.2 and 6; [SH05] Sigg and Hadwiger 2005,
-// for order 3. Deviations, with reasons: docs/decisions/.
-#ifndef LICHEN_TEXTON_GLSL
-#define LICHEN_TEXTON_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "decode.glsl"
-#include "impacts.glsl"
-#include "texton_mix.glsl"
+// for order 3. Deviations, with reasons: docs/decisions/008-textons.md.
 
 /// One fetch at `texel` of the image.
 vec3 lichenTextonFetch(LICHEN_IMAGE_2D image, vec2 texel, float level, LichenNoise noise) {
@@ -95,27 +87,6 @@ vec3 lichenSurfaceTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, Lichen
 }
 #endif
 
-/// How many impacts reach the point.
-int lichenImpactCount(LichenImpacts impacts, LichenMaterial material, LichenNoise noise) {
-  int count = 0;
-#if LICHEN_HAS_SURFACES
-  if (lichenIsSurface(material, noise)) {
-    LichenSurfaceWalk walk = lichenFirstSurfaceImpact(impacts.cubes);
-    while (lichenHasImpact(walk, impacts.cubes)) {
-      lichenSurfaceStep(walk, impacts.cubes);
-      count += walk.isReached ? 1 : 0;
-    }
-    return count;
-  }
-#endif
-  LichenWalk walk = lichenFirstImpact(impacts, material);
-  while (lichenHasImpact(walk, impacts)) {
-    lichenStep(walk, impacts, material, noise);
-    count += walk.isReached ? 1 : 0;
-  }
-  return count;
-}
-
 /// The share of each channel's variance that textons fetched at a level >= 0 keep: of a trilinear
 /// blend of a mip and the next.
 vec3 lichenTextonLevelRetained(LICHEN_IMAGE_3D table, float level, LichenImpacts impacts,
@@ -180,6 +151,4 @@ LichenGaussian lichenSurfaceGaussianAt(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D ta
     sum = lichenSurfaceTextonSum(image, impacts, noise);
   return lichenOfTextons(sum, gain, retained, material, map);
 }
-#endif
-
 #endif

@@ -3,15 +3,6 @@
 // Each impact takes the texton of its own weight; mean, deviation and what mips retain are
 // interpolated between the two nearest steps, from a table of them. [GLM17] Galerne, Leclaire and
 // Moisan 2017, section 7.
-#ifndef LICHEN_TEXTON_MIX_GLSL
-#define LICHEN_TEXTON_MIX_GLSL
-
-#include "../interface/fetch.glsl"
-#include "../interface/lichen_interface.h"
-#include "footprint_level.glsl"
-#include "impacts.glsl"
-#include "method_parts.glsl"
-#include "tile_frame.glsl"
 
 bool lichenIsMix(LichenNoise noise) {
   return LICHEN_USES(LICHEN_FEATURE_MIXES) && lichenTextonNoise(noise).steps > 1u;
@@ -85,5 +76,3 @@ vec3 lichenTextonMipRetained(LICHEN_IMAGE_3D table, int mip, LichenImpacts impac
   // Rounded to bytes, like the amplitudes of maps without a mix: exactly 0 in distant views.
   return floor(255.0 * retained + 0.5) * (1.0 / 255.0);
 }
-
-#endif

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
 // How the exemplar lies against the coordinates that a material maps: rotated and scaled.
-#ifndef LICHEN_TILE_FRAME_GLSL
-#define LICHEN_TILE_FRAME_GLSL
-
-#include "../interface/lichen_interface.h"
 
 /// The linear part of the mapping from texture to tile coordinates.
 vec2 lichenUvToTile(vec2 uv, LichenMaterial material) {
@@ -18,5 +14,3 @@ vec2 lichenSlopesToUv(vec2 slopes, LichenMaterial material) {
   return vec2(direction.x * slopes.x + direction.y * slopes.y,
               direction.x * slopes.y - direction.y * slopes.x);
 }
-
-#endif

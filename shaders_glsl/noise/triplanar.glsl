@@ -4,11 +4,6 @@
 // that one inverse table gives the exemplar's histogram everywhere.
 // [HN18] Heitz and Neyret 2018, section 4.3 and figure 16; slopes as volume gradients, [M20]
 // Mikkelsen 2020. Specified in docs/gltf_extension/README.md.
-#ifndef LICHEN_TRIPLANAR_GLSL
-#define LICHEN_TRIPLANAR_GLSL
-
-#include "noise.glsl"
-#include "tile_frame.glsl"
 
 #if LICHEN_HAS_TRIPLANAR
 /// What all maps of a triplanar noise share at one point.
@@ -28,8 +23,6 @@ struct LichenPlanePoint {
   float weight;
   LichenPoint point;
 };
-
-float lichenAlongAxis(vec3 v, int axis) { return axis == 0 ? v.x : (axis == 1 ? v.y : v.z); }
 
 /// The material in one plane, as on texture coordinates.
 LichenMaterial lichenMaterialOfPlane(int axis, LichenTriplanarMaterial planes) {
@@ -67,7 +60,7 @@ LichenPlanePoint lichenPlanePoint(LichenTriplanar at, int rank, LichenPoint poin
               tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.position, axis), own);
   vec2 tileX = tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.gradientX, axis), own);
   vec2 tileY = tilesPerUnit * lichenUvToTile(lichenOntoPlane(at.gradientY, axis), own);
-  LichenPlanePoint plane = LichenPlanePoint(axis, lichenAlongAxis(at.weights, axis),
+  LichenPlanePoint plane = LichenPlanePoint(axis, lichenChosen(at.weights, axis),
                                             lichenPointAt(tile, tileX, tileY, own, noise));
   lichenSetMix(plane.point, lichenMixWeightAt(point), vec2(0.0));
   return plane;
@@ -78,7 +71,7 @@ LichenPlanePoint lichenPlanePoint(LichenTriplanar at, int rank, LichenPoint poin
 vec4 lichenPlaneSlopes(vec3 slopes, LichenPlanePoint plane, vec3 normal, LichenMaterial material) {
   // The variance is the same along all axes of the plane. On the surface it stays across the slant,
   // and is cosine^2 times as much along it: this is the average.
-  float cosine = lichenAlongAxis(normal, plane.axis);
+  float cosine = lichenChosen(normal, plane.axis);
   float projected = 0.5 + 0.5 * cosine * cosine;
   return vec4(plane.weight * lichenSlopesToSpace(slopes.xy, plane.axis, material),
               plane.weight * plane.weight * projected * slopes.z);
@@ -127,6 +120,4 @@ vec4 lichenTriplanarSlopes(LICHEN_IMAGE_2D image, LICHEN_IMAGE_3D table, LichenT
   }
   return sum;
 }
-#endif
-
 #endif

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A wave, and what a pixel leaves of it.
-#ifndef LICHEN_WAVE_GLSL
-#define LICHEN_WAVE_GLSL
 
 /// cos(2 pi turns), within 1.1e-4.
 vec4 lichenCosineOfTurns(vec4 turns) {
@@ -43,5 +41,3 @@ vec4 lichenCosineRetained(vec4 squaredCycles) {
   vec4 left = clamp(1.0 - kSlope * squaredCycles, 0.0, 1.0);
   return left * left * left;
 }
-
-#endif

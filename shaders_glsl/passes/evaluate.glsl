@@ -7,9 +7,7 @@ layout(constant_id = 0) const int kQuantity = 0;
 const int kValue = 0;    // RGBA of the decoded quantity; of slopes in space their gradient, variance
 const int kGaussian = 1; // the Gaussian value; the share of the first channel's variance that is lost
 const int kGradient = 2; // on texture coordinates: the first channel, its derivatives per tile; 0
-const int kImpacts = 3;  // of textons: how many reach the point, in all components
-const int kLost = 4;     // the share of each channel's variance that is lost; 0
-const int kWeights = 5;  // of the planes that look along x, y, z; how many count
+const int kLost = 3;     // the share of each channel's variance that is lost; 0
 layout(constant_id = 1) const int kRole = LICHEN_BASE_COLOR;
 
 layout(local_size_x = 64) in;
@@ -22,14 +20,6 @@ vec4 evaluated(texture2D image, texture3D table, Point point) {
 #if LICHEN_MAPPINGS == 1
   if (kQuantity == kGradient)
     return gradientOf(image, table, point, map);
-#endif
-#if LICHEN_METHODS != 31 && (LICHEN_METHODS & 2) != 0
-  if (kQuantity == kImpacts)
-    return vec4(float(lichenImpactCount(shading.point.texton, lichenMaterial, lichenNoise)));
-#endif
-#if LICHEN_MAPPINGS == 2
-  if (kQuantity == kWeights)
-    return vec4(shading.triplanar.weights, float(shading.triplanar.count));
 #endif
   if (kQuantity == kValue)
     return lichenValue(image, table, shading, map);

@@ -40,7 +40,7 @@ struct SamplePoint {
                                                 std::uint32_t tileRotation = 1);
 
 /// The numbering of the passes (shaders_glsl/passes/evaluate.glsl).
-enum Quantity { kValue, kGaussian, kGradient, kLost = 4, kWeights };
+enum Quantity { kValue, kGaussian, kGradient, kLost };
 
 /// The first map of the first noise of a file. The destructor checks that the device reported no
 /// message.

@@ -64,9 +64,9 @@ TEST_CASE("a material of a layered noise has a block for each layer and index ma
   const shader::LichenLayeredMaterial expected =
       shaderLayeredMaterial(layers, indices, material, {});
   CHECK(std::memcmp(&block, &expected, sizeof block) == 0);
-  CHECK(block.first.material.seed == 5u);
-  CHECK(block.layers[0].material.seed == 5u + 0x9E3779B9u);
-  CHECK(block.indices[0].material.seed == 5u + 4u * 0x9E3779B9u);
+  CHECK(block.first.material.seedWord == latticeSeed(5u, 0));
+  CHECK(block.layers[0].material.seedWord == latticeSeed(5u + 0x9E3779B9u, 0));
+  CHECK(block.indices[0].material.seedWord == latticeSeed(5u + 4u * 0x9E3779B9u, 0));
   CHECK(block.first.material.contrast == 1.5f);
   CHECK(block.indices[0].material.contrast == 1.0f);
 }

@@ -79,7 +79,6 @@ void setSolid(const shader::LichenNoise& noise, const MaterialNoise& material,
   constants.offsetY = y.offset;
   constants.cellI = cell(0);
   constants.cellJ = cell(1);
-  part.isSolid = 1;
   part.cellK = cell(2);
   part.offsetZ = z.offset;
 }

@@ -86,7 +86,7 @@ void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material
     constants.offsetY = origin[1].offset;
     constants.cellI = group(0);
     constants.cellJ = group(1);
-    part = {shader::uint(isSolid), shader::uint(!isSolid), group(2), origin[2].offset};
+    part = {group(2), origin[2].offset};
   }
   setPart(constants, part);
 }

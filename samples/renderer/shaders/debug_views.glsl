@@ -102,11 +102,26 @@ vec3 pointDebug(LichenPoint point) {
 
 /// The impacts that reach a point.
 float impactsAt(LichenPoint point) {
+  float count = 0.0;
 #if (LICHEN_METHODS & 2) != 0
-  return float(lichenImpactCount(point.texton, lichenMaterial, lichenNoise));
-#else
-  return 0.0;
+  LichenImpacts impacts = point.texton;
+#if LICHEN_HAS_SURFACES
+  if (lichenIsSurface(lichenMaterial)) {
+    LichenSurfaceWalk walk = lichenFirstSurfaceImpact(impacts.cubes);
+    while (lichenHasImpact(walk, impacts.cubes)) {
+      lichenSurfaceStep(walk, impacts.cubes);
+      count += walk.isReached ? 1.0 : 0.0;
+    }
+    return count;
+  }
 #endif
+  LichenWalk walk = lichenFirstImpact(impacts, lichenMaterial);
+  while (lichenHasImpact(walk, impacts)) {
+    lichenStep(walk, impacts, lichenMaterial, lichenNoise);
+    count += walk.isReached ? 1.0 : 0.0;
+  }
+#endif
+  return count;
 }
 
 vec3 noiseDebug(Footprint footprint) {
@@ -138,8 +153,7 @@ vec3 noiseDebug(Footprint footprint) {
   }
 #endif
   if (counts) {
-    float most = lichenIsSurface(lichenMaterial, lichenNoise) ? kImpactsInSpace * kMostImpacts
-                                                              : kMostImpacts;
+    float most = kMostImpacts * (lichenIsSurface(lichenMaterial) ? kImpactsInSpace : 1.0);
     return ramp(impactsAt(shading.point) / most);
   }
   return pointDebug(shading.point);

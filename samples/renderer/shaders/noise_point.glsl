@@ -130,7 +130,7 @@ LICHEN_SHADING_POINT noisePoint(Footprint f) {
   }
 #endif
 #if LICHEN_HAS_SURFACES
-  if (lichenIsSurface(lichenMaterial, lichenNoise)) {
+  if (lichenIsSurface(lichenMaterial)) {
     LichenShadingPoint shading =
         LICHEN_POINT_SURFACE(spot.position, spot.dx, spot.dy, spot.normal, spot.tangent);
     setMixInSpace(shading.point, f, uv);
@@ -138,7 +138,7 @@ LICHEN_SHADING_POINT noisePoint(Footprint f) {
   }
 #endif
 #if LICHEN_HAS_SOLIDS
-  if (lichenIsSolid(lichenMaterial, lichenNoise))
+  if (lichenIsSolid(lichenMaterial))
     return LICHEN_POINT_SOLID(spot.position, spot.dx, spot.dy);
 #endif
   LichenShadingPoint shading = LICHEN_POINT(uv, dx, dy);

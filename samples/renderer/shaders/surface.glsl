@@ -103,7 +103,7 @@ bool hasSlopesInSpace() {
 #ifdef WITHOUT_NOISE
   return false;
 #else
-  return lichenHasSlopesInSpace(lichenMaterial, lichenNoise) && NOISE_HAS(LICHEN_NORMAL);
+  return lichenHasSlopesInSpace(lichenMaterial) && NOISE_HAS(LICHEN_NORMAL);
 #endif
 }
 
