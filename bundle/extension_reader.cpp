@@ -170,12 +170,8 @@ Mapping readMapping(ObjectReader& reader, const Bundle& bundle, std::size_t inde
   const std::string name = reader.text("mapping").value_or("uv");
   const std::optional<Mapping> mapping = mappingFrom(name);
   if (!mapping || !mappingFits(method, *mapping)) {
-    std::string expected;
-    for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
-      if (mappingFits(method, each))
-        expected += (expected.empty() ? "" : ", ") + std::string(nameOf(each));
     reader.error("material-mapping", "mapping",
-                 quoted(name) + "; expected one of " + expected + " for the method " +
+                 quoted(name) + "; expected one of " + mappingsOf(method) + " for the method " +
                      std::string(nameOf(method)));
     return Mapping::uv;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Finds a noise's map by target, classifies mappings, and explains why a noise is ignored.
+// Finds a noise's map by target and a map's tables, classifies mappings, and explains why a noise
+// is ignored.
 #include "findings.h"
 
 #include <lichen/bundle.h>
@@ -14,6 +15,14 @@ std::optional<std::size_t> findMap(const Noise& noise, MapTarget target) {
   if (found == noise.maps.end())
     return std::nullopt;
   return std::size_t(found - noise.maps.begin());
+}
+
+std::size_t imageTableOf(const NoiseMap& map) {
+  return std::visit([](const auto& data) { return data.imageTable(); }, map.data);
+}
+
+std::optional<std::size_t> decodingTableOf(const NoiseMap& map) {
+  return std::visit([](const auto& data) { return data.decodingTable(); }, map.data);
 }
 
 bool isInSpace(Mapping mapping) { return mapping != Mapping::uv; }

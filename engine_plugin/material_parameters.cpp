@@ -59,12 +59,10 @@ LichenResult checkMapping(LichenMapping value, const NoiseSummary& summary, Mapp
   }
   for (const shader::LichenNoise* noise : std::span(noises).first(count)) {
     if (!mappingFits(Method(noise->method), mapping)) {
-      writeDiagnostic(
-          diagnostic,
-          "mapping %d is invalid for a noise with method %s; expected 0 (uv), 1 (triplanar), for "
-          "texton and multiple-kernels noise 2 (surface) or for local random-phase and "
-          "multiple-kernels noise 3 (solid)",
-          int(value), nameOf(Method(noise->method)).data());
+      writeDiagnostic(diagnostic,
+                      "mapping %d (%s) is invalid for a noise with method %s; expected one of %s",
+                      int(value), nameOf(mapping).data(), nameOf(Method(noise->method)).data(),
+                      mappingsOf(Method(noise->method)).c_str());
       return LICHEN_ERROR_USAGE;
     }
     const std::string_view obstacle = mappingObstacle(*noise, mapping);
@@ -283,10 +281,10 @@ LichenResult writeParameters(const LichenBundle_T& plan, const MaterialNoise& so
   summary.layerCount = layered.layerCount;
   for (const std::uint32_t layer : std::span(layered.layers).first(layered.layerCount)) {
     for (const NoiseMap& map : plan.bundle.noises[layer].maps) {
-      const bool hasTable = inverseTableOf(map).has_value();
-      summary.mapKinds |= 1u << (hasTable ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE);
+      summary.features |=
+          decodingTableOf(map) ? LICHEN_FEATURE_TABLES : LICHEN_FEATURE_GAUSSIAN_ONLY;
       if (map.encoding == ValueEncoding::log2)
-        summary.mapKinds |= kValuesAboveOne;
+        summary.features |= LICHEN_FEATURE_VALUES_ABOVE_ONE;
     }
   }
   summary.checksum = checksumOf(summary);

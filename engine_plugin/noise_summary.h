@@ -10,18 +10,14 @@
 
 namespace lichen::plugin {
 
-/// A bit of mapKinds: a map has values above 1.
-inline constexpr std::uint32_t kValuesAboveOne = 1u << 31;
-
 struct NoiseSummary {
   shader::LichenNoise constants;
   // For a layered noise: `constants` is its first layer.
   shader::LichenNoise layers[LICHEN_MAX_LAYERS - 1], indices[LICHEN_MAX_LAYER_NODES];
   std::uint32_t layerCount; // 1 of a noise that is not layered
-  // Over all layers, bit k: a map with the LichenTableKind k; kValuesAboveOne
-  std::uint32_t mapKinds;
-  std::uint32_t reserved; // 0: to a multiple of 8 bytes
-  std::uint32_t checksum; // of the members above
+  std::uint32_t features;   // LICHEN_FEATURE_...: what decodes the maps of all layers
+  std::uint32_t reserved;   // 0: to a multiple of 8 bytes
+  std::uint32_t checksum;   // of the members above
 };
 static_assert(sizeof(NoiseSummary) == sizeof(LichenMaterialParameters::noiseSummary));
 

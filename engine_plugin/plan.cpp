@@ -12,6 +12,7 @@
 #include <cassert>
 #include <cstring>
 #include <memory>
+#include <methods/method_parameters.h>
 #include <string>
 
 using namespace lichen;
@@ -42,24 +43,21 @@ LichenBundle_T::NoisePlan planNoise(LichenBundle_T& plan, std::size_t index, std
   result.images.fill(noImage);
   result.tables.fill(noTable);
   result.indices.fill(noImage);
+  const MethodParameters& method = parametersOf(noise);
   for (const NoiseMap& map : noise.maps) {
     const std::uint32_t role = roleOf(map.target);
-    result.images[role] = std::uint32_t(imageOf(map));
-    assert(plan.bundle.tables[imageOf(map)].mipLevels <= LICHEN_MAX_MIPS);
-    if (const std::optional<std::size_t> table = inverseTableOf(map))
-      result.tables[role] = std::uint32_t(*table);
-    if (const auto* tiling = std::get_if<TilingMap>(&map.data)) {
-      // A Gaussian image of one dimension has its loss in green; the shader reads it in alpha.
-      if (tiling->dimensions == 1)
-        plan.showsGreenAsAlpha[tiling->gaussian] = true;
-    } else if (const auto* quilting = std::get_if<QuiltingMap>(&map.data)) {
-      static_assert(LICHEN_BINDING_CELLS == LICHEN_BINDING_INDEX(0));
-      result.indices[0] = std::uint32_t(quilting->cells);
-    } else if (std::holds_alternative<LocalRandomPhaseMap>(map.data) ||
-               std::holds_alternative<MultipleKernelsMap>(map.data)) {
-      plan.fetchedOnly[imageOf(map)] = true;
-    } else if (const auto* texton = std::get_if<TextonMap>(&map.data);
-               texton != nullptr && !texton->laterSteps.empty()) {
+    const std::size_t image = imageTableOf(map);
+    const Table& table = plan.bundle.tables[image];
+    assert(table.mipLevels <= LICHEN_MAX_MIPS);
+    result.images[role] = std::uint32_t(image);
+    plan.showsGreenAsAlpha[image] = method.lastChannelIsAlpha && channelCount(table.format) == 2;
+    plan.fetchedOnly[image] = method.readsTexels;
+    if (const std::optional<std::size_t> inverse = decodingTableOf(map))
+      result.tables[role] = std::uint32_t(*inverse);
+    static_assert(LICHEN_BINDING_CELLS == LICHEN_BINDING_INDEX(0));
+    if (method.sharedImage != nullptr)
+      result.indices[0] = std::uint32_t(method.sharedImage(map));
+    if (isMix(noise)) {
       plan.bundle.tables.push_back(mixTable(map));
       plan.showsGreenAsAlpha.push_back(false);
       plan.fetchedOnly.push_back(false);
@@ -95,7 +93,7 @@ void planLayers(LichenBundle_T& plan, std::size_t index) {
   for (std::size_t node = 0; node < noise.layers->nodes.size(); ++node) {
     const std::size_t map = noise.layers->nodes[node].index;
     result.indexNoises[node] = std::uint32_t(map);
-    result.indices[node] = std::uint32_t(imageOf(plan.bundle.noises[map].maps.front()));
+    result.indices[node] = std::uint32_t(imageTableOf(plan.bundle.noises[map].maps.front()));
   }
 }
 
@@ -139,32 +137,6 @@ LichenResult checkInterfaceVersion(std::uint32_t version, LichenDiagnostic* diag
 }
 
 } // namespace
-
-namespace lichen::plugin {
-
-std::size_t imageOf(const NoiseMap& map) {
-  if (const auto* tiling = std::get_if<TilingMap>(&map.data))
-    return tiling->gaussian;
-  if (const auto* cosines = std::get_if<LocalRandomPhaseMap>(&map.data))
-    return cosines->cosines;
-  if (const auto* kernels = std::get_if<MultipleKernelsMap>(&map.data))
-    return kernels->kernels;
-  if (const auto* quilting = std::get_if<QuiltingMap>(&map.data))
-    return quilting->image;
-  return map.as<TextonMap>().image;
-}
-
-std::optional<std::size_t> inverseTableOf(const NoiseMap& map) {
-  if (const auto* tiling = std::get_if<TilingMap>(&map.data))
-    return tiling->inverseTable;
-  if (const auto* cosines = std::get_if<LocalRandomPhaseMap>(&map.data))
-    return cosines->inverseTable;
-  if (const auto* kernels = std::get_if<MultipleKernelsMap>(&map.data))
-    return kernels->inverseTable;
-  return std::nullopt;
-}
-
-} // namespace lichen::plugin
 
 std::uint32_t lichenGetVersion() { return LICHEN_HEADER_VERSION; }
 
@@ -220,19 +192,10 @@ LichenResult lichenGetNoiseProperties(LichenBundle bundle, std::uint32_t noise,
   values.mapCount = std::uint32_t(source.maps.size());
   values.tileSizeMetres = source.tileSizeMetres;
   values.method = LichenNoiseMethod(source.method());
-  const auto* shape = std::get_if<TextonShape>(&source.data);
-  values.mixSteps = shape != nullptr ? std::uint32_t(shape->steps) : 1;
-  values.textonOrder = shape != nullptr ? std::uint32_t(shape->order) : 0;
-  const auto* tiling = std::get_if<TilingNoise>(&source.data);
-  values.hasGrain = tiling != nullptr && tiling->grain != Grain::none ? 1 : 0;
-  values.takesQuarterTurns = takesTileRotation(bundle->bundle, noise, 4) ? 1 : 0;
-  const auto* cosines = std::get_if<LocalRandomPhaseNoise>(&source.data);
-  values.hasStructure = cosines != nullptr && cosines->structure.columns > 0 ? 1 : 0;
-  if (const auto* kernels = std::get_if<MultipleKernelsNoise>(&source.data))
-    values.kernelKinds = (kernels->rings > 0 ? LICHEN_KERNELS_RINGS : 0u) |
-                         (kernels->window != KernelWindow::gabor ? LICHEN_KERNELS_SQUARE : 0u) |
-                         (kernels->cosines > 0 ? LICHEN_KERNELS_PATTERN : 0u);
   const LichenBundle_T::NoisePlan& plan = bundle->noises[noise];
+  values.mixSteps =
+      isMix(source) ? bundle->extents[plan.tables[roleOf(source.maps[0].target)]].width : 1;
+  values.takesQuarterTurns = takesTileRotation(bundle->bundle, noise, 4) ? 1 : 0;
   values.mappings = plan.mappings;
   values.layerCount = plan.layerCount;
   std::copy(plan.layers.begin(), plan.layers.end(), values.layers);
@@ -251,9 +214,8 @@ LichenResult lichenGetMapProperties(LichenBundle bundle, std::uint32_t noise, st
   values.channelCount = std::uint32_t(source.channels.size());
   std::transform(source.channels.begin(), source.channels.end(), values.channels,
                  [](MapChannel channel) { return LichenChannel(channel); });
-  values.image = std::uint32_t(imageOf(source));
+  values.image = std::uint32_t(imageTableOf(source));
   values.tableImage = bundle->noises[noise].tables[roleOf(source.target)];
-  values.tableKind = inverseTableOf(source) ? LICHEN_TABLE_JOINT : LICHEN_TABLE_NONE;
   return writeStruct(values, LICHEN_STRUCTURE_MAP_PROPERTIES, properties);
 }
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstdint>
 #include <lichen_interface.h>
-#include <optional>
 #include <vector>
 
 struct LichenBundle_T {
@@ -41,12 +40,3 @@ struct LichenBundle_T {
   /// else 0.
   std::vector<std::uint32_t> unknownRevisions;
 };
-
-namespace lichen::plugin {
-
-/// As imageTableOf() and decodingTableOf(), without std::visit, which would export a symbol of the
-/// standard library.
-std::size_t imageOf(const NoiseMap& map);
-std::optional<std::size_t> inverseTableOf(const NoiseMap& map);
-
-} // namespace lichen::plugin

@@ -3,67 +3,43 @@
 #include "abi.h"
 #include "noise_summary.h"
 
+#include <lichen/layered_noise.h>
 #include <lichen/shader_parameters.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <methods/method_parameters.h>
 
 using namespace lichen;
 using namespace lichen::plugin;
 
 namespace {
 
-std::uint32_t featureIf(bool isNeeded, std::uint32_t feature) { return isNeeded ? feature : 0; }
-
-/// What a noise that is not layered, a layer or an index map needs.
-std::uint32_t featuresOf(const LichenMaterialParameters& parameters,
-                         const shader::LichenNoise& noise) {
-  switch (noise.method) {
-  case LICHEN_METHOD_TILING:
-    return featureIf(parameters.tileRotation > 1, LICHEN_FEATURE_TILE_ROTATION) |
-           featureIf(parameters.blendSharpness != 1.0, LICHEN_FEATURE_BLEND_SHARPNESS) |
-           featureIf(partOf<shader::LichenTilingNoise>(noise).grain != LICHEN_GRAIN_NONE,
-                     LICHEN_FEATURE_GRAIN);
-  case LICHEN_METHOD_TEXTON: {
-    const auto texton = partOf<shader::LichenTextonNoise>(noise);
-    return featureIf(texton.order == 3, LICHEN_FEATURE_CUBIC_TEXTONS) |
-           featureIf(texton.order == 0, LICHEN_FEATURE_NEAREST_TEXTONS) |
-           featureIf(texton.steps > 1, LICHEN_FEATURE_MIXES) |
-           featureIf(parameters.pointProcess == LICHEN_POINT_PROCESS_POISSON,
-                     LICHEN_FEATURE_POISSON_POINTS);
-  }
-  case LICHEN_METHOD_LOCAL_RANDOM_PHASE:
-    return featureIf(partOf<shader::LichenCosinesNoise>(noise).structure != 0,
-                     LICHEN_FEATURE_STRUCTURES);
-  case LICHEN_METHOD_MULTIPLE_KERNELS: {
-    const auto kernels = partOf<shader::LichenKernelsNoise>(noise);
-    return featureIf(kernels.rings > 0, LICHEN_FEATURE_RING_KERNELS) |
-           featureIf(kernels.window != LICHEN_WINDOW_GABOR, LICHEN_FEATURE_SQUARE_KERNELS) |
-           featureIf(kernels.cosines > 0, LICHEN_FEATURE_PATTERNS);
-  }
-  default:
-    return 0;
-  }
-}
-
-void addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
+/// Adds what the material and its noise need. Returns whether layers may be drawn with them.
+bool addMaterial(const LichenMaterialParameters& parameters, const NoiseSummary& noise,
                  LichenShaderSwitches& switches) {
+  MaterialNoise material;
+  material.tileRotation = parameters.tileRotation;
+  material.blendSharpness = parameters.blendSharpness;
+  material.pointProcess = PointProcess(parameters.pointProcess);
+  bool isLayerable = mappingFitsLayers(Mapping(parameters.mapping));
   const auto add = [&](const shader::LichenNoise& each) {
+    const MethodParameters& method = parametersOf(each);
+    isLayerable = isLayerable && method.isLayerable;
     switches.methods |= 1u << each.method;
-    switches.features |= featuresOf(parameters, each);
+    if (method.features != nullptr)
+      switches.features |= method.features(each, material);
   };
   switches.roles |= noise.constants.roles;
   switches.mappings |= 1u << parameters.mapping;
   switches.layers = std::max(switches.layers, noise.layerCount);
-  switches.features |=
-      featureIf((noise.mapKinds & (1u << LICHEN_TABLE_JOINT)) != 0, LICHEN_FEATURE_TABLES) |
-      featureIf((noise.mapKinds & (1u << LICHEN_TABLE_NONE)) != 0, LICHEN_FEATURE_GAUSSIAN_ONLY) |
-      featureIf((noise.mapKinds & kValuesAboveOne) != 0, LICHEN_FEATURE_VALUES_ABOVE_ONE);
+  switches.features |= noise.features;
   add(noise.constants);
   for (std::uint32_t layer = 1; layer < noise.layerCount; ++layer) {
     add(noise.layers[layer - 1]);
     add(noise.indices[layer - 1]);
   }
+  return isLayerable;
 }
 
 } // namespace
@@ -78,6 +54,7 @@ LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* mate
     }
     LichenShaderSwitches switches{};
     switches.layers = 1;
+    bool areLayerable = true;
     for (std::uint32_t i = 0; i < materialCount; ++i) {
       LichenMaterialParameters parameters{};
       NoiseSummary noise{};
@@ -87,13 +64,13 @@ LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* mate
         result = readNoiseSummary(parameters, noise, diagnostic);
       if (result != LICHEN_SUCCESS)
         return result;
-      addMaterial(parameters, noise, switches);
+      areLayerable = addMaterial(parameters, noise, switches) && areLayerable;
     }
-    if (switches.layers > 1 && (switches.methods & (1u << LICHEN_METHOD_QUILTING)) != 0) {
+    if (switches.layers > 1 && !areLayerable) {
       writeDiagnostic(diagnostic,
-                      "materials: one has layers and another the method quilting, which "
-                      "shaders with LICHEN_LAYERS above 1 do not draw; ask for the "
-                      "switches of each by itself");
+                      "materials: one has layers, and shaders with LICHEN_LAYERS above 1 do not "
+                      "draw the method or the mapping of another; ask for the switches of each by "
+                      "itself");
       return LICHEN_ERROR_USAGE;
     }
     LichenPlacement where{};
@@ -102,8 +79,7 @@ LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* mate
               readStruct(placement, LICHEN_STRUCTURE_PLACEMENT, where, diagnostic);
           result != LICHEN_SUCCESS)
         return result;
-    constexpr std::uint32_t kFirstMapping = 5; // bit of LICHEN_FEATURES
-    switches.features |= switches.methods | switches.mappings << kFirstMapping |
+    switches.features |= switches.methods | switches.mappings * LICHEN_FEATURE_UV |
                          featureIf(where.periodTiles[0] != 0.0 || where.periodTiles[1] != 0.0,
                                    LICHEN_FEATURE_PERIOD);
     switches.anisotropic = where.maxAnisotropy > 1.0f ? 1 : 0;

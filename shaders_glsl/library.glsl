@@ -2,6 +2,7 @@
 // The library's files, each after those that it uses. lichen.glsl includes this for shaders, and
 // analysis/evaluation/shader_library.h for C++, which compiles the same functions.
 #include "interface/fetch.glsl"
+#include "noise/switches.glsl"
 #include "noise/method_parts.glsl"
 #include "noise/decode.glsl"
 #include "noise/hash.glsl"

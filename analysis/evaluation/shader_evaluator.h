@@ -6,11 +6,8 @@
 #include "method_evaluator.h"
 #include "shader_library.h"
 
-#include <lichen/bfloat16_pair.h>
-
 #include <bit>
-#include <cstring>
-#include <limits>
+#include <methods/method_parameters.h>
 
 namespace lichen {
 namespace { // as ShaderLibrary is
@@ -22,30 +19,30 @@ class ShaderEvaluator final : public MethodEvaluator {
   using vec4 = glsl::vec4;
 
 public:
+  /// `wide`, unless null, evaluates planes, and `imageFor` changes images before they are decoded.
   ShaderEvaluator(const Bundle& bundle, std::size_t index, const EvaluationOptions& options,
-                  WideEvaluation* wide = nullptr)
+                  WideEvaluation* wide = nullptr,
+                  Table (*imageFor)(const Table& image, const Noise& noise) = nullptr)
       : wide_(wide) {
     const Noise& noise = bundle.noises[index];
+    const MethodParameters& method = parametersOf(noise);
     const shader::LichenNoiseConstants constants = shaderConstants(bundle, index);
     noise_ = std::bit_cast<Library::LichenNoise>(constants.noise);
     offsets_ = std::bit_cast<decltype(offsets_)>(constants.offsets);
     for (std::size_t m = 0; m < noise.maps.size(); ++m) {
       const NoiseMap& stored = noise.maps[m];
       Map map{std::bit_cast<Library::LichenMap>(shaderMap(bundle, noise, m)), {}, {}};
-      // A view of a Gaussian image shows its last channel as alpha.
-      const Alpha alpha = noise.method() == Method::tiling ? Alpha::lastChannel : Alpha::one;
+      const Alpha alpha = method.lastChannelIsAlpha ? Alpha::lastChannel : Alpha::one;
       const Table& image = bundle.tables[imageTableOf(stored)];
-      map.image = noise.method() == Method::localRandomPhase
-                      ? RepeatingImage(withZeros(image, noise.as<LocalRandomPhaseNoise>()))
-                      : RepeatingImage(image, alpha);
+      map.image = RepeatingImage(imageFor != nullptr ? imageFor(image, noise) : image, alpha);
       if (const std::optional<std::size_t> table = decodingTableOf(stored))
         map.table = ClampedVolume(bundle.tables[*table]);
       else if (isMix(noise))
         map.table = ClampedVolume(mixTable(stored));
       maps_.push_back(std::move(map));
     }
-    if (noise.method() == Method::quilting)
-      cells_ = RepeatingImage(bundle.tables[noise.maps.front().as<QuiltingMap>().cells]);
+    if (method.sharedImage != nullptr)
+      cells_ = RepeatingImage(bundle.tables[method.sharedImage(noise.maps.front())]);
     library_.cells = &cells_;
     library_.tileOffsets = offsets_.data();
     library_.nearestTableLevel = options.nearestTableLevel;
@@ -105,24 +102,6 @@ private:
     ClampedVolume table;
   };
 
-  /// An image of cosines with 0 where bfloat16Pair() wrote the smallest normal number. That has
-  /// subnormal products, with which processors take five times as long. Floats that 0 makes
-  /// subnormal are used as bits only.
-  static Table withZeros(Table image, const LocalRandomPhaseNoise& noise) {
-    const CosineImageLayout layout(noise);
-    for (std::size_t row = 0; row < layout.cosineRows; ++row)
-      for (std::size_t word = 0; word < 4 * std::size_t(layout.cosineColumns); ++word) {
-        std::byte* const at = &image.texels[4 * (4 * row * layout.width + word)];
-        float pair = 0.0f;
-        std::memcpy(&pair, at, sizeof pair);
-        if (fromBfloat16Pair(pair)[0] == std::numeric_limits<float>::min()) {
-          const std::uint32_t second = std::bit_cast<std::uint32_t>(pair) & 0xFFFFu;
-          std::memcpy(at, &second, sizeof second);
-        }
-      }
-    return image;
-  }
-
   static vec2 asVec(const std::array<float, 2>& v) { return {v[0], v[1]}; }
   static vec3 asVec(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
   static vec4 asVec(const std::array<float, 4>& v) { return {v[0], v[1], v[2], v[3]}; }
@@ -173,7 +152,7 @@ private:
   WideEvaluation* wide_;
   Library::LichenNoise noise_;
   std::vector<Map> maps_;
-  RepeatingImage cells_; ///< of quilting
+  RepeatingImage cells_; ///< the image that all maps share, if there is one
   std::array<glsl::uint, LICHEN_MAX_OFFSETS> offsets_{};
   mutable Library library_; ///< GLSL has no const functions; none changes it
 };

@@ -97,7 +97,6 @@ struct ShaderLibrary {
   const std::uint32_t* tileOffsets = nullptr; // LICHEN_MAX_OFFSETS of them
   Truth nearestTableLevel = false;
 
-#include "noise/switches.glsl"
 #include "library.glsl"
 #ifndef LICHEN_WIDE // it indexes vectors
 #include "noise/layers.glsl"

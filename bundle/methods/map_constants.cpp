@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace lichen {
 namespace {
@@ -26,6 +27,22 @@ std::vector<double> gaussianToStored(const std::vector<double>& covariance, std:
   for (double& value : factor)
     value *= kDeviations;
   return factor;
+}
+
+/// The mean of the decoded value for a stored value that is Gaussian about `stored`.
+float meanDecoded(float stored, float variance, shader::uint encoding) {
+  constexpr float kHalfLn2 = float(0.5 * std::numbers::ln2);
+  constexpr float kMostLog = 16.0f; // kHalfMax is below 2^16 - 1
+  switch (encoding) {
+  case LICHEN_ENCODING_SLOPE:
+    return stored;
+  case LICHEN_ENCODING_LINEAR:
+    return std::clamp(stored, 0.0f, 1.0f);
+  case LICHEN_ENCODING_LOG2:
+    return std::max(std::exp2(std::min(stored + kHalfLn2 * variance, kMostLog)) - 1.0f, 0.0f);
+  default:
+    return stored * stored + variance;
+  }
 }
 
 /// Sets the mean of the decoded values of a map with a table.
@@ -122,9 +139,18 @@ shader::uvec4 retainedAmplitudes(std::span<const double> losses) {
 }
 
 void setGaussianMean(shader::LichenMap& constants) {
-  const std::array<float, 4> mean =
-      decodedGaussian(constants, {0.5f, 0.5f, 0.5f}, {1.0f, 1.0f, 1.0f});
-  constants.mean = {mean[0], mean[1], mean[2], mean[3]};
+  // As lichenDecodeGaussian (shaders_glsl/noise/decode.glsl) where all variance is lost.
+  std::array<float, 3> mean{}, variance{};
+  const std::array<const shader::vec4*, 3> rows{&constants.row0, &constants.row1, &constants.row2};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const shader::vec4& row = *rows[c];
+    constexpr float kVariance = 1.0f / 36.0f; // of a Gaussian value: rows are six times the root
+    variance[c] = kVariance * (row.x * row.x + row.y * row.y + row.z * row.z);
+    mean[c] = meanDecoded(row.w, variance[c], constants.encoding);
+  }
+  if (constants.encoding == LICHEN_ENCODING_SLOPE)
+    mean[2] = 0.5f * (variance[0] + variance[1]);
+  constants.mean = {mean[0], mean[1], mean[2], 1.0f};
 }
 
 void setDecoding(shader::LichenMap& constants, const Bundle& bundle, const NoiseMap& map,

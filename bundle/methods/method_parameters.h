@@ -25,6 +25,15 @@ struct MethodParameters {
   /// image.
   std::array<std::uint32_t, 2> (*texelsPerTile)(const Noise& noise) = nullptr;
   std::size_t (*imageOf)(const NoiseMap& map) = nullptr; ///< null with texelsPerTile
+  bool readsTexels = false; ///< whether shaders fetch single texels of its images, unfiltered
+  /// Whether shaders read the last channel of an image as alpha.
+  bool lastChannelIsAlpha = false;
+  /// The image that all maps share beside their own. Null: there is none.
+  std::size_t (*sharedImage)(const NoiseMap& map) = nullptr;
+  /// The bits LICHEN_FEATURE_... that shaders of the noise and the material need, but the method,
+  /// the mapping, the period and what decodes. Null: none.
+  std::uint32_t (*features)(const shader::LichenNoise& noise,
+                            const MaterialNoise& material) = nullptr;
 
   /// The noise's cells on texture coordinates.
   Lattice (*cells)(const shader::LichenNoise& noise, const MaterialNoise& material,
@@ -56,6 +65,10 @@ struct MethodParameters {
 }
 [[nodiscard]] inline const MethodParameters& parametersOf(const shader::LichenNoise& noise) {
   return parametersOf(Method(noise.method));
+}
+
+[[nodiscard]] inline std::uint32_t featureIf(bool isNeeded, std::uint32_t feature) {
+  return isNeeded ? feature : 0;
 }
 
 /// Width and height of a tile in texels: as wide as the widest exemplar, as high as the highest.

@@ -46,6 +46,14 @@ std::optional<Method> methodFrom(std::string_view name) {
 
 int revisionOf(Method method) { return readerOf(method).revision; }
 
+std::string mappingsOf(Method method) {
+  std::string names;
+  for (const Mapping each : {Mapping::uv, Mapping::triplanar, Mapping::surface, Mapping::solid})
+    if (mappingFits(method, each))
+      names += (names.empty() ? "" : ", ") + std::string(nameOf(each));
+  return names;
+}
+
 bool mappingFits(Method method, Mapping mapping) { return parametersOf(method).fits(mapping); }
 
 std::string_view mappingObstacle(const shader::LichenNoise& noise, Mapping mapping) {

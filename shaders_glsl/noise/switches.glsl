@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The methods, mappings and features that a shader has: literals and constants that a host defines
 // before the include (README.md, Switches), and what follows from them for a noise and a material.
+// lichen.glsl needs them before it declares images, and library.glsl includes them again.
+#ifndef LICHEN_SWITCHES_GLSL
+#define LICHEN_SWITCHES_GLSL
 
 // The layers that a noise may have; 1 where no noise is layered. A literal.
 #ifndef LICHEN_LAYERS
@@ -73,3 +76,5 @@ bool lichenHasSlopesInSpace(LichenMaterial material) {
 bool lichenIsPeriodic(LichenMaterial material) {
   return LICHEN_USES(LICHEN_FEATURE_PERIOD) && material.periodRows != 0;
 }
+
+#endif

@@ -25,8 +25,8 @@ static int checkLayouts(void) {
   failures += KEEPS(LichenDiagnostic, text, 512, 16);
   failures += KEEPS(LichenParseInfo, name, 48, 40);
   failures += KEEPS(LichenBundleProperties, reserved, 32, 28);
-  failures += KEEPS(LichenNoiseProperties, textonOrder, 48, 44);
-  failures += KEEPS(LichenMapProperties, tableKind, 48, 44);
+  failures += KEEPS(LichenNoiseProperties, mappings, 48, 44);
+  failures += KEEPS(LichenMapProperties, reserved, 48, 44);
   failures += KEEPS(LichenMaterialProperties, reserved, 56, 52);
   failures += KEEPS(LichenImageProperties, byteCount, 88, 80);
   failures += KEEPS(LichenCopy, depth, 48, 44);

@@ -86,24 +86,28 @@ TEST_CASE(
   CHECK(fill(parameters).message == "mapping 2 (surface) does not fit the noise: it has layers");
 }
 
-TEST_CASE("layers and quilting get no switches together, and a message that says so") {
-  const OwnedBundle layered(example::layered()), quilting(example::smallestQuilting());
-  const LichenMaterialParameters first = parametersOf(layered.handle),
-                                 second = parametersOf(quilting.handle);
-  const LichenMaterialParameters* const all[] = {&first, &second};
-  LichenShaderSwitches switches;
-  LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
-  LichenDiagnostic diagnostic;
-  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  CHECK(lichenGetShaderSwitches(all, 2, nullptr, &switches, &diagnostic) == LICHEN_ERROR_USAGE);
-  CHECK_THAT(diagnostic.text, Catch::Contains("one has layers and another the method quilting") &&
-                                  Catch::Contains("ask for the switches of each by itself"));
-  CHECK(switches.methods == 0);
-  for (const LichenMaterialParameters* const& one : all)
-    CHECK(lichenGetShaderSwitches(&one, 1, nullptr, &switches, nullptr) == LICHEN_SUCCESS);
+TEST_CASE("layers get no switches with quilting or a surface, and a message that says so") {
+  const OwnedBundle layered(example::layered()), quilting(example::smallestQuilting()),
+      texton(example::smallestTexton());
+  const LichenMaterialParameters first = parametersOf(layered.handle);
+  LichenMaterialParameters onSurface = parametersOf(texton.handle);
+  onSurface.mapping = LICHEN_MAPPING_SURFACE;
+  for (const LichenMaterialParameters& second : {parametersOf(quilting.handle), onSurface}) {
+    const LichenMaterialParameters* const all[] = {&first, &second};
+    LichenShaderSwitches switches;
+    LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
+    LichenDiagnostic diagnostic;
+    LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+    CHECK(lichenGetShaderSwitches(all, 2, nullptr, &switches, &diagnostic) == LICHEN_ERROR_USAGE);
+    CHECK_THAT(diagnostic.text, Catch::Contains("one has layers") &&
+                                    Catch::Contains("ask for the switches of each by itself"));
+    CHECK(switches.methods == 0);
+    for (const LichenMaterialParameters* const& one : all)
+      CHECK(lichenGetShaderSwitches(&one, 1, nullptr, &switches, nullptr) == LICHEN_SUCCESS);
+  }
 }
 
-TEST_CASE("a grain of the second layer counts for the switches and is a property of that layer") {
+TEST_CASE("a grain of the second layer counts for the switches") {
   const auto layerOf = [](Grain grain) {
     Bundle layer = example::smallest().bundle;
     layer.noises[0].as<TilingNoise>().grain = grain;
@@ -137,10 +141,5 @@ TEST_CASE("a grain of the second layer counts for the switches and is a property
     LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
     REQUIRE(lichenGetShaderSwitches(all, 1, nullptr, &switches, nullptr) == LICHEN_SUCCESS);
     CHECK(((switches.features & LICHEN_FEATURE_GRAIN) == 0) == (grain == Grain::none));
-    auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
-    CHECK(noise.hasGrain == 0);
-    REQUIRE(noise.layerCount == 2);
-    REQUIRE(lichenGetNoiseProperties(bundle.handle, noise.layers[1], &noise) == LICHEN_SUCCESS);
-    CHECK(noise.hasGrain == (grain == Grain::none ? 0u : 1u));
   }
 }

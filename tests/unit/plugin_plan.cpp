@@ -194,7 +194,6 @@ TEST_CASE("a map without an inverse table has a placeholder of one texel at its 
   constexpr std::uint32_t opacity = 3;
   REQUIRE_FALSE(file.bundle.noises[1].maps[opacity].as<TilingMap>().inverseTable.has_value());
   auto map = got<LichenMapProperties>(lichenGetMapProperties, bundle.handle, 1, opacity);
-  CHECK(map.tableKind == LICHEN_TABLE_NONE);
   auto binding =
       got<LichenBinding>(lichenGetBinding, bundle.handle, 1, LICHEN_BINDING_TABLE(LICHEN_OPACITY));
   CHECK(binding.image == map.tableImage);
@@ -202,8 +201,6 @@ TEST_CASE("a map without an inverse table has a placeholder of one texel at its 
   auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, map.tableImage);
   CHECK(image.dimensionality == 3);
   CHECK(image.byteCount == 4);
-  REQUIRE(lichenGetMapProperties(bundle.handle, 1, 0, &map) == LICHEN_SUCCESS);
-  CHECK(map.tableKind == LICHEN_TABLE_JOINT);
 }
 
 TEST_CASE(
@@ -214,14 +211,9 @@ TEST_CASE(
   const OwnedBundle bundle(file);
   auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
   CHECK(noise.mixSteps == 1);
-  CHECK(noise.hasStructure == 0);
-  CHECK(noise.textonOrder == 0);
   REQUIRE(lichenGetNoiseProperties(bundle.handle, 1, &noise) == LICHEN_SUCCESS);
   CHECK(noise.mixSteps == 3);
-  CHECK(noise.textonOrder ==
-        std::uint32_t(example::textonMix().bundle.noises[1].as<TextonShape>().order));
   auto map = got<LichenMapProperties>(lichenGetMapProperties, bundle.handle, 1, 0);
-  CHECK(map.tableKind == LICHEN_TABLE_NONE);
   auto image = got<LichenImageProperties>(lichenGetImageProperties, bundle.handle, map.tableImage);
   CHECK(image.vkFormat == 97); // VK_FORMAT_R16G16B16A16_SFLOAT, which every device filters
   CHECK(image.dimensionality == 3);

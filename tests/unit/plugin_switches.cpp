@@ -226,71 +226,14 @@ TEST_CASE("the switches are those that some material needs") {
   }
 }
 
-TEST_CASE("the properties of a noise say what its switches depend on") {
+TEST_CASE("the properties of a noise say which mappings it has") {
   const auto propertiesOf = [](const BundleFile& file) {
     const OwnedBundle bundle(file);
     return got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
   };
   constexpr std::uint32_t kInPlanes = kUv | kTriplanar;
-  CHECK(propertiesOf(example::smallest()).hasGrain == 0);
-  CHECK(propertiesOf(withGrain()).hasGrain == 1);
-  const LichenNoiseProperties kernels = propertiesOf(example::smallestKernels());
-  CHECK(kernels.kernelKinds == (LICHEN_KERNELS_RINGS | LICHEN_KERNELS_PATTERN));
-  CHECK(kernels.mappings == kInPlanes);
-  CHECK(propertiesOf(withSquareWindow()).kernelKinds ==
-        (LICHEN_KERNELS_RINGS | LICHEN_KERNELS_PATTERN | LICHEN_KERNELS_SQUARE));
+  CHECK(propertiesOf(example::smallestKernels()).mappings == kInPlanes);
   const LichenNoiseProperties quilting = propertiesOf(example::smallestQuilting());
   CHECK(quilting.method == LICHEN_NOISE_QUILTING);
   CHECK(quilting.mappings == kInPlanes);
-}
-
-TEST_CASE("a placement adds a period and an anisotropic sampler, and the text has all switches") {
-  const OwnedBundle tiling(example::smallest());
-  LichenPlacement placement = atOrigin();
-  placement.periodTiles[0] = placement.periodTiles[1] = 2.0;
-  placement.maxAnisotropy = 8.0f;
-  const LichenShaderSwitches switches = switchesOf({parametersOf(tiling.handle)}, &placement);
-  CHECK((switches.features & LICHEN_FEATURE_PERIOD) != 0);
-  CHECK(switches.anisotropic == 1);
-  CHECK(std::string(switches.text) ==
-        "-DLICHEN_METHODS=1 -DLICHEN_MAPPINGS=1 -DLICHEN_LAYERS=1 -DLICHEN_ROLES=16 "
-        "-DLICHEN_FEATURES=0x1221u -DLICHEN_ANISOTROPIC=1");
-  placement.maxAnisotropy = 1.0f; // trilinear
-  CHECK(switchesOf({parametersOf(tiling.handle)}, &placement).anisotropic == 0);
-}
-
-TEST_CASE("switches without materials or a struct to fill are an error, and leave it unchanged") {
-  const OwnedBundle bundle(example::smallest());
-  const LichenMaterialParameters parameters = parametersOf(bundle.handle);
-  const LichenMaterialParameters* const pointer = &parameters;
-  LichenShaderSwitches switches;
-  LICHEN_INIT(switches, LICHEN_STRUCTURE_SHADER_SWITCHES);
-  LichenDiagnostic diagnostic;
-  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  const auto resultOf = [&](const LichenMaterialParameters* const* materials, std::uint32_t count,
-                            LichenShaderSwitches* target) {
-    return lichenGetShaderSwitches(materials, count, nullptr, target, &diagnostic);
-  };
-  CHECK(resultOf(nullptr, 1, &switches) == LICHEN_ERROR_USAGE);
-  CHECK(resultOf(&pointer, 0, &switches) == LICHEN_ERROR_USAGE);
-  CHECK(std::string(diagnostic.text) == "materials must not be NULL, and materialCount not 0");
-  CHECK(resultOf(&pointer, 1, nullptr) == LICHEN_ERROR_USAGE);
-  CHECK(std::string(diagnostic.text) ==
-        "switches is NULL or has an invalid type or size; use LICHEN_INIT");
-  switches.type = LICHEN_STRUCTURE_PLACEMENT;
-  CHECK(resultOf(&pointer, 1, &switches) == LICHEN_ERROR_USAGE);
-  switches.type = LICHEN_STRUCTURE_SHADER_SWITCHES;
-  switches.size = 8;
-  CHECK(resultOf(&pointer, 1, &switches) == LICHEN_ERROR_USAGE);
-  switches.size = sizeof switches;
-  switches.next = &switches;
-  CHECK(resultOf(&pointer, 1, &switches) == LICHEN_ERROR_VERSION);
-  CHECK(switches.methods == 0);
-  CHECK(std::string(switches.text).empty());
-  // A struct of an older header, without the text.
-  switches.next = nullptr;
-  switches.size = offsetof(LichenShaderSwitches, text);
-  CHECK(resultOf(&pointer, 1, &switches) == LICHEN_SUCCESS);
-  CHECK(switches.methods == kTiling);
-  CHECK(std::string(switches.text).empty());
 }

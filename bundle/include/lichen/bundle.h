@@ -127,12 +127,8 @@ struct NoiseMap {
 };
 
 /// The index of the image that the shader fetches for a map, and of the inverse table.
-[[nodiscard]] inline std::size_t imageTableOf(const NoiseMap& map) {
-  return std::visit([](const auto& data) { return data.imageTable(); }, map.data);
-}
-[[nodiscard]] inline std::optional<std::size_t> decodingTableOf(const NoiseMap& map) {
-  return std::visit([](const auto& data) { return data.decodingTable(); }, map.data);
-}
+[[nodiscard]] std::size_t imageTableOf(const NoiseMap& map);
+[[nodiscard]] std::optional<std::size_t> decodingTableOf(const NoiseMap& map);
 
 /// Calls visit(index) for each table index in a map, const or not.
 template <class Map, class Visit>
@@ -243,6 +239,8 @@ struct Bundle;
 /// noises of multiple kernels also surface, and some of multiple kernels and of local random phase
 /// solid (mappingObstacle()).
 [[nodiscard]] bool mappingFits(Method method, Mapping mapping);
+/// The names of those that it supports: "uv, triplanar".
+[[nodiscard]] std::string mappingsOf(Method method);
 
 /// Whether a noise is a mix, that is, varies with a mix weight.
 [[nodiscard]] bool isMix(const Noise& noise);

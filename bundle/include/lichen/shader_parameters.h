@@ -33,14 +33,6 @@ namespace lichen {
 /// table. Throws std::bad_alloc.
 [[nodiscard]] Table mixTable(const NoiseMap& map);
 
-/// As lichenDecodeGaussian (shaders_glsl/noise/decode.glsl): decodes a Gaussian value of a
-/// map with LICHEN_DECODING_GAUSSIAN. `lostVariance` is the share of each stored channel's variance
-/// that filtering removed, >= 0; it exceeds 1 where contrast does. Returns the mean of the decoded
-/// value over the lost variance; exact for roots and slopes.
-[[nodiscard]] std::array<float, 4> decodedGaussian(const shader::LichenMap& map,
-                                                   const std::array<float, 3>& gaussian,
-                                                   const std::array<float, 3>& lostVariance);
-
 /// Why this noise does not support a mapping that its method supports, such as "it has a structure,
 /// which lies in a plane". Empty if it does support it.
 [[nodiscard]] std::string_view mappingObstacle(const shader::LichenNoise& noise, Mapping mapping);

@@ -174,11 +174,18 @@ void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material
   setPart(constants, part);
 }
 
+std::uint32_t features(const shader::LichenNoise& noise, const MaterialNoise&) {
+  return featureIf(partOf<shader::LichenCosinesNoise>(noise).structure != 0,
+                   LICHEN_FEATURE_STRUCTURES);
+}
+
 } // namespace
 
 extern const MethodParameters kLocalRandomPhaseParameters{.fits = fits,
                                                           .obstacle = obstacle,
                                                           .texelsPerTile = texelsPerTile,
+                                                          .readsTexels = true,
+                                                          .features = features,
                                                           .cells = cells,
                                                           .originStep = originStep,
                                                           .cellOf = cellOf,

@@ -91,11 +91,20 @@ void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material
   setPart(constants, part);
 }
 
+std::uint32_t features(const shader::LichenNoise& noise, const MaterialNoise&) {
+  const auto kernels = partOf<shader::LichenKernelsNoise>(noise);
+  return featureIf(kernels.rings > 0, LICHEN_FEATURE_RING_KERNELS) |
+         featureIf(kernels.window != LICHEN_WINDOW_GABOR, LICHEN_FEATURE_SQUARE_KERNELS) |
+         featureIf(kernels.cosines > 0, LICHEN_FEATURE_PATTERNS);
+}
+
 } // namespace
 
 extern const MethodParameters kMultipleKernelsParameters{.fits = fits,
                                                          .obstacle = obstacle,
                                                          .texelsPerTile = texelsPerTile,
+                                                         .readsTexels = true,
+                                                         .features = features,
                                                          .cells = cells,
                                                          .originStep = originStep,
                                                          .cellOf = cellOf,

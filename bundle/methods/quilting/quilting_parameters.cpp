@@ -89,11 +89,14 @@ void setConstants(const Noise& noise, shader::LichenNoiseConstants& constants) {
   }
 }
 
+std::size_t cellsOf(const NoiseMap& map) { return map.as<QuiltingMap>().cells; }
+
 } // namespace
 
 extern const MethodParameters kQuiltingParameters{.fits = fits,
                                                   .isLayerable = false,
                                                   .imageOf = imageOf,
+                                                  .sharedImage = cellsOf,
                                                   .cells = cells,
                                                   .originStep = originStep,
                                                   .cellOf = cellOf,

@@ -148,11 +148,20 @@ void setMaterial(const shader::LichenNoise& noise, const MaterialNoise& material
   setPart(constants, part);
 }
 
+std::uint32_t features(const shader::LichenNoise& noise, const MaterialNoise& material) {
+  const auto texton = partOf<shader::LichenTextonNoise>(noise);
+  return featureIf(texton.order == 3, LICHEN_FEATURE_CUBIC_TEXTONS) |
+         featureIf(texton.order == 0, LICHEN_FEATURE_NEAREST_TEXTONS) |
+         featureIf(texton.steps > 1, LICHEN_FEATURE_MIXES) |
+         featureIf(material.pointProcess == PointProcess::poisson, LICHEN_FEATURE_POISSON_POINTS);
+}
+
 } // namespace
 
 extern const MethodParameters kTextonParameters{.fits = fits,
                                                 .isMix = hasSteps,
                                                 .texelsPerTile = texelsPerTile,
+                                                .features = features,
                                                 .cells = cells,
                                                 .cellOf = cellOf,
                                                 .setMap = setMap,

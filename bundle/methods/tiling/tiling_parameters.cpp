@@ -62,10 +62,19 @@ void setMaterial(const shader::LichenNoise&, const MaterialNoise& material, cons
           shader::LichenTilingMaterial{float(material.blendSharpness), material.tileRotation});
 }
 
+std::uint32_t features(const shader::LichenNoise& noise, const MaterialNoise& material) {
+  return featureIf(material.tileRotation > 1, LICHEN_FEATURE_TILE_ROTATION) |
+         featureIf(material.blendSharpness != 1.0, LICHEN_FEATURE_BLEND_SHARPNESS) |
+         featureIf(partOf<shader::LichenTilingNoise>(noise).grain != LICHEN_GRAIN_NONE,
+                   LICHEN_FEATURE_GRAIN);
+}
+
 } // namespace
 
 extern const MethodParameters kTilingParameters{.fits = fits,
                                                 .imageOf = imageOf,
+                                                .lastChannelIsAlpha = true,
+                                                .features = features,
                                                 .cells = cells,
                                                 .originStep = originStep,
                                                 .cellOf = cellOf,

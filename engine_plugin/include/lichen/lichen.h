@@ -165,27 +165,17 @@ typedef struct LichenNoiseProperties {
   uint32_t mapCount;     /* 1 to 6 */
   LichenNoiseMethod method;
   uint32_t mixSteps;     /* [2, 64] of a mix of textons, 1 of other noises */
-  uint32_t textonOrder;  /* 0, 1 or 3: degree of a texton's B-spline, with which its cost goes; 0 of
-                            other noises */
-  uint32_t hasStructure; /* 1 if a local random-phase noise has a structure, 0 of other noises */
   uint32_t mappings;     /* bit m: a material of the noise may have the LichenMapping m */
-  uint32_t kernelKinds;  /* LICHEN_KERNELS_... of a multiple-kernels noise, 0 of others */
   uint32_t layerCount;   /* [2, 4] of a layered noise, 1 of others */
   /* The noises that are its layers, the first this one, and the noises of its layerCount - 1 index
    * maps; then LICHEN_NO_NOISE. All other members describe the first layer, but for `mappings`. */
   uint32_t layers[4];
   uint32_t indices[3];
-  uint32_t hasGrain; /* 1 if a tiling noise has a grain, 0 of other noises */
   /* 1 if LichenMaterialParameters::tileRotation may be 4: tiles of tiling, in all layers, are
    * square. */
   uint32_t takesQuarterTurns;
   uint32_t reserved; /* 0 */
 } LichenNoiseProperties;
-
-/* Bits of LichenNoiseProperties::kernelKinds. */
-#define LICHEN_KERNELS_RINGS 1u
-#define LICHEN_KERNELS_SQUARE 2u /* sinc or gaussian-sinc */
-#define LICHEN_KERNELS_PATTERN 4u
 
 /* noise < noiseCount. */
 LICHEN_API LichenResult lichenGetNoiseProperties(LichenBundle bundle, uint32_t noise,
@@ -216,14 +206,6 @@ typedef enum LichenChannel {
   LICHEN_CHANNEL_MAX_ENUM = 0x7FFFFFFF
 } LichenChannel;
 
-/* How the shader turns a map's Gaussian values into its values. Maps of texton noise and of
- * quilting are always LICHEN_TABLE_NONE. */
-typedef enum LichenTableKind {
-  LICHEN_TABLE_JOINT = 0,
-  LICHEN_TABLE_NONE = 1,
-  LICHEN_TABLE_KIND_MAX_ENUM = 0x7FFFFFFF
-} LichenTableKind;
-
 typedef struct LichenMapProperties {
   LichenStructureType type;
   uint32_t size;
@@ -234,7 +216,7 @@ typedef struct LichenMapProperties {
   uint32_t image;            /* image indices, < imageCount: Gaussian image, texton or cosines */
   uint32_t tableImage; /* for a mix the table of its steps; for other maps without an inverse table
                         * a placeholder, which is not read */
-  LichenTableKind tableKind;
+  uint32_t reserved; /* 0 */
 } LichenMapProperties;
 
 /* noise < noiseCount, map < mapCount. In the shader maps have the number of their target, not this
@@ -516,8 +498,8 @@ typedef struct LichenShaderSwitches {
 /* The materials may be of several bundles. Of `placement`, which stands for all of theirs, it reads
  * periodTiles and maxAnisotropy; NULL: none repeats, and sampling is trilinear. A change of
  * mapping, pointProcess, tileRotation or blendSharpness may need other switches. LICHEN_ERROR_USAGE
- * also where one material is of a layered noise and another of a quilting one: each needs a shader
- * of its own. */
+ * also where one material is of a layered noise and another of a quilting one or on a surface: each
+ * needs a shader of its own. */
 LICHEN_API LichenResult lichenGetShaderSwitches(const LichenMaterialParameters* const* materials,
                                                 uint32_t materialCount,
                                                 const LichenPlacement* placement,

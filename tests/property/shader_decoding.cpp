@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The decoded mean of a Gaussian value that has lost a part of its variance, against sums over the
-// Gaussian.
+// The shader library's decoding without a table of a Gaussian value that has lost a part of its
+// variance, against sums over the Gaussian.
+#define LICHEN_METHODS 1
+#include "evaluation/shader_library.h"
+
 #include <lichen/shader_parameters.h>
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 
 using namespace lichen;
@@ -14,6 +19,15 @@ namespace {
 
 constexpr shader::uint kRoot = LICHEN_ENCODING_ROOT, kLinear = LICHEN_ENCODING_LINEAR,
                        kLog2 = LICHEN_ENCODING_LOG2;
+
+std::array<float, 4> decodedGaussian(const shader::LichenMap& map, std::array<float, 3> gaussian,
+                                     std::array<float, 3> lost) {
+  const auto vectorOf = [](const std::array<float, 3>& v) { return glsl::vec3(v[0], v[1], v[2]); };
+  glsl::ShaderLibrary library;
+  const glsl::vec4 value = library.lichenDecodeGaussian(
+      vectorOf(gaussian), vectorOf(lost), std::bit_cast<glsl::ShaderLibrary::LichenMap>(map));
+  return {value.x.v, value.y.v, value.z.v, value.w.v};
+}
 
 double decoded(double x, shader::uint encoding) {
   if (encoding == LICHEN_ENCODING_LOG2)
