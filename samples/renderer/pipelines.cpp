@@ -10,33 +10,16 @@
 #include <algorithm>
 #include <cstddef>
 #include <depth.frag.bare.h>
-#include <depth.frag.cosines.h>
 #include <depth.frag.h>
-#include <depth.frag.kernels.h>
-#include <depth.frag.plane.h>
-#include <depth.frag.plane_kernels.h>
-#include <depth.frag.quilting.h>
-#include <depth.frag.surface.h>
-#include <depth.frag.textons.h>
-#include <depth.frag.tiling.h>
-#include <depth.frag.triplanar_tiling.h>
 #include <depth.vert.h>
 #include <displaced.vert.h>
 #include <optional>
 #include <scene.frag.bare.h>
-#include <scene.frag.cosines.h>
 #include <scene.frag.h>
-#include <scene.frag.kernels.h>
 #include <scene.frag.layers.h>
-#include <scene.frag.plane.h>
-#include <scene.frag.plane_kernels.h>
-#include <scene.frag.quilting.h>
-#include <scene.frag.surface.h>
-#include <scene.frag.textons.h>
-#include <scene.frag.tiling.h>
-#include <scene.frag.tiling_layers.h>
-#include <scene.frag.triplanar_tiling.h>
+#include <scene.frag.tiled_layers.h>
 #include <scene.vert.h>
+#include <scene_variants.h>
 #include <sky.frag.h>
 #include <sky.vert.h>
 #include <span>
@@ -216,17 +199,7 @@ FragmentCode fragmentCodeFor(const NoiseSwitches& noises) {
     std::uint32_t methods, mappings; // as CMakeLists.txt defines them
     FragmentCode code;
   };
-  static const Variant kVariants[] = {
-      {1, 1, {scene_frag_tiling, depth_frag_tiling}},
-      {1, 3, {scene_frag_triplanar_tiling, depth_frag_triplanar_tiling}},
-      {3, 1, {scene_frag_plane, depth_frag_plane}},
-      {3, 5, {scene_frag_surface, depth_frag_surface}},
-      {3, 7, {scene_frag_textons, depth_frag_textons}},
-      {5, 11, {scene_frag_cosines, depth_frag_cosines}},
-      {9, 9, {scene_frag_plane_kernels, depth_frag_plane_kernels}},
-      {9, 15, {scene_frag_kernels, depth_frag_kernels}},
-      {17, 3, {scene_frag_quilting, depth_frag_quilting}},
-  };
+  static const Variant kVariants[] = {SCENE_VARIANTS};
   for (const Variant& variant : kVariants)
     if ((noises.methods & ~variant.methods) == 0 && (noises.mappings & ~variant.mappings) == 0)
       return variant.code;
@@ -235,7 +208,7 @@ FragmentCode fragmentCodeFor(const NoiseSwitches& noises) {
 
 std::span<const std::uint32_t> layeredCodeFor(const NoiseSwitches& noises) {
   if (noises.methods == 1)
-    return scene_frag_tiling_layers;
+    return scene_frag_tiled_layers;
   return scene_frag_layers;
 }
 
