@@ -57,7 +57,6 @@ inline Float log2(Float x) {
 inline Float pow(Float x, Float y) {
   return eachLane([&](int k) { return std::pow(lane(x, k), lane(y, k)); });
 }
-inline Float step(Float edge, Float x) { return chosen(x < edge, Float(0.0f), Float(1.0f)); }
 inline Float mix(Float a, Float b, Float t) { return a + t * (b - a); }
 
 } // namespace
@@ -90,16 +89,6 @@ struct Mat {
   }
   template <class... V>
   requires(sizeof...(V) == C && C > 1) Mat(const V&... v) : columns{Vec<Float, R>(v)...} {}
-  /// From two halves of each column.
-  template <class... V>
-  requires(sizeof...(V) == 2 * C && R == 4) Mat(const V&... v) {
-    const vec2 halves[] = {v...};
-    const vec2* half = halves;
-    for (Vec<Float, R>& column : columns) {
-      column = vec4(half[0], half[1]);
-      half += 2;
-    }
-  }
   Vec<Float, R>& operator[](int k) { return columns[k]; }
   const Vec<Float, R>& operator[](int k) const { return columns[k]; }
   friend Vec<Float, R> operator*(const Mat& m, const Vec<Float, C>& v) {
@@ -125,7 +114,6 @@ struct Mat {
 };
 using mat2 = Mat<2, 2>;
 using mat3 = Mat<3, 3>;
-using mat4 = Mat<4, 4>;
 using mat3x2 = Mat<3, 2>;
 inline Float determinant(const mat2& m) { return m[0].x * m[1].y - m[1].x * m[0].y; }
 inline mat2 inverse(const mat2& m) {

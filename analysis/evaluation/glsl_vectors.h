@@ -90,10 +90,8 @@ struct Vec : Components<T, N> {
   constexpr auto xy() const { return swizzled<0, 1>(); }
   constexpr auto yx() const { return swizzled<1, 0>(); }
   constexpr auto xz() const { return swizzled<0, 2>(); }
-  constexpr auto yz() const { return swizzled<1, 2>(); }
   constexpr auto yw() const { return swizzled<1, 3>(); }
   constexpr auto zw() const { return swizzled<2, 3>(); }
-  constexpr auto wz() const { return swizzled<3, 2>(); }
   constexpr auto xyz() const { return swizzled<0, 1, 2>(); }
   constexpr auto yzz() const { return swizzled<1, 2, 2>(); }
   constexpr auto rg() const { return swizzled<0, 1>(); }
@@ -151,7 +149,6 @@ struct Vec : Components<T, N> {
   LICHEN_COMPONENTWISE_2(min)
   LICHEN_COMPONENTWISE_2(max)
   LICHEN_COMPONENTWISE_2(pow)
-  LICHEN_COMPONENTWISE_2(step)
 #undef LICHEN_COMPONENTWISE_2
   friend Vec clamp(const Vec& u, const Vec& low, const Vec& high) { return min(max(u, low), high); }
   friend Vec clamp(const Vec& u, T low, T high) { return clamp(u, Vec(low), Vec(high)); }

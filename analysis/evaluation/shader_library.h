@@ -63,10 +63,8 @@
 #define xy xy()
 #define yx yx()
 #define xz xz()
-#define yz yz()
 #define yw yw()
 #define zw zw()
-#define wz wz()
 #define xyz xyz()
 #define yzz yzz()
 #define rg rg()
@@ -113,10 +111,8 @@ struct ShaderLibrary {
 #undef xy
 #undef yx
 #undef xz
-#undef yz
 #undef yw
 #undef zw
-#undef wz
 #undef xyz
 #undef yzz
 #undef rg

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reads the members of a local random-phase noise: what its cosines share, and each map's image.
-#include "methods/given_spectrum_reader.h"
 #include "methods/inverse_table_reader.h"
 #include "methods/method_reader.h"
-#include "methods/texels_per_tile_reader.h"
+#include "methods/noise_members.h"
 
 #include <lichen/counted.h>
 
@@ -152,7 +151,7 @@ MethodNoise readNoise(ObjectReader& reader, FindingList& findings) {
     return LocalRandomPhaseNoise();
   ObjectReader member(*value, reader.pointerTo(kMember), findings);
   LocalRandomPhaseNoise shared;
-  const auto texels = readTexelsPerTile(member);
+  const auto texels = readSize(member, "texelsPerTile", kMaxTableSide);
   const auto columns = member.integer("columns", kMostOctaveCells, "range", 1);
   const auto rows = member.integer("rows", kMostOctaveCells, "range", 2);
   const auto octaves = readOctaves(member);

@@ -3,7 +3,7 @@
 // method has.
 #include "methods/map_constants.h"
 #include "methods/method_parameters.h"
-#include "methods/solid_origin.h"
+#include "methods/split_origin.h"
 
 #include <array>
 

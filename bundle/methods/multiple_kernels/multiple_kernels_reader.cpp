@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reads the members of a multiple-kernels noise: what its kernels share, and each map's image.
-#include "methods/given_spectrum_reader.h"
 #include "methods/inverse_table_reader.h"
 #include "methods/method_reader.h"
-#include "methods/texels_per_tile_reader.h"
+#include "methods/noise_members.h"
 
 #include <lichen/counted.h>
 
@@ -136,7 +135,7 @@ MethodNoise readNoise(ObjectReader& reader, FindingList& findings) {
   if (value == nullptr)
     return MultipleKernelsNoise();
   ObjectReader member(*value, reader.pointerTo(kMember), findings);
-  const auto texels = readTexelsPerTile(member);
+  const auto texels = readSize(member, "texelsPerTile", kMaxTableSide);
   const auto kernels = member.integer("kernels", kMostKernels, "range", 1);
   const int rings = member.integerOr("rings", kMostKernels, 0);
   const int cosines = member.integerOr("cosines", kMostPatternCosines, 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the members of a quilting noise and of a map, and checks its images.
-#include "methods/grain_member.h"
 #include "methods/method_reader.h"
+#include "methods/noise_members.h"
 
 #include <lichen/counted.h>
 

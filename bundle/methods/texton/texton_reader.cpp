@@ -2,11 +2,11 @@
 // Reads the texton members of a noise: the shape that its textons share, and each map's texton. n
 // is the number of a map's channels.
 #include "methods/method_reader.h"
+#include "methods/noise_members.h"
 
 #include <lichen/counted.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace lichen {
 namespace {
@@ -15,19 +15,6 @@ using nlohmann::json;
 
 /// Whether the shape was invalid; readNoise() then returns a default shape.
 bool isUnknown(const TextonShape& shape) { return shape.coefficientsX == 0; }
-
-/// Two integers in [1, most]: x and y.
-std::optional<std::array<int, 2>> readPair(ObjectReader& reader, const char* key, int most) {
-  const auto values = reader.pair(key, {1.0, double(most)});
-  if (!values)
-    return std::nullopt;
-  for (const double value : *values)
-    if (value != std::floor(value)) {
-      reader.error("type", key, json(value).dump() + "; expected an integer");
-      return std::nullopt;
-    }
-  return std::array{int((*values)[0]), int((*values)[1])};
-}
 
 int readOrder(ObjectReader& reader) {
   constexpr std::uint64_t kCubic = 3;
@@ -161,8 +148,8 @@ MethodNoise readNoise(ObjectReader& noise, FindingList& findings) {
   if (member == nullptr)
     return TextonShape();
   ObjectReader reader(*member, noise.pointerTo("texton"), findings);
-  const auto coefficients = readPair(reader, "coefficients", kMaxTextonSide);
-  const auto tile = readPair(reader, "texelsPerTile", int(kMaxTableSide));
+  const auto coefficients = readSize(reader, "coefficients", kMaxTextonSide);
+  const auto tile = readSize(reader, "texelsPerTile", int(kMaxTableSide));
   TextonShape shape;
   shape.order = readOrder(reader);
   shape.mipLevels = int(reader.integer("mipLevels", kMaxTextonMips, "range", 1).value_or(1));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Reads the tiling members of a noise and of a map, and checks the map's members against one
 // another and against the Gaussian image.
-#include "methods/grain_member.h"
 #include "methods/inverse_table_reader.h"
 #include "methods/method_reader.h"
+#include "methods/noise_members.h"
 
 #include <lichen/counted.h>
 
