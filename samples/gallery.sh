@@ -159,17 +159,6 @@ draw() {
       mogrify -resize 60% "${panels[@]}"
       sheet 3x 3 80 ;;
 
-    tables)
-      convert "$(file_of granite)" -colorspace Gray "PNG24:$work/grey.png"
-      convert "$work/grey.png" -threshold 45% -type TrueColor +level-colors '#40342a','#c8b48a' \
-        "PNG24:$work/two.png"
-      for exemplar in granite rust moss grey two; do
-        part "$exemplar" 192
-        bake "$exemplar"
-        synth --size 192
-      done
-      sheet 2x 3 78 ;;
-
     methods)
       for exemplar in granite moss rust bricks; do
         part "$exemplar" 224

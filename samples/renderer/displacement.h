@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Prepares a scene for displacement: surfaces move along their normals by the height of their
-// noise. See docs/decisions/016-displacement.md.
+// noise. See docs/decisions/011-displacement.md.
 #pragma once
 
 #include "scene.h"

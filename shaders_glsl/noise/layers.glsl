@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A layered noise: Gaussian values of index maps -> weights of the layers; their values -> a blend
-// that preserves the variance. [MKN12] section 5; docs/decisions/011-layers.md.
+// that preserves the variance. [MKN12] section 5; docs/decisions/010-multiple-kernels.md.
 
 /// The share of a node that lies above its threshold. `index` is the value of its index map: the
 /// Gaussian value, and in w what filtering lost of its variance. Its mean over all points is the

@@ -7,6 +7,7 @@
 #include <lichen/counted.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lichen {
 namespace {
