@@ -7,7 +7,7 @@
 # build/release/bin by default), a Vulkan device, and the Debian packages imagemagick and python3.
 set -euo pipefail
 
-all=(granite lichen_on_stone moss rust sand terrazzo front suitability defaults tables methods quilting
+all=(granite lichen_on_stone moss rust sand terrazzo front suitability defaults methods quilting
   quilting_limits wall street rotation triplanar perspective landscape blender surface mix structure cosines
   kernels patterns layers solid)
 
