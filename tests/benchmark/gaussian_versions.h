@@ -6,10 +6,8 @@
 #include "exemplars.h"
 #include "synthesized.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <report/random_phases.h>
-#include <string>
 #include <vector>
 
 namespace lichen::bench {
@@ -23,18 +21,5 @@ inline std::vector<SrgbImage> gaussianVersions(const SrgbImage& exemplar) {
     versions.push_back(toSrgb(require(randomPhaseVersion(baseColorMap(exemplar), seed))));
   return versions;
 }
-
-/// A measure of each exemplar, and where the largest is.
-struct Measured {
-  std::vector<double> values;
-  std::string worst;
-
-  void note(double value, const std::string& name) {
-    if (values.empty() || value > *std::max_element(values.begin(), values.end()))
-      worst = name;
-    values.push_back(value);
-  }
-  [[nodiscard]] double largest() const { return *std::max_element(values.begin(), values.end()); }
-};
 
 } // namespace lichen::bench

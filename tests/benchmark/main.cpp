@@ -18,12 +18,11 @@ struct Family {
   std::vector<Row> (*measure)();
 };
 
-constexpr std::array<Family, 15> kFamilies{{{"bake", bakeRows},
+constexpr std::array<Family, 14> kFamilies{{{"bake", bakeRows},
                                             {"growth", growthRows},
                                             {"transport", transportRows},
                                             {"synth", synthRows},
                                             {"result", resultRows},
-                                            {"filter", filterRows},
                                             {"view", viewRows},
                                             {"lit", litRows},
                                             {"texton", textonRows},

@@ -15,6 +15,21 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+void Measured::note(double value, const std::string& name) {
+  if (values.empty() || value > largest())
+    worst = name;
+  values.push_back(value);
+}
+
+double Measured::largest() const { return *std::max_element(values.begin(), values.end()); }
+
+void Measured::append(std::vector<Row>& rows, const std::string& what, double target,
+                      const std::string& unit, const std::string& note) const {
+  rows.push_back({what + ", median", median(values), target, unit,
+                  std::to_string(values.size()) + " exemplars" + note});
+  rows.push_back({"the same, worst", largest(), target, unit, worst});
+}
+
 double secondsNow() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -35,6 +35,18 @@ struct Row {
 /// Median of an unsorted list; for an even count, the lower of the two middle values.
 [[nodiscard]] double median(std::vector<double> values);
 
+/// One number per exemplar, and the exemplar with the greatest.
+struct Measured {
+  std::vector<double> values;
+  std::string worst;
+
+  void note(double value, const std::string& name);
+  [[nodiscard]] double largest() const;
+  /// Two rows: the median, and the worst.
+  void append(std::vector<Row>& rows, const std::string& what, double target,
+              const std::string& unit, const std::string& note) const;
+};
+
 /// Median time of `work` over `runs` runs, in seconds.
 template <class Work>
 [[nodiscard]] double medianSeconds(int runs, Work&& work);
@@ -54,14 +66,13 @@ template <class Work, class Base>
 
 std::vector<Row> bakeRows();      ///< time and memory of bakes, time of the table's mip levels
 std::vector<Row> growthRows();    ///< time and memory of larger bakes
-std::vector<Row> transportRows(); ///< cost relative to the certified bound, speckle
+std::vector<Row> transportRows(); ///< speckle of the transport
 std::vector<Row> synthRows();     ///< speed of a synthesis
 std::vector<Row> resultRows();    ///< the quality measures
-std::vector<Row> filterRows();    ///< mean colour from magnification to far away
-std::vector<Row> viewRows();      ///< contrast, features and shimmer at all distances
+std::vector<Row> viewRows();      ///< mean colour, contrast, features and shimmer at all distances
 std::vector<Row> litRows();       ///< brightness of lit pictures at all distances
 std::vector<Row> textonRows();    ///< time, model error, flatness, border, covariance of textons
-std::vector<Row> structureRows(); ///< what repeats, beside tiling
+std::vector<Row> structureRows(); ///< what remains of planks, beside tiling
 std::vector<Row> quiltingRows();  ///< structure that quilting keeps, and when a bake chooses it
 std::vector<Row> localRandomPhaseRows(); ///< time and quality of local random-phase noise
 std::vector<Row> multipleKernelsRows();  ///< the same of multiple-kernels noise

@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <transport/assignment.h>
 
 using namespace lichen;
@@ -26,17 +25,6 @@ double excess(const Points& source, const Points& target) {
 }
 
 } // namespace
-
-TEST_CASE("the oracle finds the best of all permutations") {
-  const Points source = gaussianCloud(7, 1);
-  const Points target = clusters(7, 2);
-  std::vector<std::uint32_t> permutation(7);
-  std::iota(permutation.begin(), permutation.end(), 0u);
-  double best = transportCost(source, target, permutation);
-  while (std::next_permutation(permutation.begin(), permutation.end()))
-    best = std::min(best, transportCost(source, target, permutation));
-  CHECK(transportCost(source, target, exactAssignment(source, target)) == Approx(best));
-}
 
 TEST_CASE("a problem of one block is solved exactly") {
   for (unsigned seed = 1; seed <= 5; ++seed)
