@@ -3,7 +3,6 @@
 #include "exemplars.h"
 #include "rows.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <exemplar/value_encoding.h>
@@ -80,21 +79,12 @@ double levelSeconds(const SrgbImage& image) {
 /// Median and worst case over the exemplars; each is the median of `kRuns` runs.
 void appendBakeTimes(std::vector<Row>& rows, const std::string& what, const TilingOptions& options,
                      double target) {
-  std::vector<double> seconds;
-  std::string slowest;
-  const std::vector<Exemplar> exemplars = exemplars256();
-  for (const Exemplar& exemplar : exemplars) {
-    const double time = medianSeconds(kRuns, [&] { return bakedBundle(exemplar.image, options); });
-    if (seconds.empty() || time > *std::max_element(seconds.begin(), seconds.end()))
-      slowest = exemplar.name;
-    seconds.push_back(time);
-  }
-  const double worst = *std::max_element(seconds.begin(), seconds.end());
-  rows.push_back(
-      {what + ", median", median(seconds), target, "s",
-       std::to_string(exemplars.size()) +
-           " exemplars, median of 5 each; the levels are more than the target asks for"});
-  rows.push_back({"its worst", worst, target, "s", slowest});
+  Measured seconds;
+  for (const Exemplar& exemplar : exemplars256())
+    seconds.note(medianSeconds(kRuns, [&] { return bakedBundle(exemplar.image, options); }),
+                 exemplar.name);
+  seconds.append(rows, what, target, "s",
+                 ", median of 5 each; the levels are more than the target asks for");
 }
 
 } // namespace

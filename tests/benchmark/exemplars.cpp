@@ -2,6 +2,7 @@
 #include "exemplars.h"
 
 #include "checkout_paths.h"
+#include "synthesized.h"
 
 #include <lichen/image_io.h>
 #include <lichen/multiple_kernels.h>
@@ -9,8 +10,6 @@
 #include <lichen/texton.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <materials.h>
 
@@ -61,21 +60,6 @@ void appendPhotograph(std::vector<Exemplar>& exemplars, const std::filesystem::p
   const auto* image = std::get_if<SrgbImage>(&file.value().pixels);
   if (image != nullptr && image->width >= kSide && image->height >= kSide)
     exemplars.push_back({name, crop(*image)});
-}
-
-/// Ends the program if the bake failed.
-template <class Bake>
-Bundle bundleOf(Result<Bake> bake) {
-  if (!bake) {
-    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
-    std::exit(int(bake.error().kind));
-  }
-  Bundle bundle;
-  bundle.noises.push_back(std::move(bake.value().noise));
-  bundle.tables = std::move(bake.value().tables);
-  bundle.materials = {MaterialNoise{}};
-  bundle.materialNames = {"benchmark"};
-  return bundle;
 }
 
 } // namespace
@@ -134,6 +118,16 @@ std::vector<MaterialSet> photographedSets() {
       if (Result<MaterialSet> set = readMaterialSet({&entry, 1}, {}); set)
         sets.push_back(std::move(set).value());
   return sets;
+}
+
+Bundle bundleOf(Result<MethodBake> bake) {
+  MethodBake baked = require(std::move(bake));
+  Bundle bundle;
+  bundle.noises.push_back(std::move(baked.noise));
+  bundle.tables = std::move(baked.tables);
+  bundle.materials = {MaterialNoise{}};
+  bundle.materialNames = {"benchmark"};
+  return bundle;
 }
 
 Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options) {

@@ -32,8 +32,10 @@ struct Exemplar {
 /// The sets in the folders of ../shared/exemplars, if that folder exists.
 [[nodiscard]] std::vector<MaterialSet> photographedSets();
 
-/// Bakes an exemplar or a set and returns the bundle with its material. If the bake fails, there is
-/// nothing to measure, and the program ends with the bake's message.
+/// The bundle of a bake, with its material. If the bake failed, there is nothing to measure, and
+/// the program ends with the bake's message.
+[[nodiscard]] Bundle bundleOf(Result<MethodBake> bake);
+/// Bakes an exemplar or a set.
 [[nodiscard]] Bundle bakedBundle(std::span<const MapExemplar> maps,
                                  const TilingOptions& options = {});
 [[nodiscard]] Bundle bakedBundle(const SrgbImage& image, const TilingOptions& options = {});

@@ -5,6 +5,7 @@
 // positions in the exemplar. So the measure has no weights of its own, and no colours.
 #include "false_joints.h"
 
+#include "exemplars.h"
 #include "synthesized.h"
 
 #include <lichen/quilting.h>
@@ -65,10 +66,7 @@ Bundle carryingPositions(const Bundle& quilting, const std::vector<int>& cells, 
   QuiltingOptions options;
   options.periodic = Periodic::yes;
   options.bits = 16;
-  MethodBake bake = require(bakeQuilting("positions", maps, options));
-  Bundle bundle;
-  bundle.noises = {std::move(bake.noise)};
-  bundle.tables = std::move(bake.tables);
+  Bundle bundle = bundleOf(bakeQuilting("positions", maps, options));
   const auto cellsOf = [](const Bundle& of) {
     return of.noises.front().maps.front().as<QuiltingMap>().cells;
   };

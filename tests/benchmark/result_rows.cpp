@@ -84,31 +84,10 @@ void appendCrossCovarianceRows(std::vector<Row>& rows, const std::vector<MapExem
   rows.push_back({"the same, worst of 6", percent(worst), 3.0, "%", how});
 }
 
-/// One measure over all exemplars.
-struct Measure {
-  std::vector<double> values;
-  std::string worstName;
-  double worst = 0.0;
-
-  void add(double value, const std::string& name) {
-    values.push_back(value);
-    if (worstName.empty() || value > worst) {
-      worst = value;
-      worstName = name;
-    }
-  }
-  void append(std::vector<Row>& rows, const std::string& name, double target,
-              const std::string& unit) const {
-    rows.push_back({name + ", median", median(values), target, unit,
-                    std::to_string(values.size()) + " exemplars, mean of 6 seeds each"});
-    rows.push_back({"the same, worst", worst, target, unit, worstName});
-  }
-};
-
 } // namespace
 
 std::vector<Row> resultRows() {
-  Measure color, lattice, spectrum, seam;
+  Measured color, lattice, spectrum, seam;
   for (const Exemplar& exemplar : exemplars256()) {
     const Bundle bundle = bakedBundle(exemplar.image);
     const LatticeView view{infiniteLattice(bundle.noises[0].as<TilingNoise>().grain),
@@ -123,19 +102,21 @@ std::vector<Row> resultRows() {
       return meanOf(kResultSide,
                     [&](const SrgbImage& result) { return distance(exemplar.image, result); });
     };
-    color.add(mean(colorDistance), exemplar.name);
-    spectrum.add(mean(spectrumDistanceDb), exemplar.name);
-    seam.add(mean(seamVisibility), exemplar.name);
-    lattice.add(meanOf(kLatticeSide,
-                       [&](const SrgbImage& result) { return latticeVisibility(result, view); }),
-                exemplar.name);
+    color.note(mean(colorDistance), exemplar.name);
+    spectrum.note(mean(spectrumDistanceDb), exemplar.name);
+    seam.note(mean(seamVisibility), exemplar.name);
+    lattice.note(meanOf(kLatticeSide,
+                        [&](const SrgbImage& result) { return latticeVisibility(result, view); }),
+                 exemplar.name);
   }
   std::vector<Row> rows;
-  color.append(rows, "color_distance, 4 exemplars a side", kColorDistanceTarget, "");
-  lattice.append(rows, "lattice_visibility, 16 exemplars a side", kLatticeVisibilityTarget, "");
-  spectrum.append(rows, "spectrum_distance_db, 4 exemplars a side", kSpectrumDistanceTargetDb,
-                  "dB");
-  seam.append(rows, "seam_visibility, 4 exemplars a side", kSeamVisibilityTarget, "");
+  const std::string how = ", mean of 6 seeds each";
+  color.append(rows, "color_distance, 4 exemplars a side", kColorDistanceTarget, "", how);
+  lattice.append(rows, "lattice_visibility, 16 exemplars a side", kLatticeVisibilityTarget, "",
+                 how);
+  spectrum.append(rows, "spectrum_distance_db, 4 exemplars a side", kSpectrumDistanceTargetDb, "dB",
+                  how);
+  seam.append(rows, "seam_visibility, 4 exemplars a side", kSeamVisibilityTarget, "", how);
   appendCrossCovarianceRows(rows, materialSet(int(kExemplarSide)), "rust");
   for (const MaterialSet& set : photographedSets())
     appendCrossCovarianceRows(rows, set.maps, set.name);

@@ -4,6 +4,7 @@
 #include "../property/papers_texton.h"
 #include "exemplars.h"
 #include "rows.h"
+#include "synthesized.h"
 
 #include <lichen/spectrum.h>
 #include <lichen/texton_mix.h>
@@ -12,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <materials.h>
 #include <texton/border_penalty.h>
 #include <texton/coefficients.h>
@@ -56,12 +56,7 @@ TextonCoefficients fitted(const texton::GaussianModel& model, int support, int o
 }
 
 MethodBake bakedTexton(const MapExemplar& map, const TextonOptions& options) {
-  Result<MethodBake> bake = bakeTexton("benchmark", {&map, 1}, options);
-  if (!bake) {
-    std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
-    std::exit(int(bake.error().kind));
-  }
-  return std::move(bake).value();
+  return require(bakeTexton("benchmark", {&map, 1}, options));
 }
 
 void appendTimes(std::vector<Row>& rows) {
@@ -88,78 +83,49 @@ void appendMixTime(std::vector<Row>& rows) {
                                                 {"moss", {baseColorMap(exemplars::moss(256))}}}};
   const double each = medianSeconds(kRuns, [&] { return bakedTexton(exemplars[0].maps[0], {}); }) +
                       medianSeconds(kRuns, [&] { return bakedTexton(exemplars[1].maps[0], {}); });
-  const auto mix = [&] {
-    Result<TextonMixBake> bake = bakeTextonMix("benchmark", exemplars, {});
-    if (!bake) {
-      std::fprintf(stderr, "lichen-bench: %s\n", bake.error().message.c_str());
-      std::exit(int(bake.error().kind));
-    }
-    return std::move(bake).value();
-  };
+  const auto mix = [&] { return require(bakeTextonMix("benchmark", exemplars, {})); };
   rows.push_back({"mix of two textons of 256 x 256 RGB, 21 steps", medianSeconds(kRuns, mix), each,
                   "s", "rust and moss, median of 5; the target is the bakes of both"});
-}
-
-/// One number per exemplar, and the exemplar with the greatest.
-struct Sample {
-  std::vector<double> values;
-  double worst = 0.0;
-  std::string worstName;
-
-  void add(double value, const std::string& name) {
-    if (values.empty() || value > worst) {
-      worst = value;
-      worstName = name;
-    }
-    values.push_back(value);
-  }
-};
-
-void appendSample(std::vector<Row>& rows, const std::string& what, const Sample& sample,
-                  double target, const std::string& note) {
-  rows.push_back({what + ", median", median(sample.values), target, "",
-                  std::to_string(sample.values.size()) + " exemplars" + note});
-  rows.push_back({"the same, worst", sample.worst, target, "", sample.worstName});
 }
 
 /// Compared with the papers' algorithm at the same size and support.
 void appendFits(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars, int side,
                 int support, double target) {
-  Sample ratios, flatnesses, borders, papersBorders;
+  Measured ratios, flatnesses, borders, papersBorders;
   for (const Exemplar& exemplar : exemplars) {
     const texton::GaussianModel model = modelOf(crop(exemplar.image, side));
     const TextonCoefficients ours = fitted(model, support, 1);
     const TextonCoefficients papers =
         corrected(model, test::papersTexton(model, fitOptions(support, 1)), 1);
-    ratios.add(relativeModelError(model, ours, 1) / relativeModelError(model, papers, 1),
-               exemplar.name);
-    flatnesses.add(flatness(ours, kLuminanceWeights), exemplar.name);
-    borders.add(borderVisibility(ours), exemplar.name);
-    papersBorders.add(borderVisibility(papers), exemplar.name);
+    ratios.note(relativeModelError(model, ours, 1) / relativeModelError(model, papers, 1),
+                exemplar.name);
+    flatnesses.note(flatness(ours, kLuminanceWeights), exemplar.name);
+    borders.note(borderVisibility(ours), exemplar.name);
+    papersBorders.note(borderVisibility(papers), exemplar.name);
   }
   const std::string where =
       " at " + std::to_string(support) + " of " + std::to_string(side) + " texels";
-  appendSample(rows, "texton model error over the papers'" + where, ratios, target, "");
-  appendSample(rows, "flatness" + where, flatnesses, 4.0, "");
-  appendSample(rows, "visibility of the border" + where, borders, median(papersBorders.values),
-               "; the target is the median of the papers' textons");
+  ratios.append(rows, "texton model error over the papers'" + where, target, "", "");
+  flatnesses.append(rows, "flatness" + where, 4.0, "", "");
+  borders.append(rows, "visibility of the border" + where, median(papersBorders.values), "",
+                 "; the target is the median of the papers' textons");
 }
 
 /// Piecewise constant and cubic splines; the bilinear ones are above.
 void appendOrders(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars) {
   for (const int order : {0, 3}) {
-    Sample flatnesses;
+    Measured flatnesses;
     for (const Exemplar& exemplar : exemplars)
-      flatnesses.add(
+      flatnesses.note(
           flatness(fitted(modelOf(crop(exemplar.image, 128)), 32, order), kLuminanceWeights),
           exemplar.name);
-    appendSample(rows, "flatness of order " + std::to_string(order) + " at 32 of 128 texels",
-                 flatnesses, 4.0, "");
+    flatnesses.append(rows, "flatness of order " + std::to_string(order) + " at 32 of 128 texels",
+                      4.0, "", "");
   }
 }
 
 void appendCovarianceErrors(std::vector<Row>& rows, const std::vector<Exemplar>& exemplars) {
-  Sample floats, halves;
+  Measured floats, halves;
   TextonOptions options;
   for (const Exemplar& exemplar : exemplars) {
     MapExemplar map = crop(exemplar.image, 128);
@@ -167,20 +133,20 @@ void appendCovarianceErrors(std::vector<Row>& rows, const std::vector<Exemplar>&
       for (std::size_t i = 0; i < map.values.size(); i += 3)
         map.values[i + 1] = map.values[i + 2] = map.values[i];
     options.bits = 16;
-    floats.add(bakedTexton(map, options).figures.quality.covarianceError, exemplar.name);
+    floats.note(bakedTexton(map, options).figures.quality.covarianceError, exemplar.name);
     options.bits = 8;
-    halves.add(bakedTexton(map, options).figures.quality.covarianceError, exemplar.name);
+    halves.note(bakedTexton(map, options).figures.quality.covarianceError, exemplar.name);
   }
-  appendSample(rows, "texton covariance error, 32-bit texels", floats, 1e-6, ", one made grey");
+  floats.append(rows, "texton covariance error, 32-bit texels", 1e-6, "", ", one made grey");
   // Each texel a has a uniform error of at most 2^-11 a, and C = a^T B a has an error of twice the
   // sum of a (B a) times these errors. Its standard deviation relative to C is 2 2^-11 / sqrt(3 n)
   // times the root of the flatness, 2 at most, times |a| |B a| / (a^T B a), by Kantorovich's
   // inequality at most 5/3 for eigenvalues of B between 1/9 and 1. The limit is four standard
   // deviations.
   const double coefficients = double(options.support - 1) * double(options.support - 1);
-  appendSample(rows, "the same, half floats", halves,
-               4.0 * 2.0 * std::exp2(-11) / std::sqrt(3.0 * coefficients) * 2.0 * 5.0 / 3.0,
-               "; the target is what their rounding explains");
+  halves.append(rows, "the same, half floats",
+                4.0 * 2.0 * std::exp2(-11) / std::sqrt(3.0 * coefficients) * 2.0 * 5.0 / 3.0, "",
+                "; the target is what their rounding explains");
 }
 
 } // namespace
