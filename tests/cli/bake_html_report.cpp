@@ -338,19 +338,6 @@ TEST_CASE("a report's command works in a shell for any file name") {
   CHECK(parsedPage(workplace.read("report.html")).all("h1").at(0).text == name);
 }
 
-TEST_CASE("two reports of the same bake are the same") {
-  const Workplace workplace;
-  const std::string input = workplace.write("moss.png", speckled(40, 24, 3));
-  const auto sections = [&](const char* threads) {
-    reportOf(workplace, input, {"--threads", threads});
-    const std::string page = workplace.read("report.html");
-    return page.substr(page.find("<main>"), page.find("<footer>") - page.find("<main>"));
-  };
-  const std::string one = sections("1");
-  CHECK(one.size() > 10000);
-  CHECK((one == sections("2")));
-}
-
 TEST_CASE("every kind of image gets a report") {
   const Workplace workplace;
   LinearImage light(40, 20, 3);

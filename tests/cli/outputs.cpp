@@ -123,19 +123,32 @@ TEST_CASE("--quiet prints nothing, not even notes") {
   }
 }
 
-TEST_CASE("bake and synth write the same bytes on one thread, on two and again") {
+TEST_CASE("bake, mix and synth write the same bytes on one thread, on two and again") {
   const Workplace workplace;
-  const std::string input = workplace.write("moss.png", speckled(40, 24, 3));
-  std::string firstBundle, firstPicture;
-  for (const char* threads : {"1", "2", "2"}) {
-    const std::string bundle = bake(workplace, input, "moss.glb", {"--threads", threads});
-    synth(workplace, bundle, {"--size", "200x150", "--threads", threads});
-    if (firstBundle.empty()) {
-      firstBundle = workplace.read("moss.glb");
-      firstPicture = workplace.read("synth.png");
+  const std::string input = workplace.write("moss.png", speckled(40, 24, 3)),
+                    other = workplace.write("rust.png", speckled(24, 40, 3)),
+                    bundle = workplace.path("moss.glb"), report = workplace.path("moss.html");
+  std::vector<Arguments> all{{"mix", input, other, "--support", "8", "--steps", "3"}};
+  for (const char* method :
+       {"tiling", "quilting", "texton", "local-random-phase", "multiple-kernels"})
+    all.push_back({"bake", input, "--report", report, "--method", method});
+  for (const Arguments& arguments : all) {
+    INFO(arguments.back());
+    std::string first;
+    for (const std::string threads : {"1", "2", "2"}) {
+      succeed(arguments + Arguments{"-o", bundle, "--threads", threads});
+      synth(workplace, bundle, {"--size", "200x150", "--threads", threads});
+      std::string bytes = workplace.read("moss.glb") + workplace.read("synth.png");
+      if (arguments.front() == "bake") { // the rest of the page shows the command and the time
+        const std::string page = workplace.read("moss.html");
+        const std::size_t begin = page.find("<main>"), end = page.find("<footer>");
+        REQUIRE(end - begin > 10000);
+        bytes += page.substr(begin, end - begin);
+      }
+      if (first.empty())
+        first = bytes;
+      CHECK((bytes == first));
     }
-    CHECK((workplace.read("moss.glb") == firstBundle));
-    CHECK((workplace.read("synth.png") == firstPicture));
   }
 }
 

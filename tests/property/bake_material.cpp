@@ -15,9 +15,9 @@ using namespace lichen;
 
 namespace {
 
-Photograph photograph(const std::string& name, int channels) {
-  const MapExemplar map = test::threeMaterials(64, 64, 5);
-  SrgbImage image(64, 64, channels);
+Photograph photograph(const std::string& name, int channels, int side = 64) {
+  const MapExemplar map = test::threeMaterials(side, side, 5);
+  SrgbImage image(side, side, channels);
   for (std::size_t i = 0; i < image.pixelCount(); ++i)
     for (std::size_t c = 0; c < std::size_t(channels); ++c)
       image.values[i * std::size_t(channels) + c] = map.values[3 * i + c];
@@ -70,7 +70,7 @@ TEST_CASE("an observer hears the steps of a bake, and stops it in each that take
   options.exemplar.flattening = {.periodPixels = 32.0};
   REQUIRE(bakeMaterial(moss(), options, observer));
   CHECK(steps == std::vector<std::string>{"flatten", "outliers", "bake", "judge"});
-  for (const std::string stopped : {"flatten", "bake", "judge"}) {
+  for (const std::string stopped : {"flatten", "outliers", "bake", "judge"}) {
     INFO(stopped);
     observer.progress = [&](std::string_view step, double) { return step != stopped; };
     const Result<BakedMaterial> baked = bakeMaterial(moss(), options, observer);
@@ -92,21 +92,43 @@ TEST_CASE("a bake refuses no images, and layers of a method that cannot have the
   CHECK(refused(moss(), options));
 }
 
-TEST_CASE("a bake of a material reports exhausted memory") {
+TEST_CASE("a bake of a material reports exhausted memory, whichever allocation fails") {
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   tbb::parallel_for(0, 1, [](int) {}); // oneTBB hangs if its first use runs out of memory
+  // Large enough for every measure, lit from one side, with a dot that occurs once.
+  constexpr int kSide = 132;
+  Photograph moss = photograph("moss_diff.png", 3, kSide);
+  std::vector<float>& values = std::get<SrgbImage>(moss.image.pixels).values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] *= 0.4f + 0.6f * float(i / 3 % kSide) / kSide;
+  for (std::size_t i = 0; i < 100; ++i)
+    values[3 * ((60 + i / 10) * kSide + 60 + i % 10)] = 1.0f;
   BakeOptions options = fastest();
-  options.exemplar.keepsOriginals = true; // so that bakeMaterial() itself makes large allocations
-  const MaterialSet set = materialSetOf(moss(), options.exemplar.set).value();
-  constexpr std::size_t kLarge = 16384;
-  for (const int failing : {1, 2, 8, 32}) {
-    INFO(failing);
-    MaterialSet given = set;
-    const Result<BakedMaterial> baked = [&] {
-      const test::ExhaustedMemory memory(failing, kLarge);
-      return bakeMaterial(std::move(given), options);
-    }();
-    REQUIRE(!baked);
-    CHECK(baked.error().kind == ErrorKind::resources);
+  options.exemplar.keepsOriginals = true;
+  // The next allocation to fail is a share of 1 / `steps` further. With a given period, only
+  // flattening differs.
+  for (const auto& [flattening, steps] :
+       {std::pair{Flattening{.automatic = true}, 16}, {Flattening{.periodPixels = 32.0}, 2}}) {
+    options.exemplar.flattening = flattening;
+    const MaterialSet set =
+        materialSetOf({moss, photograph("moss_rough.png", 1, kSide)}, options.exemplar.set).value();
+    for (int failing = 1;; failing += std::max(1, failing / steps)) {
+      INFO("allocation " << failing);
+      MaterialSet given = set;
+      bool reached = false;
+      const Result<BakedMaterial> baked = [&] {
+        const test::ExhaustedMemory memory(failing);
+        auto made = bakeMaterial(std::move(given), options);
+        reached = test::ExhaustedMemory::reached();
+        return made;
+      }();
+      if (!reached) {
+        REQUIRE(baked);
+        CHECK(failing > 1000);
+        break;
+      }
+      REQUIRE(!baked);
+      REQUIRE(baked.error().kind == ErrorKind::resources);
+    }
   }
 }

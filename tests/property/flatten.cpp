@@ -291,45 +291,6 @@ TEST_CASE("an object keeps its brightness, because its outline would remain") {
       CHECK_FALSE(withoutLight(baseColor(exemplars::oneStone(side)), periodic).has_value());
 }
 
-TEST_CASE("flattening and assessing report their progress, and the caller can stop them") {
-  const MapExemplar cloudy = generatedExemplar(exemplars::carpet, 128);
-  const auto check = [](const auto& operation, const std::string& message) {
-    std::vector<double> fractions;
-    REQUIRE(operation([&](double fraction) {
-              fractions.push_back(fraction);
-              return true;
-            }).ok());
-    CHECK(fractions.size() > 2);
-    CHECK(std::is_sorted(fractions.begin(), fractions.end()));
-    CHECK(fractions.front() >= 0.0);
-    CHECK(fractions.back() <= 1.0);
-    for (std::size_t last = 1; last <= fractions.size(); ++last) {
-      std::size_t calls = 0;
-      const auto stopped = operation([&](double) { return ++calls < last; });
-      REQUIRE_FALSE(stopped.ok());
-      CHECK(stopped.error().kind == ErrorKind::environment);
-      CHECK(stopped.error().message == message);
-      CHECK(calls == last);
-    }
-  };
-  check([&](const Progress& progress) { return assessSuitability(cloudy, true, progress); },
-        "the assessment: interrupted");
-  const auto withCopy = [&](const auto& operation) {
-    return [&, operation](const Progress& progress) {
-      MapExemplar map = cloudy;
-      return operation(map, progress);
-    };
-  };
-  check(withCopy([](MapExemplar& map, const Progress& progress) {
-          return flatten({&map, 1}, 32.0, true, progress);
-        }),
-        "flattening: interrupted");
-  check(withCopy([](MapExemplar& map, const Progress& progress) {
-          return removeUnevenLight(map, false, progress);
-        }),
-        "flattening: interrupted");
-}
-
 TEST_CASE("the maps of a set are flattened at the same fraction of their sides") {
   const auto wave = [](int side) {
     return slopes(side, side,

@@ -12,7 +12,6 @@
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -254,22 +253,6 @@ TEST_CASE("all variants of a cosine change the luminance equally much") {
       for (std::size_t column = 2; column < columns; ++column)
         CHECK(amplitude(column) == Approx(amplitude(1)).epsilon(0.02).margin(1e-4)); // bfloat16
     }
-}
-
-TEST_CASE("a bake of local random-phase noise is the same on one thread and on many") {
-  const MapExemplar map = test::threeMaterials(48, 40, 9);
-  const auto baked = [&] {
-    Result<MethodBake> bake = bakeLocalRandomPhase("x", {&map, 1}, {});
-    REQUIRE(bake);
-    return std::move(bake).value();
-  };
-  const MethodBake many = baked();
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const MethodBake single = baked();
-  CHECK(many.noise == single.noise);
-  REQUIRE(many.tables.size() == single.tables.size());
-  for (std::size_t k = 0; k < many.tables.size(); ++k)
-    CHECK(many.tables[k].texels == single.tables[k].texels);
 }
 
 TEST_CASE("constant, grey and tiny exemplars have local random-phase noises too") {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Out-of-memory behaviour: all allocations from the n-th on fail, for one n after another. Each
 // time the function must report the error and leak nothing (AddressSanitizer runs detect leaks).
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/bundle_merge.h>
@@ -127,59 +128,20 @@ MapExemplar oneChannel(MapExemplar map) {
 }
 
 Bundle bakedBundle(const MapExemplar& map) {
-  Result<MethodBake> bake = bakeTiling("example", {&map, 1}, {});
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
-  return bundle;
+  return test::bundleOf(bakeTiling("example", {&map, 1}, {}));
 }
 
 } // namespace
 
 TEST_CASE("a bake reports exhausted memory, whichever allocation fails") {
   const MapExemplar color = test::threeMaterials(24, 20, 1, 1);
-  const MapExemplar grey = oneChannel(color);
-  TilingOptions options;
-  CHECK(exhaustMemory(First::each, [&] { return bakeTiling("x", {&grey, 1}, options); }) > 20);
-  CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", {&color, 1}, options); }) > 5);
-}
-
-TEST_CASE("a bake of a set reports exhausted memory, whichever allocation fails") {
-  const MapExemplar grey = oneChannel(test::threeMaterials(24, 20, 1, 1));
-  MapExemplar height = grey;
+  MapExemplar height = oneChannel(color);
   height.target = MapTarget::height;
   height.channels = {MapChannel::height};
   height.encoding = ValueEncoding::linear;
-  std::reverse(height.values.begin(), height.values.end());
-  const std::vector<MapExemplar> maps{grey, height};
-  CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", maps, {}); }) > 64);
-}
-
-TEST_CASE("an assessment reports exhausted memory, whichever allocation fails") {
-  const MapExemplar map = test::threeMaterials(132, 130, 1, 1); // large enough for every measure
-  CHECK(exhaustMemory(First::sampled, [&] { return assessSuitability(map, false); }) > 10);
-}
-
-TEST_CASE("flattening reports exhausted memory, whichever allocation fails") {
-  MapExemplar map = test::threeMaterials(48, 40, 1, 9);
-  for (std::size_t i = 0; i < map.values.size(); ++i) // light from one side
-    map.values[i] *= 0.4f + 0.6f * float(i / 3 % 48) / 48.0f;
-  MapExemplar copy = map;
-  const auto light = removeUnevenLight(copy, false);
-  REQUIRE((light.ok() && light.value().has_value()));
-  CHECK(exhaustMemory(First::each, [&] { return removeUnevenLight(map, false); }) > 10);
-  CHECK(exhaustMemory(First::each, [&] { return flatten({&map, 1}, 8.0, false); }) > 5);
-}
-
-TEST_CASE("filling outliers reports exhausted memory, whichever allocation fails") {
-  MapExemplar map = test::threeMaterials(132, 130, 1, 1);
-  for (int i = 0; i < 100; ++i) // a dot of another colour
-    map.values[std::size_t(3 * ((60 + i / 10) * map.width + 60 + i % 10))] = 1.0f;
-  MapExemplar copy = map;
-  const auto outliers = fillOutliers({&copy, 1}, false);
-  REQUIRE((outliers.ok() && outliers.value().filled.size() == 1));
-  CHECK(exhaustMemory(First::sampled, [&] { return fillOutliers({&map, 1}, false); }) > 10);
+  const std::vector<MapExemplar> set{color, height};
+  CHECK(exhaustMemory(First::each, [&] { return bakeTiling("x", {&height, 1}, {}); }) > 20);
+  CHECK(exhaustMemory(First::sampled, [&] { return bakeTiling("x", set, {}); }) > 64);
 }
 
 TEST_CASE("reading a set reports exhausted memory, whichever allocation fails") {
@@ -334,15 +296,10 @@ TEST_CASE("a measure reports exhausted memory, whichever allocation fails") {
   SrgbImage a(80, 72, 1);
   for (std::size_t i = 0; i < a.values.size(); ++i)
     a.values[i] = float(pcg(std::uint32_t(i)) >> 8u) * 0x1p-24f;
-  const SrgbImage b = a;
   LatticeView view;
   view.tilesPerPixelX = view.tilesPerPixelY = 1.0 / 40.0;
-  CHECK(exhaustMemory(First::each, [&] { return colorDistance(a, b); }) > 0);
-  CHECK(exhaustMemory(First::each, [&] { return spectrumDistanceDb(a, b); }) > 0);
-  CHECK(exhaustMemory(First::each, [&] { return autocovarianceError(a, b, 8); }) > 0);
   CHECK(exhaustMemory(First::each, [&] { return latticeVisibility(a, view); }) > 0);
-  CHECK(exhaustMemory(First::each, [&] { return seamVisibility(a, b); }) > 0);
-  CHECK(exhaustMemory(First::sampled, [&] { return measureResult(a, b); }) > 10);
+  CHECK(exhaustMemory(First::sampled, [&] { return measureResult(a, a); }) > 10);
 }
 
 TEST_CASE("returning an error reports exhausted memory, whichever allocation fails") {
@@ -350,10 +307,7 @@ TEST_CASE("returning an error reports exhausted memory, whichever allocation fai
   bits.bits = 7;
   const MapExemplar map = oneChannel(test::threeMaterials(64, 64, 1, 1));
   CHECK(exhaustRefusal([&] { return bakeTiling("x", {&map, 1}, bits); }) > 0);
-  CHECK(exhaustRefusal([&] { return bakeTiling("x", {}, {}); }) > 0);
-
   MapExemplar odd = map;
-  CHECK(exhaustRefusal([&] { return flatten({}, 8.0, true); }) > 0);
   CHECK(exhaustRefusal([&] { return flatten({&odd, 1}, 1.0, true); }) > 0);
   odd.values.pop_back();
   CHECK(exhaustRefusal([&] { return assessSuitability(odd, true); }) > 0);
@@ -361,9 +315,6 @@ TEST_CASE("returning an error reports exhausted memory, whichever allocation fai
   const Bundle bundle = bakedBundle(map);
   SynthesisOptions options;
   options.width = 0;
-  CHECK(exhaustRefusal([&] { return synthesize(bundle, options); }) > 0);
-  options.width = options.height = 16;
-  options.tileable = true;
   CHECK(exhaustRefusal([&] { return synthesize(bundle, options); }) > 0);
   constexpr auto kMap = MapTarget::baseColor;
   CHECK(exhaustRefusal([&] { return synthesizePreview(bundle, MaterialNoise(), kMap, 0); }) > 0);
@@ -378,11 +329,9 @@ TEST_CASE("returning an error reports exhausted memory, whichever allocation fai
   CHECK(exhaustRefusal([&] { return colorDistance(empty, grey); }) > 0);
   CHECK(exhaustRefusal([&] { return spectrumDistanceDb(empty, grey); }) > 0);
   CHECK(exhaustRefusal([&] { return autocovarianceError(empty, grey, 8); }) > 0);
-  CHECK(exhaustRefusal([&] { return autocovarianceError(grey, grey, 1); }) > 0);
   CHECK(exhaustRefusal([&] { return latticeVisibility(grey, view); }) > 0);
   CHECK(exhaustRefusal([&] { return seamVisibility(empty, grey); }) > 0);
 
   CHECK(exhaustRefusal([&] { return encodePng(empty, 8); }) > 0);
-  CHECK(exhaustRefusal([&] { return encodePng(grey, 7); }) > 0);
   CHECK(exhaustRefusal([] { return encodeExr(LinearImage()); }) > 0);
 }

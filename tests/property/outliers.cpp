@@ -209,13 +209,6 @@ TEST_CASE("a part at a border of an image that tiles still fits the opposite bor
   CHECK(column(maps.front(), 0) > 0.05);
 }
 
-TEST_CASE("filling outliers can be interrupted") {
-  std::vector<MapExemplar> maps{baseColor(photographOf({"cloth", Fault::none, 0.0f, 1}).image)};
-  const Result<Outliers> stopped = fillOutliers(maps, false, [](double) { return false; });
-  REQUIRE_FALSE(stopped.ok());
-  CHECK(stopped.error().kind == ErrorKind::environment);
-}
-
 TEST_CASE("places outside the exemplar, and maps without colours, are errors") {
   std::vector<MapExemplar> maps{test::threeMaterials(16, 8, 1)};
   const auto messageOf = [&](const FilledPlace& place) {

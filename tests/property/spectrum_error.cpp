@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How the detail of a noise is measured, and that a fit has its exemplar's detail.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/image_io.h>
@@ -158,16 +159,6 @@ TEST_CASE("the share of a large map is fitted on its middle", "[large]") {
   CHECK(share - fitMap(shuffled, exemplar::colorSpaceOf(whole), options).share > 0.2f);
 }
 
-TEST_CASE("the caller can stop a large map's fit during the trials on its middle") {
-  const MapExemplar large = test::threeMaterials(520, 64, 7, 3);
-  MapFitOptions options;
-  int calls = 0;
-  const Progress stop = [&](double) { return ++calls < 2; };
-  options.progress = ProgressPart(stop);
-  CHECK_THROWS_AS(fitMap(large, exemplar::colorSpaceOf(large), options), Interrupted);
-  CHECK(calls == 2);
-}
-
 TEST_CASE("a fitted share preserves detail that the default share loses", "[large]") {
   // Grain within patches of one colour each; transport alone spreads the grain over the Gaussian.
   const MapExemplar map = test::threeMaterials(96, 96, 7, 3);
@@ -187,12 +178,8 @@ TEST_CASE("a fitted share preserves detail that the default share loses", "[larg
   CHECK(std::abs(spectrumErrorDb(map, fit.gaussian, fit.table)) < 0.25);
 
   // The whole bake, by the measure of results and its target.
-  Result<MethodBake> bake =
-      bakeTiling("patches", {&map, 1}, {.periodic = Periodic::yes, .progress = {}});
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
+  const Bundle bundle =
+      test::bundleOf(bakeTiling("patches", {&map, 1}, {.periodic = Periodic::yes, .progress = {}}));
   SynthesisOptions size;
   size.width = size.height = 768;
   const SrgbImage result = toSrgb(synthesize(bundle, size).value());

@@ -8,7 +8,6 @@
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <exemplar/value_encoding.h>
@@ -330,24 +329,6 @@ TEST_CASE("a texton bake needs at least one map, and each map once") {
   CHECK_FALSE(bakeTexton("stone", {}, supportOf(16)));
   const std::vector<MapExemplar> twice{map, map};
   CHECK_FALSE(bakeTexton("stone", twice, supportOf(16)));
-}
-
-TEST_CASE("a texton bake reports progress, and the caller can stop it") {
-  const MapExemplar map = test::threeMaterials(64, 64, 16);
-  std::vector<double> fractions;
-  TextonOptions options = supportOf(16);
-  options.progress = [&](double fraction) {
-    fractions.push_back(fraction);
-    return true;
-  };
-  (void)bakeOf({&map, 1}, options);
-  CHECK(fractions.size() > 100);
-  CHECK(std::is_sorted(fractions.begin(), fractions.end()));
-  CHECK(fractions.back() == 1.0);
-  options.progress = [](double fraction) { return fraction < 0.3; };
-  const Result<MethodBake> stopped = bakeTexton("stone", {&map, 1}, options);
-  REQUIRE_FALSE(stopped);
-  CHECK(stopped.error().kind == ErrorKind::environment);
 }
 
 } // namespace lichen

@@ -7,7 +7,6 @@
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <complex>
@@ -303,12 +302,4 @@ TEST_CASE("an exemplar of one colour has a texton of zeros, without an error") {
   for (const float value : texton.values)
     CHECK(std::abs(value) < 1e-6f);
   CHECK(relativeModelError(model, texton, 1) == 0.0);
-}
-
-TEST_CASE("texton coefficients are the same bytes on one thread and on many") {
-  const texton::GaussianModel model = modelOf(threeMaterials(48, 40, 11));
-  const auto fit = [&] { return fitCoefficients(model, support(16)).values; };
-  const std::vector<float> many = fit();
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  CHECK(fit() == many);
 }

@@ -3,7 +3,6 @@
 #include "example_exemplar.h"
 
 #include <catch2/catch.hpp>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -225,30 +224,4 @@ TEST_CASE("the error for exemplars that cannot be mixed gives the reason") {
   CHECK(messageOf(fitTextonPath(ramps, 1, support(8)), ErrorKind::badInput) ==
         "ramp.png: varies only from one border to the other, which no texton can reproduce; use a "
         "photograph with detail");
-}
-
-TEST_CASE(
-    "a mix reports progress, the caller can stop it, and the result does not depend on threads") {
-  const std::vector<MixExemplar> exemplars{exemplarOf(threeMaterials(24, 24, 1)),
-                                           exemplarOf(threeMaterials(24, 24, 2))};
-  FitOptions options = support(8);
-  std::vector<double> told;
-  const Progress listen = [&](double fraction) {
-    told.push_back(fraction);
-    return true;
-  };
-  options.progress = ProgressPart(listen);
-  const TextonMix many = pathOf(exemplars, 3, options);
-  CHECK(std::is_sorted(told.begin(), told.end()));
-  CHECK(told.front() > 0.0);
-  CHECK(told.back() == 1.0);
-  const Progress stop = [](double fraction) { return fraction < 0.5; };
-  options.progress = ProgressPart(stop);
-  CHECK(messageOf(fitTextonPath(exemplars, 3, options), ErrorKind::environment) ==
-        "the mix: interrupted");
-  options.progress = {};
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  const TextonMix alone = pathOf(exemplars, 3, options);
-  for (std::size_t k = 0; k < many.steps.size(); ++k)
-    CHECK(alone.steps[k].texton.values == many.steps[k].texton.values);
 }

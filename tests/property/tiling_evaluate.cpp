@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Properties of evaluated tiling noise.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
@@ -7,9 +8,9 @@
 #include <lichen/tiling.h>
 
 #include <catch2/catch.hpp>
-#include <tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exemplar/color_space.h>
 
@@ -17,20 +18,10 @@ using namespace lichen;
 
 namespace {
 
-Bundle bakedBundle(const MapExemplar& map, int bits = 16) {
-  TilingOptions options;
-  options.bits = bits;
-  Result<MethodBake> bake = bakeTiling("example", {&map, 1}, options);
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
-  return bundle;
-}
-
 /// One bundle for the tests that only evaluate.
 const Bundle& exampleBundle() {
-  static const Bundle bundle = bakedBundle(test::threeMaterials(128, 128, 11));
+  static const Bundle bundle = test::bundleOf(bakeTiling(
+      "example", std::array{test::threeMaterials(128, 128, 11)}, {.bits = 16, .progress = {}}));
   return bundle;
 }
 
@@ -104,14 +95,6 @@ TEST_CASE("seeds give different patterns of one material, and no pattern repeats
   // of these, alpha 6e-5 each.
   CHECK(std::abs(product / variance) < 0.22);
   CHECK(std::abs(shifted / variance) < 0.22);
-}
-
-TEST_CASE("a synthesized image does not depend on the number of threads") {
-  const auto withThreads = [](std::size_t threads) {
-    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-    return synthesized(sized(200, 150)).values;
-  };
-  CHECK(withThreads(1) == withThreads(4));
 }
 
 TEST_CASE("sizes, origins and maps out of range are errors") {

@@ -7,7 +7,6 @@
 #include <lichen/spectrum.h>
 
 #include <catch2/catch.hpp>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <array>
@@ -244,20 +243,6 @@ TEST_CASE("a straight step has exactly the height that the seam measure reports"
     return makeImage(64, 64, 1, [=](int x, int, int) { return x < 32 ? 0.0f : height; });
   };
   CHECK(seamVisibility(step(0.1f), step(0.2f)).value() == Approx(2.0).epsilon(1e-4));
-}
-
-TEST_CASE("the measures are the same bytes on one thread and on many") {
-  const SrgbImage a = powerLawNoise(kSide, 1.0, 17);
-  const SrgbImage b = powerLawNoise(kSide, 1.5, 18);
-  const auto all = [&] {
-    return std::array<double, 5>{colorDistance(a, b).value(), spectrumDistanceDb(a, b).value(),
-                                 autocovarianceError(a, b).value(),
-                                 latticeVisibility(b, latticeView()).value(),
-                                 seamVisibility(a, b).value()};
-  };
-  const auto many = all();
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  CHECK(all() == many);
 }
 
 TEST_CASE("the error for images that a measure cannot use states their sizes") {

@@ -4,7 +4,6 @@
 #include <lichen/spectrum.h>
 
 #include <catch2/catch.hpp>
-#include <tbb/global_control.h>
 
 #include <cmath>
 #include <cstdint>
@@ -175,12 +174,4 @@ TEST_CASE(
     }
     CHECK(std::abs(sum) < 1e-5);
   }
-}
-
-TEST_CASE("power spectra are the same bytes on one thread and on many") {
-  constexpr int kSide = 300, kCrop = 32;
-  const std::vector<float> plane = whiteNoise(kSide, kSide, 3);
-  const std::vector<double> many = radialPowerSpectrum(plane, kSide, kSide, kCrop);
-  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-  CHECK(radialPowerSpectrum(plane, kSide, kSide, kCrop) == many);
 }
