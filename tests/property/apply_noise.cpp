@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // applyNoise(): what the command line checks before it calls it.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/apply_noise.h>
@@ -18,11 +19,7 @@ Bundle bundleOfTiles() {
   const MapExemplar map = test::threeMaterials(64, 64, 1);
   TilingOptions options;
   options.gaussian = GaussianOnly::yes;
-  MethodBake baked = bakeTiling("moss", {&map, 1}, options).value();
-  Bundle bundle;
-  bundle.tables = std::move(baked.tables);
-  bundle.noises = {std::move(baked.noise)};
-  return bundle;
+  return test::bundleOf(bakeTiling("moss", {&map, 1}, options));
 }
 
 /// A scene with two materials.

@@ -2,6 +2,7 @@
 // Reading an exemplar's pixels: what resampling preserves and removes, colours under transparency,
 // joined channels, and names.
 #include "example_exemplar.h"
+#include "plane_of.h"
 
 #include <lichen/image.h>
 #include <lichen/image_io.h>
@@ -24,17 +25,10 @@ using namespace lichen::exemplar;
 
 namespace {
 
-template <class Function>
-MapExemplar heightMap(int width, int height, Function value) {
-  MapExemplar map;
+MapExemplar heightMap(int width, int height, const auto& value) {
+  MapExemplar map = test::planeOf(width, height, value);
   map.target = MapTarget::height;
   map.channels = {MapChannel::height};
-  map.encoding = ValueEncoding::linear;
-  map.width = width;
-  map.height = height;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      map.values.push_back(float(value(x, y)));
   return map;
 }
 

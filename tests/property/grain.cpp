@@ -2,6 +2,7 @@
 // Which exemplars have a grain, along which axis, and how borders fade along it.
 #include "base_color.h"
 #include "bundle_of.h"
+#include "plane_of.h"
 #include "statistics_of_maps.h"
 
 #include <lichen/quilting.h>
@@ -77,25 +78,13 @@ std::vector<Point> streaks(int width, int height, double length, int dimensions 
   return image;
 }
 
-/// A height map with at(x, y) at each pixel.
-template <class At>
-MapExemplar heights(int width, int height, const At& at) {
-  MapExemplar map =
-      test::emptyMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear, width);
-  map.height = height;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      map.values.push_back(float(at(x, y)));
-  return map;
-}
-
 /// Streaks about three pixels wide at an angle to the x axis, which correlate by
 /// exp(-distance / length).
 MapExemplar turnedStreaks(int side, double degrees, double length) {
   const int wide = 2 * side;
   const std::vector<double> rows = streakValues(wide, wide, length, 3);
   const double angle = degrees * std::numbers::pi / 180.0;
-  return heights(side, side, [&](int x, int y) {
+  return test::planeOf(side, side, [&](int x, int y) {
     const double fromX = x - 0.5 * side, fromY = y - 0.5 * side;
     const double along = fromX * std::cos(angle) + fromY * std::sin(angle) + side;
     const double across = fromY * std::cos(angle) - fromX * std::sin(angle) + side;
@@ -119,14 +108,14 @@ MapExemplar waves(int width, int height, double lag, double correlation) {
     phases[other] = y;
   }
   const double frequency = std::acos(correlation) / lag; // radians per pixel
-  return heights(width, height, [&](int x, int y) {
+  return test::planeOf(width, height, [&](int x, int y) {
     const double phase = 2.0 * std::numbers::pi * phases[std::size_t(y)] / height;
     return 0.5 + 0.3 * std::cos(frequency * x + phase);
   });
 }
 
 MapExemplar transposed(const MapExemplar& map) {
-  return heights(map.height, map.width, [&](int x, int y) {
+  return test::planeOf(map.height, map.width, [&](int x, int y) {
     return map.values[std::size_t(x) * std::size_t(map.width) + std::size_t(y)];
   });
 }
@@ -171,7 +160,8 @@ TEST_CASE("streaks are long if pixels two sevenths of the side along them apart 
 TEST_CASE("pictures under 64 pixels a side have no grain") {
   const auto endless = [](int width, int height) {
     const std::vector<double> rows = streakValues(1, height, 1.0, 7);
-    return heights(width, height, [&](int, int y) { return 0.5 + 0.1 * rows[std::size_t(y)]; });
+    return test::planeOf(width, height,
+                         [&](int, int y) { return 0.5 + 0.1 * rows[std::size_t(y)]; });
   };
   CHECK(grainOf(endless(64, 64)) == Grain::x);
   CHECK(grainOf(endless(65, 97)) == Grain::x);
@@ -181,7 +171,7 @@ TEST_CASE("pictures under 64 pixels a side have no grain") {
 
 TEST_CASE("the first map of a set decides the grain of all") {
   const std::vector<double> white = streakValues(kSmall * kSmall, 1, 0.1, 9);
-  const MapExemplar sand = heights(
+  const MapExemplar sand = test::planeOf(
       kSmall, kSmall, [&](int x, int y) { return 0.5 + 0.1 * white[std::size_t(y * kSmall + x)]; });
   MapExemplar wood = turnedStreaks(kSmall, 0.0, kSmall);
   wood.target = MapTarget::opacity;

@@ -24,12 +24,6 @@ std::string reportOf(const ErrorRate& rate) {
 
 } // namespace
 
-TEST_CASE("the upper bound of an error rate equals published tables") {
-  CHECK(upperErrorBound(0, 29) == Approx(0.098145).margin(1e-6)); // 1 - 0.05^(1/29)
-  CHECK(upperErrorBound(5, 110) == Approx(0.093194).margin(1e-6));
-  CHECK(upperErrorBound(10, 10) == 1.0);
-}
-
 TEST_CASE("fewer than a tenth of the held-back pictures are judged wrongly", "[large]") {
   for (const HeldBackDecision& decision : heldBackDecisions())
     DYNAMIC_SECTION(decision.expected) {

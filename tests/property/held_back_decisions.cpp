@@ -12,20 +12,12 @@
 #include <tbb/parallel_for.h>
 
 #include <cstdio>
-#include <stdexcept>
 #include <utility>
 
 namespace lichen::test {
 namespace {
 
 using exemplars::Random;
-
-template <class Value>
-Value valueOf(Result<Value> result) {
-  if (!result)
-    throw std::runtime_error(result.error().message);
-  return std::move(result).value();
-}
 
 /// The verdict of `lichen bake` with its default options. A picture with a risk is not baked: its
 /// measures could only make the verdict worse, and only whether it is good counts here.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exemplar/color_space.h>
 #include <random>
 
 using namespace lichen;
@@ -78,24 +79,6 @@ double shareOfEqual(const LabelImage& a, const LabelImage& b) {
   for (std::size_t i = 0; i < a.labels.size(); ++i)
     equal += a.labels[i] == b.labels[i] ? 1.0 : 0.0;
   return equal / double(a.labels.size());
-}
-
-struct ColorMoments {
-  std::array<double, 3> mean{};
-  std::array<double, 9> covariance{};
-};
-
-ColorMoments momentsOf(const std::vector<float>& values) {
-  ColorMoments moments;
-  const double pixels = double(values.size() / 3);
-  for (std::size_t i = 0; i < values.size(); ++i)
-    moments.mean[i % 3] += double(values[i]) / pixels;
-  for (std::size_t i = 0; i < values.size(); i += 3)
-    for (std::size_t a = 0; a < 3; ++a)
-      for (std::size_t b = 0; b < 3; ++b)
-        moments.covariance[3 * a + b] += (double(values[i + a]) - moments.mean[a]) *
-                                         (double(values[i + b]) - moments.mean[b]) / pixels;
-  return moments;
 }
 
 constexpr int kLags = 4;
@@ -232,16 +215,13 @@ TEST_CASE("the exemplar of a label keeps its pixels, and elsewhere has its stati
     CHECK(inside > kPixels / 5);
     CHECK(kept == inside);
 
-    const ColorMoments own = momentsOf(values), wanted = momentsOf(pure);
-    double trace = 0.0;
-    for (std::size_t c = 0; c < 3; ++c)
-      trace += wanted.covariance[4 * c];
-    double worstMean = 0.0, worstCovariance = 0.0, worstLag = 0.0;
-    for (std::size_t c = 0; c < 3; ++c)
-      worstMean = std::max(worstMean, std::abs(own.mean[c] - wanted.mean[c]) / std::sqrt(trace));
-    for (std::size_t k = 0; k < 9; ++k)
-      worstCovariance =
-          std::max(worstCovariance, std::abs(own.covariance[k] - wanted.covariance[k]) / trace);
+    const exemplar::Moments own = exemplar::momentsOf(values, 3),
+                            wanted = exemplar::momentsOf(pure, 3);
+    const double trace = wanted.covariance.trace();
+    const double worstMean = (own.mean - wanted.mean).cwiseAbs().maxCoeff() / std::sqrt(trace);
+    const double worstCovariance =
+        (own.covariance - wanted.covariance).cwiseAbs().maxCoeff() / trace;
+    double worstLag = 0.0;
     const std::vector<double> lags = shortLags(values), pureLags = shortLags(pure);
     for (std::size_t k = 0; k < lags.size(); ++k)
       worstLag = std::max(worstLag, std::abs(lags[k] - pureLags[k]));
@@ -271,8 +251,8 @@ TEST_CASE("maps of other sizes take the same copies") {
   CHECK(found[0].values == found[1].values);
   REQUIRE(found[2].values.size() == half.values.size());
   double product = 0.0, squares = 0.0, halfSquares = 0.0;
-  const double mean = momentsOf(found[0].values).mean[1],
-               halfMean = momentsOf(found[2].values).mean[1];
+  const double mean = exemplar::momentsOf(found[0].values, 3).mean[1],
+               halfMean = exemplar::momentsOf(found[2].values, 3).mean[1];
   for (int y = 0; y < kSide / 2; ++y)
     for (int x = 0; x < kSide / 2; ++x) {
       const double whole =

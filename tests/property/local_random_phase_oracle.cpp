@@ -250,11 +250,6 @@ private:
 
 } // namespace
 
-TEST_CASE("the specified polynomial is the cosine within 1.1e-4") {
-  for (double turns = -1.0; turns < 1.0; turns += 1e-3)
-    CHECK(std::abs(cosineOf(turns) - std::cos(2.0 * std::numbers::pi * turns)) < 1.1e-4);
-}
-
 TEST_CASE("cosines and tiles of a structure match an oracle in double precision, at any level, "
           "origin and period") {
   const MapExemplar map = threeMaterials(64, 48, 5);

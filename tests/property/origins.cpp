@@ -66,6 +66,8 @@ const std::vector<Kind>& kinds() {
     LocalRandomPhaseOptions plain, half;
     plain.structure = 0.0;
     half.structure = 0.5;
+    MultipleKernelsOptions patterned;
+    patterned.perturbation = Perturbation{.amount = 0.5, .pattern = {}, .cosines = 20};
     MaterialNoise rotated, turned, poisson;
     rotated.tileRotation = 2;
     turned.tileRotation = 4;
@@ -84,6 +86,10 @@ const std::vector<Kind>& kinds() {
         {"cosines", bundleOf(bakeLocalRandomPhase("x", {&map, 1}, plain)), {}, kOfSums},
         {"a structure", bundleOf(bakeLocalRandomPhase("x", {&map, 1}, half)), {}, kOfSums},
         {"kernels", bundleOf(bakeMultipleKernels("x", {&map, 1}, {})), {}, kOfSums},
+        {"kernels with a pattern",
+         bundleOf(bakeMultipleKernels("x", {&map, 1}, patterned)),
+         {},
+         kOfSums},
     };
   }();
   return all;

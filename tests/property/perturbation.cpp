@@ -257,30 +257,3 @@ TEST_CASE("a given pattern shows in the luminance of the noise, as strong as the
   CHECK(correlation > 0.6);
   CHECK(correlation < std::sqrt(0.5) + 0.03);
 }
-
-TEST_CASE("a period holds a pattern a whole number of times") {
-  const MapExemplar map = test::threeMaterials(96, 64, 3);
-  Perturbation perturbation;
-  perturbation.amount = 0.5;
-  perturbation.cosines = 20;
-  const Bundle bundle = perturbed(map, perturbation, GaussianOnly::no);
-  const auto evaluator = methodEvaluator(bundle, 0);
-  Placement placement;
-  placement.periodic = true;
-  placement.periodTilesX = 2.5;
-  placement.periodTilesY = 0.75;
-  const shader::LichenTriplanarMaterial material =
-      shaderMaterial(bundle, MaterialNoise(), placement);
-  std::mt19937 generator(5u);
-  std::uniform_real_distribution<float> tiles(-3.0f, 3.0f);
-  for (int sample = 0; sample < 50; ++sample) {
-    const TileFootprint at{{tiles(generator), tiles(generator)}, {}, {}};
-    TileFootprint next = at;
-    next.position[0] += 2.5f;
-    next.position[1] -= 0.75f;
-    const auto value = evaluator->gaussian(0, material, at).value;
-    const auto again = evaluator->gaussian(0, material, next).value;
-    for (std::size_t c = 0; c < 3; ++c)
-      CHECK(double(value[c]) == Approx(double(again[c])).margin(1e-3));
-  }
-}

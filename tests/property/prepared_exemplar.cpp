@@ -9,19 +9,8 @@
 #include <exemplar/frame.h>
 #include <exemplar/resample.h>
 #include <stdexcept>
-#include <utility>
 
 namespace lichen::test {
-namespace {
-
-template <class Value>
-Value valueOf(Result<Value> result) {
-  if (!result)
-    throw std::runtime_error(result.error().message);
-  return std::move(result).value();
-}
-
-} // namespace
 
 std::vector<MapExemplar> preparedExemplar(const SrgbImage& photograph) {
   std::vector<MapExemplar> maps{baseColor(photograph)};

@@ -5,10 +5,21 @@
 #include <lichen/exemplar.h>
 #include <lichen/image.h>
 #include <lichen/regularity.h>
+#include <lichen/result.h>
 
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace lichen::test {
+
+/// An error is thrown as a std::runtime_error.
+template <class Value>
+Value valueOf(Result<Value> result) {
+  if (!result)
+    throw std::runtime_error(result.error().message);
+  return std::move(result).value();
+}
 
 /// The base colour (RGB) without a frame, in even light, and with what occurs once filled. An error
 /// is thrown as a std::runtime_error.

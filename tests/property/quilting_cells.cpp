@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The cells of pictures that are drawn from cells.
+#include "plane_of.h"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -22,20 +24,6 @@ namespace {
 constexpr int kWallWidth = 256, kWallHeight = 160;
 constexpr int kBrickWidth = 64, kBrickHeight = 40, kMortar = 4; // pixels; pitches
 constexpr double kBricks = 16.0;                                // in the wall
-
-/// The map whose value at the middle of pixel (x, y) is valueAt(x, y).
-template <class ValueAt>
-MapExemplar planeMap(int width, int height, const ValueAt& valueAt) {
-  MapExemplar map;
-  map.channels = {MapChannel::red};
-  map.encoding = ValueEncoding::linear;
-  map.width = width;
-  map.height = height;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      map.values.push_back(valueAt(x, y));
-  return map;
-}
 
 /// Where pixels of a wall in running bond lie; its first brick begins at (shiftX, shiftY).
 struct Bond {
@@ -69,7 +57,7 @@ MapExemplar wallOf(const Bond& bond) {
   for (auto& row : tones)
     for (float& tone : row)
       tone = uniform(generator);
-  return planeMap(kWallWidth, kWallHeight, [&](int x, int y) {
+  return test::planeOf(kWallWidth, kWallHeight, [&](int x, int y) {
     const Bond::Brick brick = bond.at(x + 0.5, y + 0.5);
     return brick.inside < 0.5 * kMortar ? 0.1f
                                         : tones[std::size_t(brick.row)][std::size_t(brick.column)];
@@ -147,7 +135,7 @@ TEST_CASE("the cells of a picture that is moved around its borders move along") 
 TEST_CASE("along stripes the coordinate stays, across them texels point to the middle of theirs") {
   for (const auto& [side, stripe] : {std::pair{160, 20}, {161, 23}})
     for (const bool isAlongX : {true, false}) {
-      const MapExemplar stripes = planeMap(side, side, [&](int x, int y) {
+      const MapExemplar stripes = test::planeOf(side, side, [&](int x, int y) {
         return 0.1f * float(3 * ((isAlongX ? y : x) / stripe) % (side / stripe)); // all differ
       });
       const CellField cells = cellsOf({&stripes, 1}, double(side) / stripe);
@@ -169,7 +157,7 @@ TEST_CASE("along stripes the coordinate stays, across them texels point to the m
 }
 
 TEST_CASE("a picture without edges has no cells") {
-  const MapExemplar constant = planeMap(96, 80, [](int, int) { return 0.25f; });
+  const MapExemplar constant = test::planeOf(96, 80, [](int, int) { return 0.25f; });
   for (const double count : {1.0, 150.0})
     for (const std::array<float, 2>& toCentre : cellsOf({&constant, 1}, count).toCentre)
       for (const float axis : toCentre) {
@@ -190,7 +178,7 @@ TEST_CASE("cells much larger than usual ones are divided: their texels point les
 
 TEST_CASE("only the largest maps have cells") {
   const MapExemplar wall = wallOf({});
-  const MapExemplar small = planeMap(64, 40, [](int x, int) { return float(x / 8 % 2); });
+  const MapExemplar small = test::planeOf(64, 40, [](int x, int) { return float(x / 8 % 2); });
   const std::array<MapExemplar, 2> both{small, wall};
   CHECK(cellsOf(both, kBricks).toCentre == wallCells().toCentre);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whether seam detection distinguishes exemplars that tile from crops that do not.
+#include "base_color.h"
 #include "example_exemplar.h"
 
 #include <lichen/lattice.h>
@@ -21,23 +22,10 @@ struct Named {
   MapExemplar map;
 };
 
-MapExemplar mapOf(const SrgbImage& image) {
-  MapExemplar map;
-  map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
-  map.channels.resize(image.channels >= 3 ? 3 : 1);
-  map.width = image.width;
-  map.height = image.height;
-  for (int y = 0; y < image.height; ++y)
-    for (int x = 0; x < image.width; ++x)
-      map.values.insert(map.values.end(), image.pixel(x, y),
-                        image.pixel(x, y) + map.channels.size());
-  return map;
-}
-
 std::vector<Named> generatedMaterials(int side) {
   std::vector<Named> result;
   for (const exemplars::Material& material : exemplars::kMaterials)
-    result.push_back({material.name, mapOf(material.generate(side))});
+    result.push_back({material.name, test::baseColor(material.generate(side))});
   return result;
 }
 
@@ -156,7 +144,7 @@ TEST_CASE("seam detection finds light from one side under dark, fine structure")
 }
 
 TEST_CASE("a shadow on one border makes the borders not fit") {
-  const MapExemplar rust = mapOf(exemplars::rust(512));
+  const MapExemplar rust = test::baseColor(exemplars::rust(512));
   REQUIRE(exemplar::isPeriodic(rust));
   for (const double y : {0.3, 0.55, 0.8}) {
     const MapExemplar shaded = darkened(rust, [y](double fromLeft, double fromTop) {
@@ -170,7 +158,7 @@ TEST_CASE("a shadow on one border makes the borders not fit") {
 
 TEST_CASE("seam detection compares dark borders with equally dark lines inside") {
   // A vignette's borders have less contrast than its middle, which hides a crop's seam.
-  const MapExemplar crop = test::cropped(mapOf(exemplars::moss(256)), 0, 0, 200, 200);
+  const MapExemplar crop = test::cropped(test::baseColor(exemplars::moss(256)), 0, 0, 200, 200);
   CHECK_FALSE(exemplar::isPeriodic(darkened(crop, [](double x, double y) {
     return 1.0 - 1.95 * (std::pow(x - 0.5, 2.0) + std::pow(y - 0.5, 2.0));
   })));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Whether the maps of a set are related in the noise as they are in the exemplar.
+#include "bundle_of.h"
 #include "set_covariances.h"
 
 #include <lichen/image.h>
@@ -105,11 +106,7 @@ std::vector<MapExemplar> materialSet() {
 Bundle bakedBundle(const std::vector<MapExemplar>& maps) {
   TilingOptions options;
   options.periodic = Periodic::yes;
-  Result<MethodBake> bake = bakeTiling("set", maps, options);
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
+  Bundle bundle = test::bundleOf(bakeTiling("set", maps, options));
   bundle.materials = {MaterialNoise{}};
   bundle.materialNames = {"set"};
   return bundle;

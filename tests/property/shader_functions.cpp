@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Functions of the shader library against closed forms: distribution function, waves, windows, and
-// where vertices, tiles and impacts lie.
+// the cells of distant impacts.
 #define LICHEN_METHODS 15
 #include "evaluation/shader_library.h"
-#include "synthetic_noise.h"
 #include "synthetic_texton.h"
 
 #include <lichen/lattice.h>
@@ -16,7 +15,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <local_random_phase/octave_lattice.h>
 #include <multiple_kernels/kernel.h>
 #include <numbers>
@@ -29,11 +27,6 @@ using namespace lichen::test;
 namespace {
 
 using Library = glsl::ShaderLibrary;
-using TilePosition = std::array<float, 2>;
-
-Library::LichenMaterial inLibrary(const shader::LichenMaterial& material) {
-  return std::bit_cast<Library::LichenMaterial>(material);
-}
 
 float cdf(float value) { return Library().lichenGaussianCdf(glsl::vec3(value)).x.v; }
 
@@ -62,12 +55,6 @@ TEST_CASE("the polynomial distribution function never decreases and is odd about
     REQUIRE(here + cdf(1.0f - value) == Approx(1.0f).epsilon(1e-6));
     before = here;
   }
-}
-
-TEST_CASE("the polynomial distribution function reaches the outermost centres of 256 cells") {
-  // To a twentieth of a cell, beyond which lookups are constant.
-  CHECK(256.0 * double(cdf(0.0f)) == Approx(0.5).margin(0.05));
-  CHECK(256.0 * double(cdf(1.0f)) == Approx(255.5).margin(0.05));
 }
 
 TEST_CASE("the polynomial of the cosine and the loss of a footprint are as near as they state") {
@@ -129,187 +116,6 @@ TEST_CASE("windows of cosines and spreads of kernels equal the bakes'") {
     INFO(nameOf(window));
     CHECK(double(library.lichenKernelSpread(std::uint32_t(window)).v) ==
           Approx(multiple_kernels::windowSpread(window)).epsilon(3e-4));
-  }
-}
-
-TEST_CASE("the rotation of a tile is a number of quarter turns, exactly") {
-  Library library;
-  const std::uint32_t word = latticeSeed(7, 0);
-  for (const std::uint32_t angles : {2u, 4u}) {
-    shader::LichenMaterial material{};
-    material.seedWord = word;
-    setPart(material, shader::LichenTilingMaterial{1.0f, angles});
-    for (std::uint32_t i = 0; i < 500; ++i) {
-      const glsl::vec2 found = library.lichenTileRotationAt({i, 3u}, inLibrary(material));
-      const double angle = 0.5 * std::numbers::pi * tileQuarterTurns(i, 3, word, angles);
-      REQUIRE(double(found.x.v) == std::round(std::cos(angle)));
-      REQUIRE(double(found.y.v) == std::round(std::sin(angle)));
-    }
-  }
-}
-
-namespace {
-
-/// A vertex around a point.
-struct Vertex {
-  std::uint32_t i, j;           ///< reduced to one period
-  std::array<double, 2> period; ///< whole periods from there to the vertex [tiles]
-  std::array<double, 2> offset; ///< from the vertex to the point [tiles]
-  float weight;
-};
-
-/// The triangle around a position in tiles, relative to the tile origin.
-std::array<Vertex, 3> verticesAt(const shader::LichenMaterial& host, const TilePosition& position) {
-  Library library;
-  const Library::LichenMaterial material = inLibrary(host);
-  const glsl::vec2 skewed = library.lichenSkewed(glsl::vec2(position[0], position[1]), material);
-  const Library::LichenTriangle triangle = library.lichenTriangle(skewed, material);
-  std::array<Vertex, 3> vertices{};
-  for (int k = 0; k < 3; ++k) {
-    glsl::uvec2 vertex = k == 0 ? triangle.vertex0 : k == 1 ? triangle.vertex1 : triangle.vertex2;
-    const double row =
-        double(skewed.y.v) - double(std::int32_t(vertex.y - std::uint32_t(host.cellJ)));
-    const double column =
-        double(skewed.x.v) - double(std::int32_t(vertex.x - std::uint32_t(host.cellI))) + 0.5 * row;
-    const glsl::vec2 period = library.lichenReduceToPeriod(vertex, material);
-    vertices[std::size_t(k)] = {
-        vertex.x,
-        vertex.y,
-        {double(period.x.v), double(period.y.v)},
-        {column / double(host.columnsPerTile), row / double(host.rowsPerTile)},
-        triangle.weights[k].v};
-  }
-  return vertices;
-}
-
-shader::LichenMaterial materialWith(const Lattice& lattice) {
-  shader::LichenMaterial material{};
-  material.columnsPerTile = float(lattice.columnsPerTile);
-  material.rowsPerTile = float(lattice.rowsPerTile);
-  material.periodColumns = lattice.periodColumns;
-  material.periodRows = lattice.periodRows;
-  material.periodTilesX = float(lattice.periodColumns / lattice.columnsPerTile);
-  material.periodTilesY = float(lattice.periodRows / lattice.rowsPerTile);
-  return material;
-}
-
-/// lattice.h: vertex (i, j) is at x = (i + j / 2) / columnsPerTile, y = j / rowsPerTile.
-std::array<double, 2> positionOf(const Lattice& lattice, const Vertex& vertex) {
-  const double i = double(std::int32_t(vertex.i)), j = double(std::int32_t(vertex.j));
-  return {(i + 0.5 * j) / lattice.columnsPerTile, j / lattice.rowsPerTile};
-}
-
-std::vector<TilePosition> tilePositions() {
-  std::mt19937 generator(17);
-  std::uniform_real_distribution<float> uniform(-20.0f, 20.0f);
-  std::vector<TilePosition> positions{{0.0f, 0.0f}, {1.0f, 0.5f}, {-2.0f, -0.25f}}; // at vertices
-  for (int k = 0; k < 500; ++k)
-    positions.push_back({uniform(generator), uniform(generator)});
-  return positions;
-}
-
-constexpr Grain kVertexGrains[] = {Grain::none, Grain::x, Grain::y};
-constexpr double kRounding = 2e-5; // of positions of up to 160 cells, in floats
-
-} // namespace
-
-TEST_CASE("the vertices around a point are neighbours, and their weights average them to it") {
-  for (const Grain grain : kVertexGrains) {
-    const Lattice lattice = infiniteLattice(grain);
-    const shader::LichenMaterial material = materialWith(lattice);
-    for (const TilePosition& position : tilePositions()) {
-      const auto vertices = verticesAt(material, position);
-      INFO("grain " << int(grain) << ", " << position[0] << ", " << position[1]);
-      double sum = 0.0;
-      std::array<double, 2> mean{};
-      for (const Vertex& vertex : vertices) {
-        const std::array<double, 2> at = positionOf(lattice, vertex);
-        CHECK(double(vertex.weight) > -kRounding);
-        CHECK(vertex.period == std::array{0.0, 0.0});
-        sum += double(vertex.weight);
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-          mean[axis] += double(vertex.weight) * at[axis];
-          CHECK(std::abs(at[axis] + vertex.offset[axis] - double(position[axis])) < kRounding);
-        }
-      }
-      CHECK(std::abs(sum - 1.0) < kRounding);
-      CHECK(std::abs(mean[0] - double(position[0])) < kRounding);
-      CHECK(std::abs(mean[1] - double(position[1])) < kRounding);
-      for (std::size_t a = 0; a < 3; ++a)
-        for (std::size_t b = 0; b < a; ++b) {
-          const auto di = std::int32_t(vertices[a].i - vertices[b].i);
-          const auto dj = std::int32_t(vertices[a].j - vertices[b].j);
-          CHECK(di * di + di * dj + dj * dj == 1); // a side of a triangle, in skewed coordinates
-        }
-    }
-  }
-}
-
-TEST_CASE("the cell of the tile origin is added to vertices modulo 2^32") {
-  const Lattice lattice = infiniteLattice(Grain::none);
-  shader::LichenMaterial material = materialWith(lattice);
-  for (const TilePosition& position : tilePositions()) {
-    material.cellI = material.cellJ = 0;
-    const auto here = verticesAt(material, position);
-    material.cellI = std::numeric_limits<std::int32_t>::max();
-    material.cellJ = -7;
-    const auto there = verticesAt(material, position);
-    for (std::size_t k = 0; k < 3; ++k) {
-      CHECK(there[k].i == here[k].i + 0x7fffffffu);
-      CHECK(there[k].j == here[k].j - 7u);
-      CHECK(there[k].weight == here[k].weight);
-      CHECK(there[k].offset == here[k].offset);
-    }
-  }
-}
-
-TEST_CASE("vertices of a periodic lattice lie in one period, whole periods from where they are") {
-  for (const double side : {1.0, 1.37, 4.0})
-    for (const Grain grain : kVertexGrains) {
-      const Lattice lattice = periodicLattice(side, side, grain);
-      const shader::LichenMaterial material = materialWith(lattice);
-      shader::LichenMaterial endless = material;
-      endless.periodColumns = endless.periodRows = 0;
-      for (const TilePosition& position : tilePositions()) {
-        const auto vertices = verticesAt(material, position);
-        const auto unreduced = verticesAt(endless, position);
-        INFO("side " << side << ", grain " << int(grain) << ", " << position[0] << ", "
-                     << position[1]);
-        for (std::size_t k = 0; k < 3; ++k) {
-          const Vertex& vertex = vertices[k];
-          CHECK(vertex.i < std::uint32_t(lattice.periodColumns));
-          CHECK(vertex.j < std::uint32_t(lattice.periodRows));
-          CHECK(vertex.weight == unreduced[k].weight);
-          CHECK(vertex.offset == unreduced[k].offset);
-          const auto within = positionOf(lattice, vertex);
-          const auto at = positionOf(lattice, unreduced[k]);
-          const std::array<double, 2> length{lattice.periodColumns / lattice.columnsPerTile,
-                                             lattice.periodRows / lattice.rowsPerTile};
-          for (std::size_t axis = 0; axis < 2; ++axis) {
-            CHECK(std::abs(within[axis] + vertex.period[axis] - at[axis]) < kRounding);
-            const double periods = vertex.period[axis] / length[axis];
-            CHECK(std::abs(periods - std::round(periods)) < kRounding);
-          }
-        }
-      }
-    }
-}
-
-TEST_CASE("tiles are offset by whole texels, so that the texel grid stays aligned") {
-  const std::vector<SyntheticMap> maps{{.width = 128, .height = 128}};
-  const Bundle bundle = syntheticBundle(maps).bundle;
-  const auto material = inLibrary(shaderMaterial(bundle, MaterialNoise(), {}).material);
-  const auto noise = std::bit_cast<Library::LichenNoise>(shaderNoise(bundle, 0));
-  const glsl::vec2 none(0.0f);
-  for (int k = 0; k < 500; ++k) {
-    const glsl::vec2 position((float(k) + 0.5f) / 128.0f, (float(3 * k) + 0.5f) / 128.0f);
-    Library::LichenTilingPoint point;
-    Library().lichenSetPoint(point, position, none, none, material, noise);
-    for (const glsl::vec2& uv : {point.uv0, point.uv1, point.uv2})
-      for (const float coordinate : {uv.x.v, uv.y.v}) {
-        const float texel = coordinate * 128.0f - 0.5f;
-        REQUIRE(texel == std::round(texel));
-      }
   }
 }
 
@@ -377,8 +183,8 @@ TEST_CASE("the sums of impacts, weights and squared weights on surfaces follow p
         const Library::LichenSurfaceCubes cubes =
             library
                 .lichenPointSurfaceGrad(position, none, none, normal,
-                                        glsl::vec4(0.36f, 0.48f, -0.8f, 1.0f), inLibrary(material),
-                                        noise)
+                                        glsl::vec4(0.36f, 0.48f, -0.8f, 1.0f),
+                                        std::bit_cast<Library::LichenMaterial>(material), noise)
                 .point.texton.cubes;
         Eigen::Array3d sums = Eigen::Array3d::Zero();
         Library::LichenSurfaceWalk walk = library.lichenFirstSurfaceImpact(cubes);

@@ -39,24 +39,20 @@ MaterialNoise onSurface(MaterialNoise material) {
 
 /// For a material with surface mapping.
 struct Evaluation : TextonEvaluation {
-  Evaluation(const SyntheticTexton& source, const MaterialNoise& materialNoise,
-             const Placement& placement = {})
-      : TextonEvaluation(source, onSurface(materialNoise), placement) {}
+  Evaluation(const SyntheticTexton& source, const MaterialNoise& materialNoise)
+      : TextonEvaluation(source, onSurface(materialNoise)) {}
 
-  /// A pixel that fetches textons at this mip level, at a position in texels on a plane.
-  [[nodiscard]] SurfaceFootprint footprint(const Vec& place, const Plane& plane,
-                                           double level = 0.0) const {
+  /// A pixel of a texel at a position in texels on a plane.
+  [[nodiscard]] SurfaceFootprint footprint(const Vec& place, const Plane& plane) const {
     const double metresPerTexel =
         double(constants.tileSizeMetres) /
         std::hypot(double(material.material.uvToTileXX), double(material.material.uvToTileXY)) /
         double(constants.tileTexelsX);
-    // Textons are fetched half a level below the footprint's (docs/decisions/003).
-    const double pixel = std::exp2(level > 0.0 ? level + 0.5 : 0.0) * metresPerTexel;
     SurfaceFootprint at;
     for (std::size_t k = 0; k < 3; ++k) {
       at.position[k] = float(place[k] * metresPerTexel);
-      at.dx[k] = float(plane.right[k] * pixel);
-      at.dy[k] = float(plane.down[k] * pixel);
+      at.dx[k] = float(plane.right[k] * metresPerTexel);
+      at.dy[k] = float(plane.down[k] * metresPerTexel);
       at.normal[k] = float(plane.outward[k]);
       at.tangent[k] = float(plane.right[k]);
     }
@@ -65,21 +61,13 @@ struct Evaluation : TextonEvaluation {
   }
 
   /// Stored values minus their mean at this position.
-  [[nodiscard]] Vec at(const Vec& place, const Plane& plane, double level = 0.0) const {
-    return storedAt(footprint(place, plane, level));
+  [[nodiscard]] Vec at(const Vec& place, const Plane& plane) const {
+    return storedAt(footprint(place, plane));
   }
 };
 
 const SyntheticTexton kColour{
     .coefficientsX = 12, .coefficientsY = 10, .mipLevels = 2, .wholeFloats = true};
-/// Constant within a texel, so that integrals over it are sums.
-const SyntheticTexton kSteps{.coefficientsX = 12,
-                             .coefficientsY = 10,
-                             .order = 0,
-                             .mipLevels = 2,
-                             .channels = 1,
-                             .wholeFloats = true};
-
 /// Calls act(position) for `count` positions [texels]. Each is random in its own cube, and the
 /// cubes are further apart than textons reach, so that the values are independent.
 template <class Act>
@@ -163,61 +151,11 @@ TEST_CASE("a tangent plane of any direction has the covariance of noise in the p
   }
 }
 
-TEST_CASE("minified noise on a surface has the variance of mipLoss, also beyond the last mip") {
-  const double variance = covarianceAt(kSteps, syntheticCoefficients(kSteps, 0), 0, 0)[0];
-  const Evaluation noise(kSteps, materialOf(PointProcess::stratified, 30.0, 2));
-  const Plane plane({1.0, 2.0, -2.0});
-  const std::vector<double>& losses = noise.bundle.noises[0].maps[0].as<TextonMap>().mipLoss;
-  for (const int level : {1, 3}) {
-    constexpr int kPlaces = 8000;
-    double square = 0.0;
-    atIndependentPlaces(kPlaces, [&](const Vec& place) {
-      square += std::pow(noise.at(place, plane, level)[0], 2) / kPlaces;
-    });
-    // 5 standard errors of a variance, alpha 6e-7, plus the quantization of the lost variance to
-    // bytes.
-    const double kept = variance * (1.0 - losses[std::size_t(level)]);
-    const double step = variance * 2.0 * std::sqrt(1.0 - losses[std::size_t(level)]) / 510.0;
-    INFO("level " << level);
-    CHECK(std::abs(square - kept) < 5.0 * 1.1 * kept * std::sqrt(2.0 / kPlaces) + step);
-  }
-}
-
-TEST_CASE("noise rotates with the tangent, is mirrored by its w, and works without a tangent") {
-  MaterialNoise material = materialOf(PointProcess::stratified, 30.0, 6);
-  const Evaluation plain(kColour, material);
-  material.rotation = 0.7;
-  const Evaluation rotated(kColour, material);
-  const Plane plane({1.0, 1.0, -0.3});
-  const Vec place{7.0, -3.0, 20.0};
-  const SurfaceFootprint at = plain.footprint(place, plane);
-  // p = (c u + s v, -s u + c v): the exemplar's x grows along (c, s).
-  SurfaceFootprint rotatedAt = at;
-  const Vec along = sum(std::cos(0.7), plane.right, std::sin(0.7), plane.down);
-  for (std::size_t k = 0; k < 3; ++k)
-    rotatedAt.tangent[k] = float(along[k]);
-  const auto expected = plain.evaluator->gaussian(0, plain.material, rotatedAt).value;
-  const auto value = rotated.evaluator->gaussian(0, rotated.material, at).value;
-  for (std::size_t c = 0; c < 3; ++c)
-    CHECK(value[c] == Approx(expected[c]).margin(1e-5));
-
-  // Flipping the bitangent and the direction rotates the exemplar by 180 degrees.
-  const auto gaussianAt = [&](const SurfaceFootprint& footprint) {
-    return plain.evaluator->gaussian(0, plain.material, footprint).value[0];
-  };
-  SurfaceFootprint mirrored = at, halfTurn = at, behind = at;
-  mirrored.tangent[3] = halfTurn.tangent[3] = -1.0f;
-  for (std::size_t k = 0; k < 3; ++k) {
-    halfTurn.tangent[k] *= -1.0f;
-    behind.normal[k] *= -1.0f;
-  }
-  behind.tangent[3] = -1.0f; // from behind, the same frame except for its normal
-  CHECK(gaussianAt(mirrored) != Approx(gaussianAt(at)).margin(1e-3));
-  CHECK(gaussianAt(halfTurn) != Approx(gaussianAt(at)).margin(1e-3));
-  CHECK(gaussianAt(behind) == Approx(gaussianAt(at)).margin(1e-5));
-  SurfaceFootprint lost = at;
+TEST_CASE("noise works without a tangent") {
+  const Evaluation noise(kColour, materialOf(PointProcess::stratified, 30.0, 6));
+  SurfaceFootprint lost = noise.footprint({7.0, -3.0, 20.0}, Plane({1.0, 1.0, -0.3}));
   for (const float x : {0.0f, -1e-9f}) {
     lost.tangent = {x, x, x, 1.0f};
-    CHECK(std::isfinite(gaussianAt(lost)));
+    CHECK(std::isfinite(noise.evaluator->gaussian(0, noise.material, lost).value[0]));
   }
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Statistics of texton noise against closed forms, and its views against what mips store.
+#include "base_color.h"
+#include "bundle_of.h"
 #include "texton_evaluation.h"
 
 #include <lichen/texton.h>
@@ -22,16 +24,11 @@ struct Evaluation : TextonEvaluation {
              std::uint32_t seed)
       : TextonEvaluation(source, materialOf(process, impacts, seed)) {}
 
-  /// Stored values minus their mean, at a position in texels with the footprint of this mip level.
-  [[nodiscard]] std::array<double, 3> at(double x, double y, double level = 0.0) const {
-    const float side = std::exp2(float(level > 0.0 ? level + 0.5 : 0.0));
-    const float pixelX = side / constants.tileTexelsX;
-    const float pixelY = side / constants.tileTexelsY;
-    TileFootprint place;
-    place.position = {float(x) / constants.tileTexelsX, float(y) / constants.tileTexelsY};
-    place.dx = {pixelX, 0.0f};
-    place.dy = {0.0f, pixelY};
-    return storedAt(place);
+  /// Stored values minus their mean, of a pixel of a texel at a position in texels.
+  [[nodiscard]] std::array<double, 3> at(double x, double y) const {
+    const float pixelX = 1.0f / constants.tileTexelsX, pixelY = 1.0f / constants.tileTexelsY;
+    return storedAt(
+        TileFootprint{{float(x) * pixelX, float(y) * pixelY}, {pixelX, 0.0f}, {0.0f, pixelY}});
   }
 };
 
@@ -90,58 +87,7 @@ TEST_CASE("the covariance at a lag is sum b(k - l) alpha alpha^T, for both proce
   }
 }
 
-TEST_CASE("minified noise is the average of the noise") {
-  const SyntheticTexton smooth{.coefficientsX = 24,
-                               .coefficientsY = 20,
-                               .channels = 1,
-                               .wholeFloats = true,
-                               .smoothings = 10};
-  const Evaluation fine(smooth, PointProcess::stratified, 30.0, 2);
-  for (const int level : {1, 2}) {
-    // A box average of texels, interpolated linearly. Averaged over the positions of the mip's
-    // texels, it is an average over the quadratic B-spline of the pixel's width.
-    const auto spline = [](double x) {
-      x = std::abs(x);
-      return x < 0.5 ? 0.75 - x * x : 0.5 * std::pow(std::max(0.0, 1.5 - x), 2);
-    };
-    const double side = std::exp2(level);
-    double product = 0.0, filtered = 0.0, averaged = 0.0;
-    atIndependentPlaces(24, 64.0, [&](double x, double y) {
-      double average = 0.0;
-      constexpr int kSamples = 12; // along each axis, over three pixels
-      for (int k = 0; k < kSamples * kSamples; ++k) {
-        const double dx = 3.0 * ((k % kSamples + 0.5) / kSamples - 0.5);
-        const double dy = 3.0 * ((k / kSamples + 0.5) / kSamples - 0.5);
-        average += spline(dx) * spline(dy) * fine.at(x + side * dx, y + side * dy)[0];
-      }
-      const double value = fine.at(x, y, level)[0];
-      product += value * average;
-      filtered += value * value;
-      averaged += average * average;
-    });
-    const double correlation = product / std::sqrt(filtered * averaged);
-    INFO("level " << level << ", correlation " << correlation);
-    CHECK(correlation > 0.99); // 0.999 and 0.997 measured
-  }
-}
-
 namespace {
-
-Bundle bakedBundle(const SrgbImage& image) {
-  MapExemplar map;
-  map.channels = {MapChannel::red, MapChannel::green, MapChannel::blue};
-  map.width = image.width;
-  map.height = image.height;
-  map.values.assign(image.values.begin(), image.values.end());
-  TextonOptions options;
-  options.support = 32;
-  Result<MethodBake> bake = bakeTexton("exemplar", {&map, 1}, options);
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.noises.push_back(std::move(bake.value().noise));
-  bundle.tables = std::move(bake.value().tables);
-  return bundle;
-}
 
 /// A noise with one material, and its evaluator.
 struct View {
@@ -199,7 +145,10 @@ TEST_CASE("between two mips textons have the variance that both mips store") {
 TEST_CASE(
     "each channel of a view has the variance that its losses leave, also beyond the last mip") {
   constexpr int kSide = 128;
-  const View view(bakedBundle(exemplars::rust(kSide)));
+  TextonOptions options;
+  options.support = 32;
+  const MapExemplar rust = baseColor(exemplars::rust(kSide));
+  const View view(bundleOf(bakeTexton("exemplar", {&rust, 1}, options)));
   const NoiseMap& map = view.bundle.noises[0].maps[0];
   for (const std::size_t level : {1u, 2u, 5u}) {
     // Textons are fetched half a level below the footprint's (docs/decisions/003).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The judgement of a stored texton, and the Gaussian texture it is compared with.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/texton.h>
@@ -33,13 +34,8 @@ Baked bakedOf(const MapExemplar& map, int order, int support) {
   options.order = order;
   options.support = support;
   options.bits = 16;
-  Result<MethodBake> bake = bakeTexton("grain", {&map, 1}, options);
-  REQUIRE(bake);
-  Baked baked;
-  baked.bundle.noises = {std::move(bake.value().noise)};
-  baked.bundle.tables = std::move(bake.value().tables);
-  baked.quality = std::move(bake.value().figures.quality);
-  return baked;
+  const Result<MethodBake> bake = bakeTexton("grain", {&map, 1}, options);
+  return {bundleOf(bake), bake.value().figures.quality};
 }
 
 /// Covariance of two channels of interleaved values about the given mean.

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <evaluation/method_evaluator.h>
+#include <exemplar/color_space.h>
 #include <exemplar/value_encoding.h>
 
 using namespace lichen;
@@ -44,24 +45,13 @@ MatrixXd matrixOf(const std::vector<double>& values) {
 }
 
 /// Mean and covariance of a map's own pixels, as a noise stores them: roots of light for colours.
-struct PixelStatistics {
-  explicit PixelStatistics(const MapExemplar& exemplar) {
-    const MapExemplar map = exemplar::asStored(exemplar);
-    const auto n = Eigen::Index(map.channels.size());
-    const MatrixXd values =
-        Eigen::Map<const Eigen::MatrixXf>(map.values.data(), n, Eigen::Index(map.values.size()) / n)
-            .cast<double>();
-    mean = values.rowwise().mean();
-    const MatrixXd centred = values.colwise() - mean;
-    covariance = centred * centred.transpose() / double(values.cols());
-  }
-  Eigen::VectorXd mean;
-  MatrixXd covariance;
-};
+exemplar::Moments momentsOf(const MapExemplar& map) {
+  return exemplar::momentsOf(exemplar::asStored(map).values, int(map.channels.size()));
+}
 
 void checkStatistics(const std::vector<double>& mean, const std::vector<double>& covariance,
                      const MapExemplar& map) {
-  const PixelStatistics expected(map);
+  const exemplar::Moments expected = momentsOf(map);
   for (Eigen::Index c = 0; c < expected.mean.size(); ++c)
     CHECK(mean[std::size_t(c)] == Approx(expected.mean[c]).epsilon(1e-9));
   const MatrixXd difference = matrixOf(covariance) - expected.covariance;
@@ -130,7 +120,7 @@ TEST_CASE("weights give one texton with the exemplars' weighted mean") {
   for (Eigen::Index c = 0; c < 3; ++c) {
     double mean = 0.0;
     for (std::size_t k = 0; k < 3; ++k)
-      mean += (k == 0 ? 0.5 : 0.25) * PixelStatistics(exemplars[k].maps[0]).mean[c];
+      mean += (k == 0 ? 0.5 : 0.25) * momentsOf(exemplars[k].maps[0]).mean[c];
     CHECK(bake.noise.maps[0].mean[std::size_t(c)] == Approx(mean));
   }
   options.weights = {0.0, 1.0, 0.0};

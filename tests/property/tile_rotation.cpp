@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tiling with rotated tiles: evenly hashed rotations, the exemplar's histogram, and slopes that
-// match the rotated height.
-#include "example_exemplar.h"
-
+// Tiling with rotated tiles: evenly hashed rotations, and slopes that match the rotated height.
 #include <lichen/lattice.h>
-#include <lichen/tiling.h>
+#include <lichen/shader_parameters.h>
 
 #include <catch2/catch.hpp>
 
@@ -17,7 +14,6 @@
 #include <vector>
 
 using namespace lichen;
-using namespace lichen::test;
 
 namespace {
 
@@ -101,21 +97,6 @@ Bundle waveBundle(WaveAt wave, std::uint32_t width, std::uint32_t height) {
 /// For the height in waveBundle(), per texel.
 constexpr double kHeightPerValue = 1.0 / 0.02;
 
-const Bundle& colorBundle() {
-  static const Bundle bundle = [] {
-    const MapExemplar map = threeMaterials(128, 128, 11);
-    TilingOptions options;
-    options.bits = 16;
-    Result<MethodBake> bake = bakeTiling("example", {&map, 1}, options);
-    REQUIRE(bake);
-    Bundle baked;
-    baked.tables = std::move(bake.value().tables);
-    baked.noises = {std::move(bake.value().noise)};
-    return baked;
-  }();
-  return bundle;
-}
-
 TileFootprint pointAt(double x, double y, double side = 1e-4) {
   TileFootprint at;
   at.position = {float(x), float(y)};
@@ -152,30 +133,6 @@ double chiSquare(const std::vector<int>& counts) {
   for (const int count : counts)
     squares += (count - expected) * (count - expected) / expected;
   return squares;
-}
-
-double kolmogorovSmirnov(std::vector<double> a, std::vector<double> b) {
-  std::sort(a.begin(), a.end());
-  std::sort(b.begin(), b.end());
-  double largest = 0.0;
-  const auto below = [](const std::vector<double>& sample, double value) {
-    return double(std::upper_bound(sample.begin(), sample.end(), value) - sample.begin()) /
-           double(sample.size());
-  };
-  for (const double value : a)
-    largest = std::max(largest, std::abs(below(a, value) - below(b, value)));
-  return largest;
-}
-
-struct Moments {
-  double mean, variance;
-};
-Moments momentsOf(const std::vector<double>& values) {
-  double sum = 0.0, squares = 0.0;
-  for (const double value : values)
-    sum += value, squares += value * value;
-  const double count = double(values.size()), mean = sum / count;
-  return {mean, squares / count - mean * mean};
 }
 
 } // namespace
@@ -248,39 +205,4 @@ TEST_CASE("slopes are the gradient of the height, rotated with its tiles") {
       CHECK(largest < 0.005);
     }
   }
-}
-
-TEST_CASE("rotated colours have the same mean, variance and histogram everywhere in a triangle",
-          "[large]") {
-  const Bundle& bundle = colorBundle();
-  const auto evaluator = methodEvaluator(bundle, 0);
-  constexpr double kTexels = 128.0;
-  const auto samples = [&](std::uint32_t angles, double f, double g) {
-    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, rotatedBy(angles), {});
-    std::vector<double> values;
-    for (int j = 0; j < 90; ++j)
-      for (int i = 0; i < 90; ++i) {
-        TileFootprint at = pointAt((i + f + 0.5 * (j + g)) / kLatticeColumnsPerTile,
-                                   (j + g) / kLatticeRowsPerTile, 1.0 / kTexels);
-        for (float& coordinate : at.position) // at texel centres, where a fetch loses nothing
-          coordinate = float((std::floor(double(coordinate) * kTexels) + 0.5) / kTexels);
-        values.push_back(double(evaluator->evaluate(0, material, at)[0]));
-      }
-    return values;
-  };
-  const std::vector<double> vertex = samples(0, 0.001, 0.001);
-  const Moments wanted = momentsOf(vertex);
-  for (const std::uint32_t angles : {2u, 4u})
-    for (const auto& [f, g] : {std::pair{0.001, 0.001}, {1.0 / 3.0, 1.0 / 3.0}, {0.7, 0.5}}) {
-      const std::vector<double> found = samples(angles, f, g);
-      const Moments moments = momentsOf(found);
-      INFO("angles " << angles << " at " << f << ", " << g << ": variance " << moments.variance
-                     << " of " << wanted.variance);
-      // 8100 cells: the standard error of the difference of two means is 1.6 % of a standard
-      // deviation, and of two variances at most 2.2 %. The limits are 4.4 of these, alpha 1e-5
-      // each; of the histogram 1e-6, sqrt(ln(2e6) / 2) sqrt(2 / 8100).
-      CHECK(std::abs(moments.mean - wanted.mean) < 0.07 * std::sqrt(wanted.variance));
-      CHECK(moments.variance == Approx(wanted.variance).epsilon(0.10));
-      CHECK(kolmogorovSmirnov(found, vertex) < 0.0423);
-    }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The variance of slopes that a slope map's table stores beside the slopes.
 #include "baked_exemplar.h"
+#include "bundle_of.h"
 
 #include <catch2/catch.hpp>
 
@@ -119,10 +120,7 @@ struct View {
 class SlopeViews {
 public:
   explicit SlopeViews(MapExemplar map, const TilingOptions& options = {}) : map_(std::move(map)) {
-    Result<MethodBake> bake = bakeTiling("slopes", {&map_, 1}, options);
-    REQUIRE(bake);
-    bundle_.tables = std::move(bake.value().tables);
-    bundle_.noises = {std::move(bake.value().noise)};
+    bundle_ = test::bundleOf(bakeTiling("slopes", {&map_, 1}, options));
     evaluator_ = methodEvaluator(bundle_, 0);
   }
 

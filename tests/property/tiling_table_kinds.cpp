@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps without an inverse table.
+#include "bundle_of.h"
 #include "example_exemplar.h"
 
 #include <lichen/image.h>
@@ -51,15 +52,6 @@ MapExemplar gaussianExemplar(int side, int radius, double deviation, std::uint64
             float(0.5 + g[c] + bend * (g[c] * g[c] - deviation * deviation));
     }
   return map;
-}
-
-Bundle bakedWith(const MapExemplar& map, const TilingOptions& options) {
-  Result<MethodBake> bake = bakeTiling("kinds", {&map, 1}, options);
-  REQUIRE(bake);
-  Bundle bundle;
-  bundle.tables = std::move(bake.value().tables);
-  bundle.noises = {std::move(bake.value().noise)};
-  return bundle;
 }
 
 exemplar::Moments synthesizedMoments(const Bundle& bundle, int side, double texelsPerTile = 0.0) {
@@ -137,7 +129,7 @@ TEST_CASE("a noise without a table has the exemplar's light, near and far", "[la
   const MapExemplar map = gaussianExemplar(128, 1, 0.12, 6);
   TilingOptions options;
   options.gaussian = GaussianOnly::yes;
-  const Bundle bundle = bakedWith(map, options);
+  const Bundle bundle = test::bundleOf(bakeTiling("kinds", {&map, 1}, options));
   REQUIRE(bundle.tables.size() == 1);
   CHECK_FALSE(bundle.noises[0].maps[0].as<TilingMap>().inverseTable.has_value());
   const exemplar::Moments wanted = lightMoments(map);
@@ -166,7 +158,11 @@ TEST_CASE("only exemplars that span all their channels can do without a table") 
   CHECK(refused.error().kind == ErrorKind::usage);
   CHECK(refused.error().message.find("span less than 3 dimensions") != std::string::npos);
   options.gaussian = GaussianOnly::detect;
-  CHECK(bakedWith(grey, options).noises[0].maps[0].as<TilingMap>().inverseTable.has_value());
+  CHECK(test::bundleOf(bakeTiling("kinds", {&grey, 1}, options))
+            .noises[0]
+            .maps[0]
+            .as<TilingMap>()
+            .inverseTable.has_value());
 }
 
 TEST_CASE("a dimension with only the dither of a 16-bit file needs a table") {

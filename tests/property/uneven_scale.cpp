@@ -2,6 +2,8 @@
 // Ground seen at a slant is found, and by about the same amount from 256 to 512 pixels.
 #include "base_color.h"
 
+#include <lichen/suitability.h>
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -70,6 +72,11 @@ TEST_CASE("ground at a slant has the same uneven scale at all sides from 256 to 
       CHECK(at(even, side, side) < 0.5 * kUnevenScale.mild);
       if (material.name != std::string_view("lichen_on_stone")) // as soft from near as from far
         CHECK(at(slant, side, side) > kUnevenScale.mild);
+    }
+    for (const MapExemplar* map : {&even, &slant}) {
+      const Risk risk = assessSuitability(*map, false).value().back();
+      REQUIRE(risk.name == "uneven-scale");
+      CHECK((risk.level != Risk::Level::none) == (unevenScale(*map) > kUnevenScale.mild));
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Frames of whole periods in pictures whose periods are known, also in perspective, and maps inside
 // frames.
+#include "plane_of.h"
 #include "random_field.h"
 
 #include <lichen/regularity.h>
@@ -75,21 +76,14 @@ MapExemplar periodicPicture(int width, int height, const PictureLattice& lattice
   for (int v = 0; v <= kHighest; ++v)
     for (int u = v == 0 ? 1 : -kHighest; u <= kHighest; ++u)
       waves.push_back({double(u), double(v), normal(generator), 7.0 * normal(generator)});
-  MapExemplar map;
-  map.channels = {MapChannel::red};
-  map.encoding = ValueEncoding::linear;
-  map.width = width;
-  map.height = height;
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      const PixelVector at = lattice.coordinatesOf(onPlane(x, y));
-      double sum = 3.0 * double(x) / width + noise * normal(generator); // uneven light
-      for (const Wave& wave : waves)
-        sum += wave.amplitude *
-               std::cos(2.0 * std::numbers::pi * (wave.u * at[0] + wave.v * at[1]) + wave.phase);
-      map.values.push_back(float(0.5 + 0.03 * sum));
-    }
-  return map;
+  return test::planeOf(width, height, [&](int x, int y) {
+    const PixelVector at = lattice.coordinatesOf(onPlane(x, y));
+    double sum = 3.0 * double(x) / width + noise * normal(generator); // uneven light
+    for (const Wave& wave : waves)
+      sum += wave.amplitude *
+             std::cos(2.0 * std::numbers::pi * (wave.u * at[0] + wave.v * at[1]) + wave.phase);
+    return 0.5 + 0.03 * sum;
+  });
 }
 
 /// From the first corner to the second and to the fourth.
@@ -237,17 +231,11 @@ TEST_CASE("the frame of upright boards is upright, though they repeat after any 
   int found = 0, slanted = 0;
   for (std::uint32_t seed = 1; seed <= 10; ++seed) {
     const std::vector<float> field = test::randomField(kFieldSide, test::bellPower(100.0), seed);
-    MapExemplar map;
-    map.channels = {MapChannel::red};
-    map.encoding = ValueEncoding::linear;
-    map.width = map.height = kSide;
-    for (int y = 0; y < kSide; ++y)
-      for (int x = 0; x < kSide; ++x) {
-        const float streak = field[std::size_t((y / kStreak) * kFieldSide + x)];
-        const int tone = x / kBoard % kTones;
-        map.values.push_back(x % kBoard < kJoint ? 0.0f
-                                                 : 0.5f + 0.1f * float(tone) + 0.02f * streak);
-      }
+    const MapExemplar map = test::planeOf(kSide, kSide, [&](int x, int y) {
+      const float streak = field[std::size_t((y / kStreak) * kFieldSide + x)];
+      const int tone = x / kBoard % kTones;
+      return x % kBoard < kJoint ? 0.0f : 0.5f + 0.1f * float(tone) + 0.02f * streak;
+    });
     const auto frame = wholePeriods(map).part;
     if (!frame)
       continue;
@@ -315,13 +303,8 @@ TEST_CASE("a random field has no frame") {
     for (std::uint32_t seed = 1; seed <= 20; ++seed) {
       const std::vector<float> field =
           test::randomField(kFieldSide, test::bellPower(wavesPerField), seed);
-      MapExemplar map;
-      map.channels = {MapChannel::red};
-      map.encoding = ValueEncoding::linear;
-      map.width = map.height = kSide;
-      for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
-          map.values.push_back(field[std::size_t(y * kFieldSide + x)]);
+      const MapExemplar map = test::planeOf(
+          kSide, kSide, [&](int x, int y) { return field[std::size_t(y * kFieldSide + x)]; });
       found += int(wholePeriods(map).part.has_value());
     }
   CHECK(found == 0);
