@@ -2,7 +2,7 @@
 // Statistics of texton noise against closed forms, and its views against what mips store.
 #include "base_color.h"
 #include "bundle_of.h"
-#include "texton_evaluation.h"
+#include "synthetic_texton.h"
 
 #include <lichen/texton.h>
 
@@ -10,6 +10,7 @@
 
 #include <array>
 #include <cmath>
+#include <evaluation/method_evaluator.h>
 #include <materials.h>
 #include <random>
 #include <sampling/texels.h>
@@ -19,17 +20,36 @@ using namespace lichen::test;
 
 namespace {
 
-struct Evaluation : TextonEvaluation {
-  Evaluation(const SyntheticTexton& source, PointProcess process, double impacts,
-             std::uint32_t seed)
-      : TextonEvaluation(source, materialOf(process, impacts, seed)) {}
+MaterialNoise materialOf(PointProcess process, std::uint32_t seed) {
+  MaterialNoise material;
+  material.pointProcess = process;
+  material.seed = seed;
+  return material;
+}
+
+/// A synthetic noise with its evaluator.
+struct Evaluation {
+  Evaluation(const SyntheticTexton& source, const MaterialNoise& materialNoise)
+      : bundle(syntheticTextonBundle(source).bundle), evaluator(methodEvaluator(bundle, 0)),
+        material(shaderMaterial(bundle, materialNoise, {})), constants(shaderNoise(bundle, 0)) {}
 
   /// Stored values minus their mean, of a pixel of a texel at a position in texels.
   [[nodiscard]] std::array<double, 3> at(double x, double y) const {
     const float pixelX = 1.0f / constants.tileTexelsX, pixelY = 1.0f / constants.tileTexelsY;
-    return storedAt(
-        TileFootprint{{float(x) * pixelX, float(y) * pixelY}, {pixelX, 0.0f}, {0.0f, pixelY}});
+    const TileFootprint place{
+        {float(x) * pixelX, float(y) * pixelY}, {pixelX, 0.0f}, {0.0f, pixelY}};
+    const std::array<float, 3> gaussian = evaluator->gaussian(0, material, place).value;
+    const std::vector<double>& scale = bundle.noises[0].maps[0].as<TextonMap>().scale;
+    std::array<double, 3> stored{};
+    for (std::size_t c = 0; c < scale.size(); ++c)
+      stored[c] = (double(gaussian[c]) - 0.5) * scale[c];
+    return stored;
   }
+
+  Bundle bundle;
+  std::shared_ptr<const MethodEvaluator> evaluator;
+  shader::LichenTriplanarMaterial material;
+  shader::LichenNoise constants;
 };
 
 const SyntheticTexton kColour{
@@ -56,7 +76,7 @@ TEST_CASE("the covariance at a lag is sum b(k - l) alpha alpha^T, for both proce
   const std::vector<double> alpha = syntheticCoefficients(kColour, 0);
   const std::vector<double> whole = covarianceAt(kColour, alpha, 0, 0);
   for (const PointProcess process : kProcesses) {
-    const Evaluation noise(kColour, process, 30.0, 5);
+    const Evaluation noise(kColour, materialOf(process, 5));
     for (const auto& [lagX, lagY] :
          std::vector<std::array<int, 2>>{{0, 0}, {1, 0}, {0, 2}, {3, -1}, {-2, 5}, {13, 0}}) {
       std::array<double, 9> sum{};
@@ -84,6 +104,19 @@ TEST_CASE("the covariance at a lag is sum b(k - l) alpha alpha^T, for both proce
         }
       }
     }
+  }
+}
+
+TEST_CASE("noise on a surface works without a tangent") {
+  MaterialNoise material = materialOf(PointProcess::stratified, 6);
+  material.mapping = Mapping::surface;
+  const Evaluation noise(kColour, material);
+  SurfaceFootprint lost;
+  lost.position = {7.0f, -3.0f, 20.0f};
+  lost.normal = {1.0f, 1.0f, -0.3f};
+  for (const float x : {0.0f, -1e-9f}) {
+    lost.tangent = {x, x, x, 1.0f};
+    CHECK(std::isfinite(noise.evaluator->gaussian(0, noise.material, lost).value[0]));
   }
 }
 
