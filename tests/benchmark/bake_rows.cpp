@@ -3,7 +3,6 @@
 #include "exemplars.h"
 #include "rows.h"
 
-#include <array>
 #include <cstdio>
 #include <exemplar/value_encoding.h>
 #include <filesystem>

@@ -5,21 +5,18 @@
 #include "evaluation/shader_library.h"
 #include "synthetic_texton.h"
 
-#include <lichen/lattice.h>
 #include <lichen/shader_parameters.h>
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <local_random_phase/octave_lattice.h>
 #include <multiple_kernels/kernel.h>
 #include <numbers>
 #include <random>
-#include <vector>
 
 using namespace lichen;
 using namespace lichen::test;

@@ -5,9 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <random>
 #include <texton/coefficients.h>
 #include <texton/mixing.h>
 #include <transport/covariance.h>
