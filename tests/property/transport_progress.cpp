@@ -91,7 +91,7 @@ TEST_CASE("bakes by the other methods report progress, and end if the caller sto
   };
   TextonOptions texton;
   texton.support = 8;
-  check(by(bakeTexton, texton), 50, 8);
+  check(by(bakeTexton, texton), 50, 8, "the bake: interrupted");
   check(by(bakeLocalRandomPhase, LocalRandomPhaseOptions{}), 5, 8);
   check(by(bakeMultipleKernels, MultipleKernelsOptions{}), 5, 8);
   check(by(bakeQuilting, QuiltingOptions{}), 2, 8);
