@@ -158,7 +158,7 @@ const std::vector<Fault> kFaults{
      "/images/0: its file \"absent.png\" cannot be read",
      "/images/0",
      {{"uri", "absent.png"}}},
-    {"an empty image", "", "/images/0", {{"uri", "data:image/png;base64,"}}},
+    {"an empty image", "/images/0", "/images/0", {{"uri", "data:image/png;base64,"}}},
     {"a texture with a missing image", "/textures/0", "/textures/0/source", 2},
     {"a texture with a missing sampler", "/textures/0", "/textures/0/sampler", 2},
     {"an unknown wrap", "/samplers/0", "/samplers/0/wrapS", 1},

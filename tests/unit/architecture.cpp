@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // docs/architecture.md against the sources: which files name a method, and who includes whom; and
-// docs/library.md against its example.
+// docs/library.md against its example; and the links of all pages.
 #include "checkout_paths.h"
 
 #include <lichen/bundle.h>
@@ -14,6 +14,7 @@
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 using namespace lichen;
@@ -32,7 +33,7 @@ std::map<std::string, std::string> sources() {
        {"analysis", "bundle", "bundle_files", "engine_plugin", "image", "files", "samples"})
     for (const auto& entry : fs::recursive_directory_iterator(sourcePath(folder)))
       if (const fs::path extension = entry.path().extension();
-          extension == ".cpp" || extension == ".h" || extension == ".js")
+          extension == ".cpp" || extension == ".h")
         texts[fs::relative(entry.path(), sourcePath("")).generic_string()] = textOf(entry.path());
   return texts;
 }
@@ -74,7 +75,7 @@ bool namesMethod(const std::string& text) {
 TEST_CASE("the files that name a method are those that docs/architecture.md lists") {
   std::set<std::string> listed, found;
   const std::string page = textOf(sourcePath("docs/architecture.md"));
-  const std::regex row("\n\\| `([\\w/.]+\\.(?:cpp|h|js))` \\|");
+  const std::regex row("\n\\| `([\\w/.]+\\.(?:cpp|h))` \\|");
   const std::string list = page.substr(page.find("## Files outside a method's folders"));
   for (std::sregex_iterator hit(list.begin(), list.end(), row), end; hit != end; ++hit)
     listed.insert((*hit)[1]);
@@ -122,4 +123,23 @@ TEST_CASE("docs/library.md shows the sample that is built") {
   const std::string code = textOf(sourcePath("samples/library/bake_material.cpp"));
   const std::string page = textOf(sourcePath("docs/library.md"));
   CHECK(page.find(code.substr(code.find("#include"))) != std::string::npos);
+}
+
+TEST_CASE("every relative link of a page points to a file of the checkout") {
+  std::vector<fs::path> pages{sourcePath("README.md"), sourcePath("shaders_glsl/README.md")};
+  for (const auto& entry : fs::recursive_directory_iterator(sourcePath("docs")))
+    if (entry.path().extension() == ".md")
+      pages.push_back(entry.path());
+  const std::regex link("\\]\\(([^)#: ]+)(?:#[^)]*)?\\)|(?:src|href)=\"([^\"#:]+)\"");
+  std::size_t links = 0;
+  for (const fs::path& page : pages) {
+    const std::string text = textOf(page);
+    for (std::sregex_iterator hit(text.begin(), text.end(), link), end; hit != end; ++hit) {
+      const std::string target = (*hit)[1].str() + (*hit)[2].str();
+      INFO(page.string() << ": " << target);
+      CHECK(fs::exists(page.parent_path() / target));
+      ++links;
+    }
+  }
+  CHECK(links > 100);
 }
