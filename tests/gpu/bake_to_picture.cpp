@@ -2,11 +2,8 @@
 // The shortest path through everything, by each method: a bake, its bundle, a picture of it. Runs
 // with sanitizers every time.
 #include "../property/example_exemplar.h"
+#include "baked_noises.h"
 #include "rendered.h"
-
-#include <lichen/bundle_writer.h>
-#include <lichen/texton.h>
-#include <lichen/tiling.h>
 
 #include <array>
 #include <cmath>
@@ -16,11 +13,10 @@ using namespace lichen::test;
 
 namespace {
 
-constexpr int kExemplarSide = 48, kPictureSide = 96; // a texel a pixel, so that nothing is filtered
-constexpr double kTilesAcross = 2.0;  // of the plane, whose texture coordinates are 0 to 1
+constexpr int kPictureSide = 96;
+// Of the plane, whose texture coordinates are 0 to 1: a texel a pixel, so that nothing is filtered.
+constexpr double kTilesAcross = double(kPictureSide) / kExemplarWidth;
 constexpr double kPatchTexels = 10.0; // a side of the exemplar's patches of one material, or less
-
-MapExemplar smallExemplar() { return threeMaterials(kExemplarSide, kExemplarSide, 5); }
 
 /// The exemplar's light, as the picture holds it.
 std::vector<float> lightOf(const MapExemplar& exemplar) {
@@ -28,21 +24,6 @@ std::vector<float> lightOf(const MapExemplar& exemplar) {
   for (const float code : exemplar.values)
     light.push_back(srgbToLinear(code));
   return light;
-}
-
-template <class Bake>
-BundleFile bundleOf(Result<Bake> bake) {
-  if (!bake)
-    FAIL(bake.error().message);
-  BundleFile file;
-  file.bundle.tables = std::move(bake.value().tables);
-  file.bundle.noises = {std::move(bake.value().noise)};
-  file.bundle.materials.emplace_back(MaterialNoise{});
-  file.bundle.materials[0]->scale = 1.0 / kTilesAcross;
-  file.previews.emplace_back();
-  file.shape = PreviewShape::none;
-  file.generator = "lichen tests";
-  return file;
 }
 
 /// The colours of a plane that fills the picture.
@@ -83,8 +64,9 @@ void checkLooksLike(const LinearImage& picture, const MapExemplar& exemplar) {
     const Moments drawn = momentsOf(picture.values, c), wanted = momentsOf(light, c);
     INFO("channel " << c);
     // Each patch has independent colours: four deviations of their mean.
-    const double patchesAcross = kPictureSide / kPatchTexels;
-    CHECK(drawn.mean == Approx(wanted.mean).margin(4.0 * wanted.deviation / patchesAcross));
+    const double patches = kTilesAcross * kExemplarWidth / kPatchTexels * kTilesAcross *
+                           kExemplarHeight / kPatchTexels;
+    CHECK(drawn.mean == Approx(wanted.mean).margin(4.0 * wanted.deviation / std::sqrt(patches)));
     CHECK(drawn.deviation > 0.5 * wanted.deviation);
     CHECK(drawn.deviation < 1.5 * wanted.deviation);
   }
@@ -92,16 +74,12 @@ void checkLooksLike(const LinearImage& picture, const MapExemplar& exemplar) {
 
 } // namespace
 
-TEST_CASE("a small bake by tiling is drawn with the colours of its exemplar") {
-  const MapExemplar exemplar = smallExemplar();
-  TilingOptions options;
-  options.periodic = Periodic::yes;
-  checkLooksLike(pictureOf(bundleOf(bakeTiling("small", {&exemplar, 1}, options))), exemplar);
-}
-
-TEST_CASE("a small bake by textons is drawn with the colours of its exemplar") {
-  const MapExemplar exemplar = smallExemplar();
-  TextonOptions options;
-  options.support = 16;
-  checkLooksLike(pictureOf(bundleOf(bakeTexton("small", {&exemplar, 1}, options))), exemplar);
+TEST_CASE("a small bake by each method is drawn with the colours of its exemplar") {
+  for (const Method method : allMethods()) {
+    INFO(nameOf(method));
+    const Baked kind{.method = method};
+    BundleFile file = baked(kind);
+    file.bundle.materials[0]->scale = 1.0 / kTilesAcross;
+    checkLooksLike(pictureOf(file), threeMaterials(kExemplarWidth, kExemplarHeight, kind.exemplar));
+  }
 }
