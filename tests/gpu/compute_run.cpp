@@ -25,46 +25,45 @@ T require(Result<T> result) {
   return std::move(result).value();
 }
 
-/// The descriptor pool and set of one run's buffers.
-struct BufferSet {
-  explicit BufferSet(VkDevice d) : device(d) {}
-  BufferSet(const BufferSet&) = delete;
-  BufferSet& operator=(const BufferSet&) = delete;
-  ~BufferSet() { vkDestroyDescriptorPool(device, pool, nullptr); }
+constexpr VkDescriptorPoolSize kBuffers{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
 
-  VkDevice device;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  VkDescriptorSet set = VK_NULL_HANDLE;
-};
-
-void createBufferSet(BufferSet& objects, VkDescriptorSetLayout setLayout, const DeviceBuffer& input,
-                     const DeviceBuffer& output) {
-  std::array<VkWriteDescriptorSet, 2> writes{};
+/// A set of one run's buffers.
+VkDescriptorSet bufferSet(VkDevice device, const DescriptorPool& pool, VkDescriptorSetLayout layout,
+                          const DeviceBuffer& input, const DeviceBuffer& output) {
   const std::array<VkDescriptorBufferInfo, 2> buffers{
       {{input.handle, 0, VK_WHOLE_SIZE}, {output.handle, 0, VK_WHOLE_SIZE}}};
-  const VkDescriptorPoolSize size{VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2};
-  VkDescriptorPoolCreateInfo pool{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  pool.maxSets = 1;
-  pool.poolSizeCount = 1;
-  pool.pPoolSizes = &size;
-  require(vkCreateDescriptorPool(objects.device, &pool, nullptr, &objects.pool), "a pool");
-  VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-  allocation.descriptorPool = objects.pool;
-  allocation.descriptorSetCount = 1;
-  allocation.pSetLayouts = &setLayout;
-  require(vkAllocateDescriptorSets(objects.device, &allocation, &objects.set), "a set");
-  for (std::uint32_t i = 0; i < 2; ++i) {
-    writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    writes[i].dstSet = objects.set;
-    writes[i].dstBinding = i;
-    writes[i].descriptorCount = 1;
-    writes[i].descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    writes[i].pBufferInfo = &buffers[i];
-  }
-  vkUpdateDescriptorSets(objects.device, 2, writes.data(), 0, nullptr);
+  VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
+  write.dstSet = pool.allocate(layout);
+  write.descriptorCount = kBuffers.descriptorCount; // of bindings 0 and 1
+  write.descriptorType = kBuffers.type;
+  write.pBufferInfo = buffers.data();
+  vkUpdateDescriptorSets(device, 1, &write, 0, nullptr);
+  return write.dstSet;
 }
 
 } // namespace
+
+DescriptorPool::DescriptorPool(VkDevice device, std::uint32_t sets,
+                               std::span<const VkDescriptorPoolSize> sizes)
+    : device_(device) {
+  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
+  info.maxSets = sets;
+  info.poolSizeCount = std::uint32_t(sizes.size());
+  info.pPoolSizes = sizes.data();
+  require(vkCreateDescriptorPool(device, &info, nullptr, &handle_), "a descriptor pool");
+}
+
+DescriptorPool::~DescriptorPool() { vkDestroyDescriptorPool(device_, handle_, nullptr); }
+
+VkDescriptorSet DescriptorPool::allocate(VkDescriptorSetLayout layout) const {
+  VkDescriptorSetAllocateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+  info.descriptorPool = handle_;
+  info.descriptorSetCount = 1;
+  info.pSetLayouts = &layout;
+  VkDescriptorSet set = VK_NULL_HANDLE;
+  require(vkAllocateDescriptorSets(device_, &info, &set), "a descriptor set");
+  return set;
+}
 
 /// A pipeline with its inputs, by which it is found again.
 struct ComputePipeline {
@@ -152,19 +151,20 @@ struct Prepared {
   Prepared(VulkanDevice& device, const ComputeRun& r)
       : run(r), input(require(device.createBuffer(r.input.size(), kUsage, true))),
         output(require(device.createBuffer(r.outputBytes, kUsage, true))), own(device.device()),
-        pipeline((run.pipelines ? *run.pipelines : own).of(run)), buffers(device.device()) {
+        pipeline((run.pipelines ? *run.pipelines : own).of(run)),
+        pool(device.device(), 1, std::span(&kBuffers, 1)),
+        set(bufferSet(device.device(), pool, pipeline.setLayout, input, output)) {
     std::copy(run.input.begin(), run.input.end(), input.mapped);
-    createBufferSet(buffers, pipeline.setLayout, input, output);
   }
 
   void record(VkCommandBuffer commands) const {
     if (run.before)
       run.before(commands);
-    const std::array<VkDescriptorSet, 2> sets{run.set, buffers.set};
+    const std::array<VkDescriptorSet, 2> sets{run.set, set};
     const bool hasOther = run.set != VK_NULL_HANDLE;
     vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.pipeline);
     vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.pipelineLayout, 0,
-                            hasOther ? 2 : 1, hasOther ? sets.data() : &buffers.set,
+                            hasOther ? 2 : 1, hasOther ? sets.data() : &set,
                             std::uint32_t(run.dynamicOffsets.size()), run.dynamicOffsets.data());
     vkCmdDispatch(commands, (run.items + kWorkgroup - 1) / kWorkgroup, 1, 1);
   }
@@ -175,7 +175,8 @@ struct Prepared {
   DeviceBuffer output;
   ComputePipelines own;
   const ComputePipeline& pipeline;
-  BufferSet buffers;
+  DescriptorPool pool;
+  VkDescriptorSet set;
 };
 
 std::vector<std::unique_ptr<Prepared>> preparedOf(VulkanDevice& device,

@@ -13,6 +13,21 @@
 
 namespace lichen::test {
 
+/// Throws std::runtime_error, as allocate() does.
+class DescriptorPool {
+public:
+  DescriptorPool(VkDevice device, std::uint32_t sets, std::span<const VkDescriptorPoolSize> sizes);
+  DescriptorPool(const DescriptorPool&) = delete;
+  DescriptorPool& operator=(const DescriptorPool&) = delete;
+  ~DescriptorPool();
+  [[nodiscard]] VkDescriptorPool handle() const { return handle_; }
+  [[nodiscard]] VkDescriptorSet allocate(VkDescriptorSetLayout layout) const;
+
+private:
+  VkDevice device_;
+  VkDescriptorPool handle_ = VK_NULL_HANDLE;
+};
+
 struct ComputePipeline;
 struct ComputeRun;
 

@@ -402,15 +402,15 @@ TEST_CASE("a set without the bindings of layers is refused for a layered noise")
   LichenVulkanAssets assets = nullptr;
   REQUIRE(lichenVulkanCreateAssets(context.context(), bundle.get(), &assets, nullptr) ==
           LICHEN_SUCCESS);
-  const VkDescriptorPool pool = context.createPool(1);
+  const DescriptorPool pool = context.createPool(1);
   const VkDescriptorBufferInfo buffer{VK_NULL_HANDLE, 0, LICHEN_LAYERED_MATERIAL_BYTES};
   VkDescriptorSet set = VK_NULL_HANDLE;
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  CHECK(lichenVulkanAllocateSet(assets, 0, pool, &buffer, &set, &diagnostic) == LICHEN_ERROR_USAGE);
+  CHECK(lichenVulkanAllocateSet(assets, 0, pool.handle(), &buffer, &set, &diagnostic) ==
+        LICHEN_ERROR_USAGE);
   CHECK(std::string(diagnostic.text) ==
         "noise 0 is layered; create the context with the flag LICHEN_VULKAN_LAYERS");
-  vkDestroyDescriptorPool(context.device().device(), pool, nullptr);
   lichenVulkanDestroyAssets(assets);
   CHECK(context.device().messages().texts() == std::vector<std::string>{});
 }

@@ -26,32 +26,21 @@ constexpr std::array<SyntheticMap, 3> kMaps{
 /// A device and a bundle, with a pool and a buffer for one set. Checks that the validation layers
 /// say nothing.
 struct Fixture {
-  Fixture() : device(requireDevice()), bundle(parseOrThrow(syntheticGlb(kMaps))) {
-    const VkDescriptorPoolSize sizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
-                                          {VK_DESCRIPTOR_TYPE_SAMPLER, 2},
-                                          {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_SET_IMAGES}};
-    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    poolInfo.maxSets = 1;
-    poolInfo.poolSizeCount = 3;
-    poolInfo.pPoolSizes = sizes;
-    REQUIRE(vkCreateDescriptorPool(device->device(), &poolInfo, nullptr, &pool) == VK_SUCCESS);
-    buffer = device->createBuffer(LICHEN_MATERIAL_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
-                 .value();
-    material = {buffer.handle, 0, LICHEN_MATERIAL_BYTES};
-  }
+  Fixture() = default;
   Fixture(const Fixture&) = delete;
   Fixture& operator=(const Fixture&) = delete;
   ~Fixture() {
-    vkDestroyDescriptorPool(device->device(), pool, nullptr);
     lichenDestroyBundle(bundle);
     CHECK(device->messages().texts() == std::vector<std::string>{});
   }
 
-  std::unique_ptr<VulkanDevice> device;
-  LichenBundle bundle;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  DeviceBuffer buffer;
-  VkDescriptorBufferInfo material{};
+  std::unique_ptr<VulkanDevice> device = requireDevice();
+  LichenBundle bundle = parseOrThrow(syntheticGlb(kMaps));
+  DescriptorPool sets{device->device(), 1, kSetSizes};
+  VkDescriptorPool pool = sets.handle();
+  DeviceBuffer buffer =
+      device->createBuffer(LICHEN_MATERIAL_BYTES, VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true).value();
+  VkDescriptorBufferInfo material{buffer.handle, 0, LICHEN_MATERIAL_BYTES};
 };
 
 struct Created {

@@ -24,11 +24,6 @@ void require(LichenResult result, const char* what) {
     throw std::runtime_error(what);
 }
 
-void requireVulkan(VkResult result) {
-  if (result != VK_SUCCESS)
-    throw std::runtime_error("no descriptor set");
-}
-
 LichenDiagnostic emptyDiagnostic() {
   LichenDiagnostic diagnostic;
   LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
@@ -86,20 +81,13 @@ PluginContext::PluginContext(VulkanDevice& device, const LichenVulkanInfo& info)
 
 PluginContext::~PluginContext() { lichenVulkanDestroyContext(context_); }
 
-VkDescriptorPool PluginContext::createPool(std::uint32_t sets) const {
-  const VkDescriptorPoolSize sizes[] = {
-      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, isDynamic_ ? sets : 2 * sets},
-      {VK_DESCRIPTOR_TYPE_SAMPLER, 2 * sets},
-      {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_LAYERED_SET_IMAGES * sets},
-      {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets}};
-  VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  info.maxSets = sets;
-  info.poolSizeCount = isDynamic_ ? 4 : 3;
-  info.pPoolSizes = sizes;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  if (vkCreateDescriptorPool(device_.device(), &info, nullptr, &pool) != VK_SUCCESS)
-    throw std::runtime_error("no descriptor pool");
-  return pool;
+DescriptorPool PluginContext::createPool(std::uint32_t sets) const {
+  const std::array<VkDescriptorPoolSize, 4> sizes{
+      {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, isDynamic_ ? sets : 2 * sets},
+       {VK_DESCRIPTOR_TYPE_SAMPLER, 2 * sets},
+       {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_LAYERED_SET_IMAGES * sets},
+       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, sets}}};
+  return {device_.device(), sets, std::span(sizes).first(isDynamic_ ? 4 : 3)};
 }
 
 PluginHost::PluginHost(PluginContext& context, std::shared_ptr<LichenBundle_T> bundle)
@@ -119,16 +107,14 @@ void PluginHost::setNoise(std::uint32_t noise) {
   LICHEN_INIT(map, LICHEN_STRUCTURE_MAP_PROPERTIES);
   require(lichenGetMapProperties(bundle_.get(), noise, 0, &map), "no map");
   role_ = std::uint32_t(map.target);
-  vkResetDescriptorPool(context_.device().device(), pool_, 0);
+  vkResetDescriptorPool(context_.device().device(), pool_.handle(), 0);
   LichenDiagnostic diagnostic = emptyDiagnostic();
   const VkDescriptorBufferInfo buffer{materialBuffer_.handle, 0, LICHEN_LAYERED_MATERIAL_BYTES};
-  require(lichenVulkanAllocateSet(assets_, noise, pool_, &buffer, &set_, &diagnostic), diagnostic);
+  require(lichenVulkanAllocateSet(assets_, noise, pool_.handle(), &buffer, &set_, &diagnostic),
+          diagnostic);
 }
 
-PluginHost::~PluginHost() {
-  vkDestroyDescriptorPool(context_.device().device(), pool_, nullptr);
-  lichenVulkanDestroyAssets(assets_);
-}
+PluginHost::~PluginHost() { lichenVulkanDestroyAssets(assets_); }
 
 MaterialUse PluginHost::use(std::uint32_t material) const {
   MaterialUse use;
@@ -157,44 +143,6 @@ std::vector<std::byte> PluginHost::evaluateRun(ComputeRun run, const MaterialUse
   uploaded_ = true;
   lichenVulkanReleaseStaging(assets_);
   return values;
-}
-
-HostSet::HostSet(VkDevice d, VkDescriptorSetLayout layout, LichenVulkanAssets assets,
-                 VkBuffer materialBuffer)
-    : device(d) {
-  constexpr VkDescriptorPoolSize kSizes[] = {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
-                                             {VK_DESCRIPTOR_TYPE_SAMPLER, 2},
-                                             {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_SET_IMAGES}};
-  VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-  poolInfo.maxSets = 1;
-  poolInfo.poolSizeCount = 3;
-  poolInfo.pPoolSizes = kSizes;
-  requireVulkan(vkCreateDescriptorPool(device, &poolInfo, nullptr, &pool));
-  VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-  allocation.descriptorPool = pool;
-  allocation.descriptorSetCount = 1;
-  allocation.pSetLayouts = &layout;
-  requireVulkan(vkAllocateDescriptorSets(device, &allocation, &set));
-  VkDescriptorBufferInfo constants{};
-  std::array<VkDescriptorImageInfo, LICHEN_SET_IMAGES> images{};
-  require(lichenVulkanGetDescriptors(assets, 0, &constants, images.data()), "no descriptors");
-  const VkDescriptorBufferInfo material{materialBuffer, 0, LICHEN_MATERIAL_BYTES};
-  std::array<VkWriteDescriptorSet, 3> writes{};
-  for (VkWriteDescriptorSet& write : writes) {
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.dstSet = set;
-    write.descriptorCount = 1;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-  }
-  writes[0].dstBinding = LICHEN_BINDING_NOISE;
-  writes[0].pBufferInfo = &constants;
-  writes[1].dstBinding = LICHEN_BINDING_MATERIAL;
-  writes[1].pBufferInfo = &material;
-  writes[2].dstBinding = LICHEN_BINDING_IMAGE(0); // images and tables have consecutive bindings
-  writes[2].descriptorCount = LICHEN_SET_IMAGES;
-  writes[2].descriptorType = VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE;
-  writes[2].pImageInfo = images.data();
-  vkUpdateDescriptorSets(device, std::uint32_t(writes.size()), writes.data(), 0, nullptr);
 }
 
 std::vector<std::uint32_t> committedShader(const std::string& name) {

@@ -35,6 +35,12 @@ struct MaterialUse {
 /// The same scaled, rotated, moved and with another seed.
 [[nodiscard]] MaterialUse moved(MaterialUse use);
 
+/// The descriptors of one set without layers and dynamic offsets.
+inline constexpr std::array<VkDescriptorPoolSize, 3> kSetSizes{
+    {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 2},
+     {VK_DESCRIPTOR_TYPE_SAMPLER, 2},
+     {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, LICHEN_SET_IMAGES}}};
+
 /// A plugin context with the pipelines of its set layout. Pipelines take most of the time of a
 /// small run on software devices: share a context where the tests do not look at it.
 class PluginContext {
@@ -52,7 +58,7 @@ public:
   /// Whether material blocks have a dynamic offset.
   [[nodiscard]] bool isDynamic() const { return isDynamic_; }
   /// A pool that this many sets fit in, and no more, without FREE_DESCRIPTOR_SET.
-  [[nodiscard]] VkDescriptorPool createPool(std::uint32_t sets) const;
+  [[nodiscard]] DescriptorPool createPool(std::uint32_t sets) const;
 
 private:
   VulkanDevice& device_;
@@ -83,10 +89,7 @@ public:
   void setNoise(std::uint32_t noise);
   /// The caller has uploaded the assets.
   void noteUploaded() { uploaded_ = true; }
-  /// Uses another set of the same layout, whose bindings the caller has written.
-  void useSet(VkDescriptorSet set) { set_ = set; }
   [[nodiscard]] VkDescriptorSet set() const { return set_; }
-  [[nodiscard]] VkBuffer materialBuffer() const { return materialBuffer_.handle; }
 
   /// What a material of the bundle says, at the origin.
   [[nodiscard]] MaterialUse use(std::uint32_t material = 0) const;
@@ -123,26 +126,13 @@ private:
   PluginContext& context_;
   std::shared_ptr<LichenBundle_T> bundle_;
   LichenVulkanAssets assets_ = nullptr;
-  VkDescriptorPool pool_ = VK_NULL_HANDLE;
+  DescriptorPool pool_;
   VkDescriptorSet set_ = VK_NULL_HANDLE;
   DeviceBuffer materialBuffer_; ///< two blocks, of which the second is used where dynamic
   std::uint32_t role_ = 0;      ///< of the noise's first map
   shader::LichenTriplanarMaterial planes_{};
   shader::LichenNoiseConstants constants_{};
   bool uploaded_ = false;
-};
-
-/// A set that the host writes itself, without samplers: those are the layout's.
-struct HostSet {
-  HostSet(VkDevice device, VkDescriptorSetLayout layout, LichenVulkanAssets assets,
-          VkBuffer materialBuffer);
-  HostSet(const HostSet&) = delete;
-  HostSet& operator=(const HostSet&) = delete;
-  ~HostSet() { vkDestroyDescriptorPool(device, pool, nullptr); }
-
-  VkDevice device;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
-  VkDescriptorSet set = VK_NULL_HANDLE;
 };
 
 /// A committed shader, spirv/NAME.spv.

@@ -49,18 +49,16 @@ std::vector<std::byte> twoMaterials() {
 
 /// The engine around the documented code: a pool and a uniform buffer.
 struct Engine {
-  explicit Engine(VulkanDevice& d) : device(d), pipelines(d.device()) {
-    constexpr std::uint32_t kSets = kGenerations * kMaterials;
-    const VkDescriptorPoolSize sizes[] = {
-        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kSets},
-        {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, kSets},
-        {VK_DESCRIPTOR_TYPE_SAMPLER, kSets * 2},
-        {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, kSets * LICHEN_SET_IMAGES}};
-    VkDescriptorPoolCreateInfo info{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    info.maxSets = kSets;
-    info.poolSizeCount = 4;
-    info.pPoolSizes = sizes;
-    REQUIRE(vkCreateDescriptorPool(d.device(), &info, nullptr, &host.pool) == VK_SUCCESS);
+  static constexpr std::uint32_t kSets = kGenerations * kMaterials;
+  static constexpr std::array<VkDescriptorPoolSize, 4> kSizes{
+      {{VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, kSets},
+       {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER_DYNAMIC, kSets},
+       {VK_DESCRIPTOR_TYPE_SAMPLER, kSets * 2},
+       {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, kSets* LICHEN_SET_IMAGES}}};
+
+  explicit Engine(VulkanDevice& d)
+      : device(d), pool(d.device(), kSets, kSizes), pipelines(d.device()) {
+    host.pool = pool.handle();
     uniforms = d.createBuffer(kMaterials * kFramesInFlight * BLOCK_STRIDE,
                               VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, true)
                    .value();
@@ -76,10 +74,7 @@ struct Engine {
   }
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
-  ~Engine() {
-    lichenVulkanDestroyContext(context);
-    vkDestroyDescriptorPool(device.device(), host.pool, nullptr);
-  }
+  ~Engine() { lichenVulkanDestroyContext(context); }
 
   NoiseBundle load(std::span<const std::byte> file) {
     NoiseBundle loaded{};
@@ -123,6 +118,7 @@ struct Engine {
   }
 
   VulkanDevice& device;
+  DescriptorPool pool;
   DeviceBuffer uniforms;
   Host host{};
   LichenVulkanContext context = nullptr;

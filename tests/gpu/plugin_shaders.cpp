@@ -91,7 +91,7 @@ std::vector<std::byte> fourNoises() {
 }
 
 /// The host's own descriptors: binding -> type and count, as four_noises.frag declares them.
-constexpr std::array<std::pair<VkDescriptorType, std::uint32_t>, 6> kBindings{
+constexpr std::array<VkDescriptorPoolSize, 6> kBindings{
     {{VK_DESCRIPTOR_TYPE_SAMPLER, 1},
      {VK_DESCRIPTOR_TYPE_SAMPLER, 1},
      {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, kNoises},
@@ -100,51 +100,36 @@ constexpr std::array<std::pair<VkDescriptorType, std::uint32_t>, 6> kBindings{
      {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1}}};
 
 struct OwnSet {
-  explicit OwnSet(VkDevice d) : device(d) {
+  explicit OwnSet(VkDevice d) : device(d), pool(d, 1, kBindings) {
     std::array<VkDescriptorSetLayoutBinding, kBindings.size()> bindings{};
-    std::array<VkDescriptorPoolSize, kBindings.size()> sizes{};
-    for (std::uint32_t i = 0; i < kBindings.size(); ++i) {
-      bindings[i] = {i, kBindings[i].first, kBindings[i].second, VK_SHADER_STAGE_FRAGMENT_BIT,
-                     nullptr};
-      sizes[i] = {kBindings[i].first, kBindings[i].second};
-    }
+    for (std::uint32_t i = 0; i < kBindings.size(); ++i)
+      bindings[i] = {i, kBindings[i].type, kBindings[i].descriptorCount,
+                     VK_SHADER_STAGE_FRAGMENT_BIT, nullptr};
     VkDescriptorSetLayoutCreateInfo layoutInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
     layoutInfo.bindingCount = std::uint32_t(bindings.size());
     layoutInfo.pBindings = bindings.data();
     REQUIRE(vkCreateDescriptorSetLayout(device, &layoutInfo, nullptr, &layout) == VK_SUCCESS);
-    VkDescriptorPoolCreateInfo poolInfo{VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO};
-    poolInfo.maxSets = 1;
-    poolInfo.poolSizeCount = std::uint32_t(sizes.size());
-    poolInfo.pPoolSizes = sizes.data();
-    REQUIRE(vkCreateDescriptorPool(device, &poolInfo, nullptr, &pool) == VK_SUCCESS);
-    VkDescriptorSetAllocateInfo allocation{VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
-    allocation.descriptorPool = pool;
-    allocation.descriptorSetCount = 1;
-    allocation.pSetLayouts = &layout;
-    REQUIRE(vkAllocateDescriptorSets(device, &allocation, &set) == VK_SUCCESS);
+    set = pool.allocate(layout);
   }
   OwnSet(const OwnSet&) = delete;
   OwnSet& operator=(const OwnSet&) = delete;
-  ~OwnSet() {
-    vkDestroyDescriptorPool(device, pool, nullptr);
-    vkDestroyDescriptorSetLayout(device, layout, nullptr);
-  }
+  ~OwnSet() { vkDestroyDescriptorSetLayout(device, layout, nullptr); }
 
   void write(std::uint32_t binding, const VkDescriptorImageInfo* images,
              const VkDescriptorBufferInfo* buffer) const {
     VkWriteDescriptorSet write{VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET};
     write.dstSet = set;
     write.dstBinding = binding;
-    write.descriptorCount = kBindings[binding].second;
-    write.descriptorType = kBindings[binding].first;
+    write.descriptorCount = kBindings[binding].descriptorCount;
+    write.descriptorType = kBindings[binding].type;
     write.pImageInfo = images;
     write.pBufferInfo = buffer;
     vkUpdateDescriptorSets(device, 1, &write, 0, nullptr);
   }
 
   VkDevice device;
+  DescriptorPool pool;
   VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-  VkDescriptorPool pool = VK_NULL_HANDLE;
   VkDescriptorSet set = VK_NULL_HANDLE;
 };
 
