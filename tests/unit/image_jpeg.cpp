@@ -72,28 +72,37 @@ TEST_CASE("CMYK without Adobe's marker has 255 for full ink") {
                 {55.0 * 35 / 65025, 155.0 * 35 / 65025, 205.0 * 35 / 65025});
 }
 
-TEST_CASE("a JPEG with a side of 0 or over the limit is an error") {
-  Bytes jpeg = makeJpeg({});
-  patchSides(jpeg, 0, 16);
-  CHECK(refusal(jpeg) == "file: 0 x 16 pixels; each side must be 1 to 16384");
-  patchSides(jpeg, 16, 16385);
-  CHECK(refusal(jpeg) == "file: 16 x 16385 pixels; each side must be 1 to 16384");
-  patchSides(jpeg, 65535, 65535);
-  CHECK(refusal(jpeg) == "file: 65535 x 65535 pixels; each side must be 1 to 16384");
-}
-
-TEST_CASE("a JPEG that claims more pixels than its bits can encode is an error") {
-  Bytes jpeg = makeJpeg({});
-  patchSides(jpeg, 16384, 16384);
-  CHECK(refusal(jpeg) == "file: claims 268435456 bytes of pixels in a file of " +
-                             std::to_string(jpeg.size()) +
-                             " bytes; JPEG expands at most 1024 times");
-}
-
-TEST_CASE("a JPEG whose scan ends early is an error, even with an end marker") {
-  Bytes jpeg = makeJpeg({});
-  patchSides(jpeg, 16, 64);
-  CHECK(refusal(jpeg) == "file: truncated: the JPEG ends before its last pixel or its end marker");
+TEST_CASE("each unreadable JPEG gives an error that says why") {
+  const Bytes plain = makeJpeg({});
+  const auto withSides = [&](unsigned width, unsigned height) {
+    Bytes jpeg = plain;
+    patchSides(jpeg, width, height);
+    return jpeg;
+  };
+  const auto withByte = [&](const char* marker, int value) {
+    Bytes jpeg = plain;
+    jpeg[find(jpeg, marker) + 4] = std::byte(value);
+    return jpeg;
+  };
+  const std::string limit = "; each side must be 1 to 16384";
+  const std::string unsupported = "damaged or unsupported JPEG: ";
+  const std::string expected = "; expected a baseline or progressive 8-bit file";
+  const std::vector<std::pair<Bytes, std::string>> files{
+      {withSides(0, 16), "0 x 16 pixels" + limit},
+      {withSides(16, 16385), "16 x 16385 pixels" + limit},
+      {withSides(65535, 65535), "65535 x 65535 pixels" + limit},
+      {withSides(16384, 16384), "claims 268435456 bytes of pixels in a file of " +
+                                    std::to_string(plain.size()) +
+                                    " bytes; JPEG expands at most 1024 times"},
+      {withSides(16, 64), // its scan ends early, with an end marker
+       "truncated: the JPEG ends before its last pixel or its end marker"},
+      {makeJpeg({.arithmetic = true}), "is an arithmetic-coded JPEG; expected Huffman coding"},
+      {withByte("\xff\xc0", 12), unsupported + "Unsupported JPEG data precision 12" + expected},
+      {withByte("\xff\xc4", 0x77), unsupported + "Bogus DHT index 103" + expected},
+      {makeJpeg({.colour = JpegColour::grey, .scanPerCoefficient = true}), // minutes to decode
+       "is a progressive JPEG with more than 64 scans; re-encode it with fewer"}};
+  for (const auto& [file, message] : files)
+    CHECK(refusal(file) == "file: " + message);
 }
 
 TEST_CASE("a JPEG without only its end marker is an error") {
@@ -107,27 +116,6 @@ TEST_CASE("a JPEG without only its end marker is an error") {
     CHECK(refusal(jpeg) ==
           "file: truncated: the JPEG ends before its last pixel or its end marker");
   }
-}
-
-TEST_CASE("the errors for arithmetic-coded, 2-component and 12-bit JPEG name the kind") {
-  CHECK(refusal(makeJpeg({.arithmetic = true})) ==
-        "file: is an arithmetic-coded JPEG; expected Huffman coding");
-  Bytes deep = makeJpeg({});
-  deep[find(deep, "\xff\xc0") + 4] = std::byte(12);
-  CHECK(refusal(deep) == "file: damaged or unsupported JPEG: Unsupported JPEG data precision 12; "
-                         "expected a baseline or progressive 8-bit file");
-}
-
-TEST_CASE("a damaged JPEG is an error") {
-  Bytes tables = makeJpeg({});
-  tables[find(tables, "\xff\xc4") + 4] = std::byte(0x77); // not a class of Huffman table
-  CHECK(refusal(tables) == "file: damaged or unsupported JPEG: Bogus DHT index 103; "
-                           "expected a baseline or progressive 8-bit file");
-}
-
-TEST_CASE("a progressive JPEG with very many scans is an error instead of decoding for minutes") {
-  CHECK(refusal(makeJpeg({.colour = JpegColour::grey, .scanPerCoefficient = true})) ==
-        "file: is a progressive JPEG with more than 64 scans; re-encode it with fewer");
 }
 
 TEST_CASE("an unknown JFIF version decodes with a note") {
