@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Any bytes -> parseBundle(), checkBundle() and decodeKtx2(): results satisfy their contract, and
 // parsing and checking agree.
+#include "contract.h"
+
 #include <lichen/bundle.h>
 #include <lichen/bundle_writer.h>
 #include <lichen/layered_noise.h>
@@ -8,25 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 
 using namespace lichen;
+using fuzz::isOneLine;
+using fuzz::require;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition)
-    return;
-  std::fprintf(stderr, "bundle: %s\n", what);
-  std::abort();
-}
-
-bool isOneLine(const std::string& text) {
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
-}
 
 bool areFinite(const std::vector<double>& values) {
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });

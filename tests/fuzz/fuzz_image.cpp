@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Any bytes -> decodeImage() and upright(): the image or the error satisfies its contract.
+#include "contract.h"
+
 #include <lichen/image_io.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <utility>
 
 using namespace lichen;
+using fuzz::isOneLine;
+using fuzz::require;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition)
-    return;
-  std::fprintf(stderr, "decodeImage: %s\n", what);
-  std::abort();
-}
 
 template <class AnyImage>
 void checkImage(const AnyImage& image) {
@@ -33,11 +28,6 @@ void checkImage(const AnyImage& image) {
                         return std::isfinite(value) && value >= 0.0f && (!kCodes || value <= 1.0f);
                       }),
           "a value out of range");
-}
-
-bool isOneLine(const std::string& text) {
-  return !text.empty() &&
-         std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
 } // namespace

@@ -7,25 +7,18 @@
 //   mkdir corpus && build/fuzz/bin/fuzz_scene_replay corpus corpus
 //   build/fuzz/bin/fuzz_scene corpus -timeout=10 -rss_limit_mb=2500 -max_len=120000
 // Fixed findings go to tests/fuzz/regressions/scene/.
+#include "contract.h"
 #include "scene.h"
 
 #include <lichen/escaped.h>
 
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 
 using namespace lichen;
+using fuzz::require;
 
 namespace {
-
-void require(bool condition, const char* what) {
-  if (condition)
-    return;
-  std::fprintf(stderr, "parseScene: %s\n", what);
-  std::abort();
-}
 
 /// As floats, which are what is drawn.
 bool isFinite(const glm::dmat4& matrix) {

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: MIT
-// fuzz_scene_replay: mutations of valid scenes; see replay(). The corpus also has the glTF files of
-// Debian's assimp-testmodels if installed.
-#include "bundle/gltf_container.h"
+// fuzz_scene_replay: mutations of valid scenes; see replay().
 #include "bundle_example.h"
 #include "mutation.h"
 #include "render_gltf.h"
 
-#include <lichen/base64.h>
-#include <lichen/files.h>
 #include <lichen/gltf_files.h>
-
-#include <filesystem>
 
 using namespace lichen;
 using namespace lichen::fuzz;
 using nlohmann::json;
 
 namespace {
-
-const std::filesystem::path kModels = "/usr/share/assimp/models";
 
 /// A triangle with a skin, weights of morph targets, sparse positions and all members that a node
 /// may have.
@@ -100,39 +92,6 @@ std::vector<Bytes> seeds() {
   return {animated(), textured(), modes(), bundle(), encodeGlb(example::textonMix()).value()};
 }
 
-/// Embeds the files that a .gltf refers to, because a fuzzer's input is a single file.
-Bytes selfContained(const std::filesystem::path& path, const Bytes& file) {
-  std::variant<GltfContainer, Finding> opened = openGltf(file);
-  auto* container = std::get_if<GltfContainer>(&opened);
-  if (!container || container->isGlb)
-    return file;
-  json& document = container->document;
-  for (const char* kind : {"buffers", "images"}) {
-    if (!document.contains(kind) || !document[kind].is_array())
-      continue;
-    for (json& item : document[kind]) {
-      if (!item.is_object() || !item.contains("uri") || !item["uri"].is_string())
-        continue;
-      const auto bytes = readFile(path.parent_path() / item["uri"].get<std::string>());
-      if (bytes)
-        item["uri"] = "data:application/octet-stream;base64," + encodeBase64(bytes.value());
-    }
-  }
-  const std::string text = document.dump(-1, ' ', false, json::error_handler_t::replace);
-  const auto bytes = std::as_bytes(std::span(text));
-  return {bytes.begin(), bytes.end()};
-}
-
-std::vector<Bytes> models() {
-  std::vector<Bytes> files;
-  if (std::filesystem::is_directory(kModels))
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(kModels))
-      if (entry.path().extension() == ".gltf" || entry.path().extension() == ".glb")
-        if (const auto bytes = readFile(entry.path()))
-          files.push_back(selfContained(entry.path(), bytes.value()));
-  return files;
-}
-
 Bytes mutated(const std::vector<Bytes>& files, Random& random) {
   Bytes file = files[below(random, files.size())];
   constexpr std::size_t kMostMutations = 3;
@@ -154,9 +113,6 @@ Bytes mutated(const std::vector<Bytes>& files, Random& random) {
 
 int main(int argumentCount, char** arguments) {
   const std::vector<Bytes> files = seeds();
-  const bool isCorpus = argumentCount == 3 && arguments[1] == std::string("corpus");
-  return replay(
-      {arguments, std::size_t(argumentCount)}, files,
-      [&](Random& random) { return mutated(files, random); },
-      isCorpus ? models() : std::vector<Bytes>{});
+  return replay({arguments, std::size_t(argumentCount)}, files,
+                [&](Random& random) { return mutated(files, random); });
 }

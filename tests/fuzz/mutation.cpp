@@ -41,11 +41,8 @@ bool run(const Bytes& file) {
 }
 
 int writeCorpus(const std::vector<Bytes>& files, const std::string& folder) {
-  constexpr std::size_t kMostBytes = std::size_t(1) << 18; // larger files are slow
   int index = 0;
   for (const Bytes& file : files) {
-    if (file.size() > kMostBytes)
-      continue;
     std::ofstream stream(folder + "/" + std::to_string(index++), std::ios::binary);
     stream.write(reinterpret_cast<const char*>(file.data()), std::streamsize(file.size()));
     if (!stream)
@@ -157,15 +154,13 @@ void mutateJson(nlohmann::json& root, Random& random) {
 }
 
 int replay(std::span<char* const> arguments, const std::vector<Bytes>& seeds,
-           const std::function<Bytes(Random&)>& mutated, const std::vector<Bytes>& more) {
+           const std::function<Bytes(Random&)>& mutated) {
   if (arguments.size() < 3 || arguments.size() > 4) {
     std::fprintf(stderr, "usage: %s CASES SEED [FOLDER] | corpus FOLDER\n", arguments[0]);
     return 2;
   }
-  std::vector<Bytes> all = seeds;
-  all.insert(all.end(), more.begin(), more.end());
   if (std::string(arguments[1]) == "corpus")
-    return writeCorpus(all, arguments[2]);
+    return writeCorpus(seeds, arguments[2]);
   std::size_t once = 0;
   if (arguments.size() == 4)
     for (const auto& entry : std::filesystem::directory_iterator(arguments[3])) {

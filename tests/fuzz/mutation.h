@@ -27,8 +27,8 @@ void mutateJson(nlohmann::json& root, Random& random);
 
 /// The main() of a replay. With the arguments CASES SEED, and perhaps a FOLDER of files on which
 /// the reader once failed, runs those and `CASES` of `mutated` through the fuzzer's entry point.
-/// With `corpus FOLDER`, writes the seeds and `more` as a corpus for libFuzzer.
+/// With `corpus FOLDER`, writes the seeds as a corpus for libFuzzer.
 int replay(std::span<char* const> arguments, const std::vector<Bytes>& seeds,
-           const std::function<Bytes(Random&)>& mutated, const std::vector<Bytes>& more = {});
+           const std::function<Bytes(Random&)>& mutated);
 
 } // namespace lichen::fuzz
