@@ -22,7 +22,7 @@ using Eigen::MatrixXd;
 /// The second map is almost the identity and removes most of the remaining error.
 constexpr int kRounds = 2;
 /// Largest error of a covariance within what the coefficients can express, relative to its two
-/// standard deviations: the target of TARGETS.md.
+/// standard deviations: the target of docs/benchmarks.md.
 constexpr double kTolerance = 1e-6;
 /// Largest part of a covariance, in the same measure, that may lie outside the texton's range. A
 /// thousandth is far below what the eye sees, and above what a brightness gradient in one colour of

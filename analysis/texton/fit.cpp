@@ -42,7 +42,7 @@ constexpr float kFirstRelaxation = 0.9f;
 constexpr float kLastRelaxation = 0.5f;
 
 /// Largest magnitude of a texel over all its channels, relative to the root mean square. The
-/// flatness of the magnitudes is then at most about its square, the 4 of TARGETS.md (decision 8).
+/// flatness of the magnitudes is then at most about its square, the 4 of docs/benchmarks.md.
 constexpr float kHighestPeak = 2.0f;
 
 using Spectra = std::vector<HalfSpectrum>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every wrong argument and every bad file gives one line with the remedy, and the exit code that
-// DESIGN.md specifies.
+// Every wrong argument and every bad file gives one line with the remedy, and the exit code of
+// docs/cli.md.
 #include "command_run.h"
 #include "image_samples.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every kind of image that DESIGN.md section 7 accepts: it bakes, the bundle passes `check`, and an
+// Every kind of image that docs/cli.md lists: it bakes, the bundle passes `check`, and an
 // image synthesized from it has the exemplar's mean colour.
 #include "command_run.h"
 #include "image_samples.h"

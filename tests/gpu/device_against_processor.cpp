@@ -45,12 +45,9 @@ struct Case {
 };
 
 std::vector<Case> tilingCases() {
-  // Every kind of table with every number of dimensions, and every grain.
-  const SyntheticMap colors{3, 64, 64}, slopes{2, 64, 32, false, 3, joint, Grain::x},
-      orm{1, 48, 80, false, 5, joint, Grain::y}, plainColors{3, 64, 64, false, 0, none},
-      plainSlopes{2, 64, 32, false, 0, none}, height{1, 48, 80, false, 0, none};
+  const auto& [colors, slopes, orm, plainColors, plainSlopes, height] = kTilingMaps;
   std::vector<Case> all;
-  for (const SyntheticMap& map : {colors, slopes, orm, plainColors, plainSlopes, height})
+  for (const SyntheticMap& map : kTilingMaps)
     all.push_back({"tiling", tilingFile(map), Mapping::uv, map.width == map.height ? 4u : 2u});
   for (const SyntheticMap& map : {colors, slopes, height})
     all.push_back({"triplanar tiling", tilingFile(map), Mapping::triplanar, 2});

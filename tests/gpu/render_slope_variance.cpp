@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bumps smaller than a pixel: the highlight of a plane with a normal noise, and the light of
 // coloured bumps, from a distance.
+#include "../property/bundle_of.h"
 #include "lit_views.h"
 #include "rendered.h"
 
@@ -75,10 +76,8 @@ MapExemplar betweenTexels(const MapExemplar& map) {
 /// With one texel a pixel, all pixels show it there.
 template <class Bake>
 BundleFile bundleFileOf(Result<Bake> bake) {
-  REQUIRE(bake);
   BundleFile file;
-  file.bundle.tables = std::move(bake.value().tables);
-  file.bundle.noises = {std::move(bake.value().noise)};
+  file.bundle = bundleOf(std::move(bake));
   MaterialNoise between;
   between.offset = {kBetweenTexels / kTexels, kBetweenTexels / kTexels};
   file.bundle.materials.emplace_back(between);

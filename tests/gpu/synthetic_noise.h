@@ -5,6 +5,7 @@
 
 #include <lichen/bundle_writer.h>
 
+#include <array>
 #include <span>
 
 namespace lichen::test {
@@ -20,6 +21,15 @@ struct SyntheticMap {
   SyntheticTable table = SyntheticTable::joint;
   Grain grain = Grain::none; ///< of a noise that begins with this map
 };
+
+/// Every kind of table with every number of dimensions, and every grain.
+inline constexpr std::array<SyntheticMap, 6> kTilingMaps{
+    {{3, 64, 64},
+     {2, 64, 32, false, 3, SyntheticTable::joint, Grain::x},
+     {1, 48, 80, false, 5, SyntheticTable::joint, Grain::y},
+     {3, 64, 64, false, 0, SyntheticTable::none},
+     {2, 64, 32, false, 0, SyntheticTable::none},
+     {1, 48, 80, false, 0, SyntheticTable::none}}};
 
 /// One noise with these maps and one material that uses it.
 [[nodiscard]] BundleFile syntheticBundle(std::span<const SyntheticMap> maps);

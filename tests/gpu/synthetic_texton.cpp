@@ -11,7 +11,7 @@
 namespace lichen::test {
 namespace {
 
-/// The B-spline of degree 2 order + 1 at the integers: [UAE93], and ALGORITHMS.
+/// The B-spline of degree 2 order + 1 at the integers: [UAE93].
 double autocorrelation(int order, int lag) {
   lag = std::abs(lag);
   const std::array<std::array<double, 4>, 4> values{
@@ -87,17 +87,17 @@ double trace(const std::vector<double>& matrix, std::size_t n) {
 
 /// The share of each channel's variance that a bilinear fetch of each mip loses. The first mip uses
 /// the order's own fetch.
-std::vector<double> mipLosses(Plane mip, int order) {
+std::vector<double> mipLosses(Plane mip, int order, std::size_t levels) {
   const std::size_t n = mip.channels;
-  std::vector<double> losses(n * kMaxTextonLosses, 0.0);
+  std::vector<double> losses(n * levels, 0.0);
   const std::vector<double> whole = quadraticForm(mip, order, 0, 0);
   double texelArea = 1.0;
-  for (std::size_t level = 1; level < kMaxTextonLosses; ++level) {
+  for (std::size_t level = 1; level < levels; ++level) {
     mip = halved(mip);
     texelArea *= 4.0;
     const std::vector<double> left = quadraticForm(mip, 1, 0, 0);
     for (std::size_t c = 0; c < n; ++c) {
-      double* loss = &losses[c * kMaxTextonLosses + level];
+      double* loss = &losses[c * levels + level];
       *loss = std::clamp(1.0 - texelArea * left[c * (n + 1)] / whole[c * (n + 1)], loss[-1], 1.0);
     }
   }
@@ -207,7 +207,8 @@ BundleFile syntheticTextonBundle(const SyntheticTexton& texton) {
   for (int k = 0; k < texton.steps; ++k) {
     const Plane step = planeOf(texton, k);
     TextonStep statistics{std::vector<double>(n, map.mean[0] - 0.1 * std::min(k, 4)),
-                          quadraticForm(step, texton.order, 0, 0), mipLosses(step, texton.order)};
+                          quadraticForm(step, texton.order, 0, 0),
+                          mipLosses(step, texton.order, texton.lossLevels)};
     for (std::size_t c = 0; c < n; ++c)
       data.scale[c] = std::max(data.scale[c], 6.0 * std::sqrt(statistics.covariance[c * n + c]));
     if (k > 0) {

@@ -19,10 +19,11 @@ struct SyntheticTexton {
   int texelsPerTileY = 48;
   int steps = 1;
   int channels = 3; ///< of the only map: 3 baseColor, sRGB; 2 normal, slopes; 1 height, linear
-  bool wholeFloats = false; ///< 32-bit texels instead of 16-bit ones
-  int smoothings = 0;       ///< how often each coefficient is averaged with its neighbours
-  double deviation = 0.08;  ///< standard deviation of the stored values at the first step; each
-                            ///< later step adds half of it
+  bool wholeFloats = false;                  ///< 32-bit texels instead of 16-bit ones
+  std::size_t lossLevels = kMaxTextonLosses; ///< levels of the lost variance
+  int smoothings = 0;      ///< how often each coefficient is averaged with its neighbours
+  double deviation = 0.08; ///< standard deviation of the stored values at the first step; each
+                           ///< later step adds half of it
 };
 
 /// Returns the coefficients of a step, unscaled: channel c of (x, y) at ((y * X) + x) * channels +

@@ -19,14 +19,6 @@ namespace {
 
 using enum SyntheticTable;
 
-/// Every kind of table with every number of dimensions, and every grain.
-const std::vector<SyntheticMap> kMaps = {{3, 64, 64},
-                                         {2, 64, 32, false, 3, joint, Grain::x},
-                                         {1, 48, 80, false, 5, joint, Grain::y},
-                                         {3, 64, 64, false, 0, none},
-                                         {2, 64, 32, false, 0, none},
-                                         {1, 48, 80, false, 0, none}};
-
 BundleFile fileOf(const SyntheticMap& map) { return syntheticBundle(std::span(&map, 1)); }
 
 /// As many rotations as keep the texels of the exemplar.
@@ -38,7 +30,7 @@ std::vector<MaterialUse> usesOf(const DeviceNoise& noise, const SyntheticMap& ma
 
 TEST_CASE("16-bit tiling matches the oracle: 99.9 % within 1/1024 and all within 1/255") {
   const std::vector<SamplePoint> points = samplePoints(1000);
-  for (const SyntheticMap& map : kMaps) {
+  for (const SyntheticMap& map : kTilingMaps) {
     DeviceNoise noise(fileOf(map));
     const TilingReference reference(noise.bundle);
     int number = 0;
@@ -162,11 +154,11 @@ TEST_CASE("8-bit tiling differs from the oracle by no more than 8-bit filtering 
 
 TEST_CASE("gradients passed to the sampler change only the driver's level of detail, and the lost "
           "variance is the same as of the square whose area its probes cover") {
-  DeviceNoise noise(fileOf(kMaps[0]));
+  DeviceNoise noise(fileOf(kTilingMaps[0]));
   const TilingReference reference(noise.bundle, 0, FetchedBy::gradients);
   const std::vector<SamplePoint> points = samplePoints(1000);
   for (const float anisotropy : {1.0f, 4.0f, 16.0f})
-    for (MaterialUse use : usesOf(noise, kMaps[0])) {
+    for (MaterialUse use : usesOf(noise, kTilingMaps[0])) {
       use.placement.maxAnisotropy = anisotropy;
       const auto values = noise.drawn(kValue, use, points, tiling_evaluate_comp_anisotropic);
       const auto gaussians = noise.drawn(kGaussian, use, points, tiling_evaluate_comp_anisotropic);

@@ -2,6 +2,8 @@
 // Small bundles for the tests and for the extension's examples; see bundle_example.h.
 #include "bundle_example.h"
 
+#include "synthetic_texton.h"
+
 #include <lichen/bfloat16_pair.h>
 #include <lichen/bundle_merge.h>
 #include <lichen/structure_texel.h>
@@ -58,118 +60,16 @@ std::vector<double> halved(const std::vector<double>& image, std::size_t width,
   return half;
 }
 
-/// Makes the table of a square image, whose side is a power of two, with averages as its mips.
+/// Makes the table of a square image with averages as its mips.
 Table tableWithAverages(std::string name, TexelFormat format, std::vector<double> image,
-                        std::size_t side) {
-  Table table{std::move(name), format, std::uint32_t(side), std::uint32_t(side), 0, 0, {}};
-  for (; side > 0; side /= 2) {
-    appendTexels(table.texels, format, std::vector<float>(image.begin(), image.end()));
-    ++table.mipLevels;
-    if (side > 1)
-      image = halved(image, side, std::size_t(channelCount(format)));
-  }
-  return table;
-}
-
-/// Makes a texton's table, with mips, from an image of its frames with `channels` interleaved
-/// values per texel.
-Table textonTable(std::string name, const TextonShape& shape, TexelFormat format,
-                  std::vector<double> image) {
-  Table table{std::move(name),
-              format,
-              shape.frameWidth(),
-              shape.frameHeight() * std::uint32_t(shape.steps),
-              0,
-              std::uint32_t(shape.mipLevels),
-              {}};
-  for (std::uint32_t level = 0; level < table.mipLevels; ++level) {
+                        std::uint32_t side, std::uint32_t mipLevels) {
+  Table table{std::move(name), format, side, side, 0, mipLevels, {}};
+  for (std::uint32_t level = 0; level < mipLevels; ++level) {
     if (level > 0)
-      image = halved(image, table.width >> (level - 1), std::size_t(channelCount(format)));
-    const std::vector<float> values(image.begin(), image.end());
-    appendTexels(table.texels, format, values);
+      image = halved(image, side >> (level - 1), std::size_t(channelCount(format)));
+    appendTexels(table.texels, format, std::vector<float>(image.begin(), image.end()));
   }
   return table;
-}
-
-/// Sum over k, l of b(k - l) p(k) q(l) of two channels of an image: [GLM17] section 4.1.
-double product(const std::vector<double>& image, std::size_t width, std::size_t channels,
-               std::array<std::size_t, 2> pair, int order) {
-  // The B-splines of degrees 3 and 7 at the integers.
-  const std::vector<double> b =
-      order == 1 ? std::vector{2.0 / 3.0, 1.0 / 6.0}
-                 : std::vector{151.0 / 315.0, 397.0 / 1680.0, 1.0 / 42.0, 1.0 / 5040.0};
-  const auto columns = std::ptrdiff_t(width);
-  const auto rows = std::ptrdiff_t(image.size() / channels / width);
-  const auto at = [&](std::ptrdiff_t x, std::ptrdiff_t y, std::size_t c) {
-    const bool isInside = x >= 0 && y >= 0 && x < columns && y < rows;
-    return isInside ? image[std::size_t(y * columns + x) * channels + c] : 0.0;
-  };
-  double sum = 0.0;
-  for (std::ptrdiff_t y = 0; y < rows; ++y)
-    for (std::ptrdiff_t x = 0; x < columns; ++x)
-      for (std::ptrdiff_t v = -order; v <= order; ++v)
-        for (std::ptrdiff_t u = -order; u <= order; ++u)
-          sum += b[std::size_t(std::abs(u))] * b[std::size_t(std::abs(v))] * at(x, y, pair[0]) *
-                 at(x + u, y + v, pair[1]);
-  return sum;
-}
-
-/// The standard deviation and mean of each step of a mix, relative to the first step.
-constexpr std::array<double, 3> kMixShares = {1.0, 0.75, 0.5};
-
-/// Gives a map of a mix of order 3 a texton of pattern texels that decrease with each step, and
-/// sets the map's variance and statistics to match.
-Table patternTexton(const TextonShape& shape, TexelFormat format, NoiseMap& map) {
-  auto& texton = map.data.emplace<TextonMap>();
-  const auto stored = std::size_t(channelCount(format));
-  const std::size_t n = map.channels.size();
-  const std::size_t width = shape.frameWidth(), height = shape.frameHeight();
-  std::vector<double> frame(stored * width * height);
-  for (std::size_t i = 0; i < frame.size(); ++i) {
-    const std::size_t x = i / stored % width, y = i / stored / width;
-    if (x < std::size_t(shape.coefficientsX) && y < std::size_t(shape.coefficientsY))
-      frame[i] = double(i * 37 % 256) / 512.0 - 0.25;
-  }
-  constexpr double kDeviations = 6.0;
-  std::vector<double> energy;
-  for (std::size_t c = 0; c < stored; ++c)
-    energy.push_back(product(frame, width, stored, {c, c}, shape.order));
-  for (std::size_t i = 0; i < frame.size(); ++i)
-    frame[i] /= kDeviations * std::sqrt(energy[i % stored]);
-  for (std::size_t c = 0; c < n; ++c)
-    texton.scale.push_back(kDeviations * std::sqrt(map.covariance[c * n + c]));
-  for (std::size_t c = 0; c < n; ++c)
-    for (std::size_t d = 0; d < n; ++d)
-      if (c != d)
-        map.covariance[c * n + d] =
-            texton.scale[c] * texton.scale[d] *
-            product(frame, width, stored, {std::min(c, d), std::max(c, d)}, shape.order);
-  // Lost variance of the mips and of one further average, by bilinear interpolation.
-  const std::size_t levels = std::size_t(shape.mipLevels) + 1;
-  texton.mipLoss.assign(n * levels, 0.0);
-  std::vector<double> mip = frame;
-  double area = 1.0;
-  for (std::size_t level = 1; level < levels; ++level) {
-    mip = halved(mip, width >> (level - 1), stored);
-    area *= 4.0;
-    for (std::size_t c = 0; c < n; ++c)
-      texton.mipLoss[c * levels + level] =
-          1.0 - 36.0 * area * product(mip, width >> level, stored, {c, c}, 1);
-  }
-  std::vector<double> image;
-  for (const double share : kMixShares) {
-    for (const double texel : frame)
-      image.push_back(share * texel);
-    if (share == kMixShares.front())
-      continue;
-    TextonStep step{map.mean, map.covariance, texton.mipLoss};
-    for (double& mean : step.mean)
-      mean *= share;
-    for (double& covariance : step.covariance)
-      covariance *= share * share;
-    texton.laterSteps.push_back(std::move(step));
-  }
-  return textonTable("", shape, format, std::move(image));
 }
 
 /// The integral of the squared bilinear interpolation of texels one unit wide.
@@ -250,8 +150,10 @@ BundleFile smallestTexton() {
   const std::vector<double> coarse = halved(texels, side);
   constexpr double kCoarseTexelArea = 4.0;
   texton.mipLoss.push_back(1.0 - 36.0 * kCoarseTexelArea * bilinearEnergy(coarse, side / 2));
-  texton.image = addTable(file.bundle, textonTable("dune.height.texton", shape,
-                                                   TexelFormat::r16Sfloat, std::move(texels)));
+  texton.image =
+      addTable(file.bundle,
+               tableWithAverages("dune.height.texton", TexelFormat::r16Sfloat, std::move(texels),
+                                 std::uint32_t(side), std::uint32_t(shape.mipLevels)));
   addNoise(file, std::move(noise), std::move(map));
   return file;
 }
@@ -363,7 +265,7 @@ BundleFile smallestQuilting() {
   constexpr double kCorrelation = 0.5;
   noise.data = QuiltingNoise{
       Grain::none, kReach, kCorrelation, {{0.0, 0.0}, {0.5, 0.0}, {0.0, 0.5}, {0.5, 0.5}}};
-  constexpr std::size_t kSide = 4;
+  constexpr std::uint32_t kSide = 4, kMips = 3;
   std::vector<double> ways, heights, slopes;
   for (std::size_t i = 0; i < kSide * kSide; ++i) {
     const std::size_t x = i % kSide, y = i / kSide;
@@ -373,7 +275,7 @@ BundleFile smallestQuilting() {
     slopes.insert(slopes.end(),
                   {slope[0], slope[1], 0.5 * (slope[0] * slope[0] + slope[1] * slope[1]), 1.0});
   }
-  Table cells = tableWithAverages("bricks.cells", TexelFormat::rgba8Unorm, ways, kSide);
+  Table cells = tableWithAverages("bricks.cells", TexelFormat::rgba8Unorm, ways, kSide, kMips);
   setChannel(cells, 2, {1.0f, 0.0f, 0.0f}); // beyond level 0 the mean way is 0
   const std::size_t cellTable = addTable(bundle, std::move(cells));
   const auto addMap = [&](NoiseMap map, Table image) {
@@ -381,31 +283,35 @@ BundleFile smallestQuilting() {
     noise.maps.push_back(std::move(map));
   };
   addMap(makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear),
-         tableWithAverages("bricks.height.image", TexelFormat::r8Unorm, heights, kSide));
+         tableWithAverages("bricks.height.image", TexelFormat::r8Unorm, heights, kSide, kMips));
   addMap(makeMap(MapTarget::normal, {MapChannel::slopeX, MapChannel::slopeY}, ValueEncoding::slope),
-         tableWithAverages("bricks.normal.image", TexelFormat::rgba16Sfloat, slopes, kSide));
+         tableWithAverages("bricks.normal.image", TexelFormat::rgba16Sfloat, slopes, kSide, kMips));
   addNoise(file, std::move(noise));
   return file;
 }
 
 BundleFile textonMix() {
-  using enum MapChannel;
   BundleFile file = smallest();
   Bundle& bundle = file.bundle;
   Noise noise;
-  noise.name = "sand to moss";
-  noise.data = TextonShape{9, 17, 3, 2, 100, 50, 3};
-  const auto addMap = [&](NoiseMap map, TexelFormat format) {
-    Table table = patternTexton(noise.as<TextonShape>(), format, map);
-    map.as<TextonMap>().image = addTable(bundle, std::move(table));
+  for (const int channels : {3, 2, 1}) {
+    Bundle added = test::syntheticTextonBundle({.coefficientsX = 9,
+                                                .coefficientsY = 17,
+                                                .order = 3,
+                                                .mipLevels = 2,
+                                                .texelsPerTileX = 100,
+                                                .texelsPerTileY = 50,
+                                                .steps = 3,
+                                                .channels = channels,
+                                                .wholeFloats = channels < 3,
+                                                .lossLevels = 3})
+                       .bundle;
+    NoiseMap& map = added.noises[0].maps[0];
+    map.as<TextonMap>().image = addTable(bundle, std::move(added.tables[0]));
     noise.maps.push_back(std::move(map));
-  };
-  addMap(makeMap(MapTarget::baseColor, {red, green, blue}, ValueEncoding::root),
-         TexelFormat::rgba16Sfloat);
-  addMap(makeMap(MapTarget::normal, {slopeX, slopeY}, ValueEncoding::slope),
-         TexelFormat::rgba32Sfloat);
-  addMap(makeMap(MapTarget::height, {MapChannel::height}, ValueEncoding::linear),
-         TexelFormat::r32Sfloat);
+    noise.data = added.noises[0].data;
+  }
+  noise.name = "sand to moss";
   bundle.noises.push_back(std::move(noise));
   MaterialNoise use = useOf(1);
   use.mapping = Mapping::surface;

@@ -206,8 +206,7 @@ TEST_CASE("a map without an inverse table has a placeholder of one texel at its 
 TEST_CASE(
     "each map of a mix has a table of its steps, and the material states the weight's source") {
   const BundleFile file = example::textonMix();
-  const std::vector<double>& losses =
-      file.bundle.noises[1].maps[0].as<TextonMap>().mipLoss; // of all steps
+  const TextonMap& texton = file.bundle.noises[1].maps[0].as<TextonMap>();
   const OwnedBundle bundle(file);
   auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
   CHECK(noise.mixSteps == 1);
@@ -220,7 +219,7 @@ TEST_CASE(
   CHECK(image.width == 3);
   CHECK(image.height == 1);
   CHECK(image.depth == LICHEN_MIX_ROWS);
-  // Means 0.5, 0.375 and 0.25 minus the first; deviations 1, 0.75 and 0.5 of the largest.
+  // Means 0.5, 0.4 and 0.3 minus the first; deviations 0.5, 0.75 and 1 of the largest.
   Table table{"mix", TexelFormat::rgba16Sfloat, 3, 1, LICHEN_MIX_ROWS, 1, {}};
   const auto* bytes = static_cast<const std::byte*>(image.bytes);
   table.texels.assign(bytes, bytes + image.byteCount);
@@ -229,10 +228,11 @@ TEST_CASE(
     return double(texels.at((row * 3 + step) * 4 + component));
   };
   for (std::size_t step = 0; step < 3; ++step) {
-    CHECK(texel(LICHEN_MIX_MEAN, step, 1) == Approx(-0.125 * double(step)).margin(1e-6));
-    CHECK(texel(LICHEN_MIX_DEVIATION, step, 2) == Approx(1.0 - 0.25 * double(step)).epsilon(1e-3));
+    CHECK(texel(LICHEN_MIX_MEAN, step, 1) == Approx(-0.1 * double(step)).epsilon(1.0 / 2048));
+    CHECK(texel(LICHEN_MIX_DEVIATION, step, 2) == Approx(0.5 + 0.25 * double(step)).epsilon(1e-3));
     for (std::size_t c = 0; c < 3; ++c) {
-      const std::span<const double> ofChannel = lossRow(losses, c, 3);
+      const std::span<const double> ofChannel =
+          lossRow(step == 0 ? texton.mipLoss : texton.laterSteps[step - 1].mipLoss, c, 3);
       CHECK(texel(LICHEN_MIX_RETAINED + 1, step, c) ==
             Approx(std::sqrt(1.0 - ofChannel[1])).epsilon(1e-3));
       // The last value repeats.
