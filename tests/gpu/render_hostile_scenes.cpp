@@ -344,13 +344,3 @@ TEST_CASE("an aspect ratio or far plane of 0 counts as absent, with a note") {
     CHECK(scene.cameras[0].fault.empty());
   }
 }
-
-TEST_CASE("an error for a file that is not glTF says what is expected") {
-  const TemporaryFolder folder;
-  const std::string text = "a photograph";
-  const auto path = writeInto(folder, "photo.jpg", std::as_bytes(std::span(text)));
-  const auto scene = renderer::readScene(path);
-  REQUIRE_FALSE(scene.ok());
-  CHECK(scene.error().message == path.string() + ": is neither a GLB (first bytes glTF) nor a JSON "
-                                                 "object; expected a .glb or .gltf");
-}

@@ -161,16 +161,6 @@ TEST_CASE("a failed write gives the reason and leaves the old file unchanged") {
   CHECK(folder.entryCount() == 1);
 }
 
-TEST_CASE("reading a missing file or a folder is an error") {
-  const TemporaryFolder folder;
-  const Result<ImageFile> absent = readImage(folder / "absent.png");
-  CHECK(absent.error().kind == ErrorKind::badInput);
-  CHECK(absent.error().message ==
-        (folder / "absent.png").string() + ": cannot be read: No such file or directory");
-  CHECK(readImage(folder / "").error().message ==
-        (folder / "").string() + ": is a folder; expected a file");
-}
-
 // The sanitizers reserve the address space that this test limits.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 

@@ -30,7 +30,8 @@ LichenShaderSwitches switchesOf(const std::vector<LichenMaterialParameters>& mat
 struct Row {
   const char* name;
   std::vector<LichenMaterialParameters> materials;
-  std::uint32_t methods, mappings, roles, features;
+  std::uint32_t methods, features;
+  std::uint32_t mappings = 1u << LICHEN_MAPPING_UV, roles = 1u << LICHEN_HEIGHT;
 };
 
 constexpr std::uint32_t kTiling = 1u << LICHEN_METHOD_TILING;
@@ -47,8 +48,7 @@ constexpr std::uint32_t kNormal = 1u << LICHEN_NORMAL;
 constexpr std::uint32_t kHeight = 1u << LICHEN_HEIGHT;
 constexpr std::uint32_t kTables = LICHEN_FEATURE_TABLES;
 constexpr std::uint32_t kNoTable = LICHEN_FEATURE_GAUSSIAN_ONLY;
-constexpr std::uint32_t kRings = LICHEN_FEATURE_RING_KERNELS;
-constexpr std::uint32_t kPatterns = LICHEN_FEATURE_PATTERNS;
+constexpr std::uint32_t kKernel = LICHEN_FEATURE_RING_KERNELS | LICHEN_FEATURE_PATTERNS;
 
 BundleFile withSquareWindow() {
   BundleFile file = example::smallestKernels();
@@ -113,101 +113,46 @@ TEST_CASE("the switches are those that some material needs") {
   const auto mix = got<LichenMaterialParameters>(lichenGetMaterialParameters, mixes.handle, 1);
   stratified = mix;
   stratified.pointProcess = LICHEN_POINT_PROCESS_STRATIFIED;
-  constexpr std::uint32_t kMix = LICHEN_FEATURE_MIXES | LICHEN_FEATURE_CUBIC_TEXTONS;
+  constexpr std::uint32_t kMix = LICHEN_FEATURE_MIXES | LICHEN_FEATURE_CUBIC_TEXTONS,
+                          kPoisson = LICHEN_FEATURE_POISSON_POINTS,
+                          kNearest = LICHEN_FEATURE_NEAREST_TEXTONS,
+                          kRotation = LICHEN_FEATURE_TILE_ROTATION,
+                          kSharpness = LICHEN_FEATURE_BLEND_SHARPNESS,
+                          kAboveOne = LICHEN_FEATURE_VALUES_ABOVE_ONE,
+                          kSquare = LICHEN_FEATURE_SQUARE_KERNELS, kBoth = kHeight | kNormal;
   const Row rows[] = {
-      {"tiling", {tiling}, kTiling, kUv, kHeight, kTables},
-      {"rotated", {turned}, kTiling, kUv, kHeight, kTables | LICHEN_FEATURE_TILE_ROTATION},
-      {"sharp", {sharp}, kTiling, kUv, kHeight, kTables | LICHEN_FEATURE_BLEND_SHARPNESS},
-      {"rotated, and another sharp",
-       {turned, sharp},
-       kTiling,
-       kUv,
-       kHeight,
-       kTables | LICHEN_FEATURE_TILE_ROTATION | LICHEN_FEATURE_BLEND_SHARPNESS},
-      {"a grain",
-       {tiling, parametersOf(grains.handle)},
-       kTiling,
-       kUv,
-       kHeight,
-       kTables | LICHEN_FEATURE_GRAIN},
-      {"values above 1",
-       {tiling, parametersOf(lights.handle)},
-       kTiling,
-       kUv,
-       kHeight,
-       kTables | LICHEN_FEATURE_VALUES_ABOVE_ONE},
-      {"three planes",
-       {mappedAs(tiling, LICHEN_MAPPING_TRIPLANAR)},
-       kTiling,
-       kTriplanar,
-       kHeight,
-       kTables},
+      {"tiling", {tiling}, kTiling, kTables},
+      {"rotated", {turned}, kTiling, kTables | kRotation},
+      {"sharp", {sharp}, kTiling, kTables | kSharpness},
+      {"both", {turned, sharp}, kTiling, kTables | kRotation | kSharpness},
+      {"a grain", {tiling, parametersOf(grains.handle)}, kTiling, kTables | LICHEN_FEATURE_GRAIN},
+      {"values above 1", {tiling, parametersOf(lights.handle)}, kTiling, kTables | kAboveOne},
+      {"planes", {mappedAs(tiling, LICHEN_MAPPING_TRIPLANAR)}, kTiling, kTables, kTriplanar},
       {"two mappings",
        {mappedAs(tiling, LICHEN_MAPPING_TRIPLANAR), tiling},
        kTiling,
-       kTriplanar | kUv,
-       kHeight,
-       kTables},
-      {"textons", {texton}, kTexton, kUv, kHeight, kNoTable},
-      {"a Poisson process",
-       {random},
-       kTexton,
-       kUv,
-       kHeight,
-       kNoTable | LICHEN_FEATURE_POISSON_POINTS},
-      {"textons of order 0",
-       {parametersOf(nearest.handle)},
-       kTexton,
-       kUv,
-       kHeight,
-       kNoTable | LICHEN_FEATURE_NEAREST_TEXTONS},
-      {"a mix on a surface",
-       {mix},
-       kTexton,
-       kSurface,
-       kColor | kNormal | kHeight,
-       kNoTable | kMix | LICHEN_FEATURE_POISSON_POINTS},
-      {"a stratified mix",
-       {stratified},
-       kTexton,
-       kSurface,
-       kColor | kNormal | kHeight,
-       kNoTable | kMix},
-      {"cosines", {cosines}, kCosines, kUv, kHeight, kNoTable},
-      {"a solid", {mappedAs(cosines, LICHEN_MAPPING_SOLID)}, kCosines, kSolid, kHeight, kNoTable},
-      {"a structure",
-       {cosines, structure},
-       kCosines,
-       kUv,
-       kHeight,
-       kNoTable | LICHEN_FEATURE_STRUCTURES},
-      {"kernels", {kernels}, kKernels, kUv, kHeight, kNoTable | kRings | kPatterns},
-      {"square kernels",
-       {parametersOf(squares.handle)},
-       kKernels,
-       kUv,
-       kHeight,
-       kNoTable | kRings | kPatterns | LICHEN_FEATURE_SQUARE_KERNELS},
-      {"quilting", {quilting}, kQuilting, kUv, kHeight | kNormal, kNoTable},
+       kTables,
+       kTriplanar | kUv},
+      {"textons", {texton}, kTexton, kNoTable},
+      {"a Poisson process", {random}, kTexton, kNoTable | kPoisson},
+      {"order 0", {parametersOf(nearest.handle)}, kTexton, kNoTable | kNearest},
+      {"a mix on a surface", {mix}, kTexton, kNoTable | kMix | kPoisson, kSurface, kColor | kBoth},
+      {"a stratified mix", {stratified}, kTexton, kNoTable | kMix, kSurface, kColor | kBoth},
+      {"cosines", {cosines}, kCosines, kNoTable},
+      {"a solid", {mappedAs(cosines, LICHEN_MAPPING_SOLID)}, kCosines, kNoTable, kSolid},
+      {"a structure", {cosines, structure}, kCosines, kNoTable | LICHEN_FEATURE_STRUCTURES},
+      {"kernels", {kernels}, kKernels, kNoTable | kKernel},
+      {"square kernels", {parametersOf(squares.handle)}, kKernels, kNoTable | kKernel | kSquare},
+      {"quilting", {quilting}, kQuilting, kNoTable, kUv, kBoth},
       // Its shader always reads the lattice from the material.
-      {"quilting with a grain",
-       {parametersOf(boards.handle)},
-       kQuilting,
-       kUv,
-       kHeight | kNormal,
-       kNoTable},
-      {"two bundles and methods",
-       {tiling, cosines},
-       kTiling | kCosines,
-       kUv,
-       kHeight,
-       kTables | kNoTable},
+      {"its grain", {parametersOf(boards.handle)}, kQuilting, kNoTable, kUv, kBoth},
+      {"two bundles and methods", {tiling, cosines}, kTiling | kCosines, kTables | kNoTable},
       {"all methods",
        {tiling, texton, cosines, kernels, quilting},
        kTiling | kTexton | kCosines | kKernels | kQuilting,
+       kTables | kNoTable | kKernel,
        kUv,
-       kHeight | kNormal,
-       kTables | kNoTable | kRings | kPatterns},
+       kBoth},
   };
   for (const Row& row : rows) {
     INFO(row.name);
