@@ -3,6 +3,7 @@
 // with sanitizers every time.
 #include "../property/example_exemplar.h"
 #include "baked_noises.h"
+#include "glb_of.h"
 #include "rendered.h"
 
 #include <array>
@@ -28,10 +29,7 @@ std::vector<float> lightOf(const MapExemplar& exemplar) {
 
 /// The colours of a plane that fills the picture.
 LinearImage pictureOf(const BundleFile& file) {
-  Result<std::vector<std::byte>> glb = encodeGlb(file);
-  if (!glb)
-    FAIL(glb.error().message);
-  GltfScene scene(std::move(glb).value());
+  GltfScene scene(glbOf(file));
   const std::size_t positions = scene.addFloats({-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0}, 3);
   const std::size_t normals = scene.addFloats({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, 3);
   const std::size_t texCoords = scene.addFloats({0, 1, 1, 1, 1, 0, 0, 0}, 2);

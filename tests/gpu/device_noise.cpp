@@ -2,6 +2,7 @@
 // Noises on a device and in C++; see device_noise.h.
 #include "device_noise.h"
 
+#include "glb_of.h"
 #include "shared_device.h"
 
 #include <catch2/catch.hpp>
@@ -22,10 +23,7 @@ Row rowOf(const std::array<float, 3>& v, float w = 0.0f) { return {v[0], v[1], v
 
 std::vector<std::byte> encoded(BundleFile file, Mapping mapping) {
   file.bundle.materials[0]->mapping = mapping;
-  Result<std::vector<std::byte>> glb = encodeGlb(file);
-  INFO((glb ? std::string() : glb.error().message));
-  REQUIRE(glb);
-  return std::move(glb).value();
+  return glbOf(file);
 }
 
 std::vector<std::uint32_t> passFor(Method method, Mapping mapping) {

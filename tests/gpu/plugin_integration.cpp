@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Runs the C host of docs/integration.md on a device: drawing, and reloading with two frames in
 // flight.
+#include "glb_of.h"
 #include "integration_host.h"
 #include "plugin_host.h"
 #include "require_device.h"
@@ -41,10 +42,7 @@ std::vector<std::byte> twoMaterials() {
   file.bundle.noises.back().name = "second";
   file.bundle.materials.emplace_back(second);
   file.previews.emplace_back();
-  Result<std::vector<std::byte>> glb = encodeGlb(file);
-  INFO((glb ? std::string() : glb.error().message));
-  REQUIRE(glb.ok());
-  return std::move(glb).value();
+  return glbOf(file);
 }
 
 /// The engine around the documented code: a pool and a uniform buffer.

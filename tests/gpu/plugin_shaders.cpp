@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How shaders meet noises: one shader for bundles with different maps, and several noises of one
 // bundle in one shader, with descriptors of the host's own.
+#include "glb_of.h"
 #include "plugin_host.h"
 #include "require_device.h"
 #include "screen_pass.h"
@@ -84,10 +85,7 @@ std::vector<std::byte> fourNoises() {
     file.bundle.materials.emplace_back(material);
     file.previews.emplace_back();
   }
-  Result<std::vector<std::byte>> glb = encodeGlb(file);
-  INFO((glb ? std::string() : glb.error().message));
-  REQUIRE(glb.ok());
-  return std::move(glb).value();
+  return glbOf(file);
 }
 
 /// The host's own descriptors: binding -> type and count, as four_noises.frag declares them.

@@ -80,6 +80,26 @@ void addPlate(GltfScene& scene, const Plate& plate, float left) {
             {{"metallicFactor", plate.metallic}, {"roughnessFactor", plate.roughness}}}}));
 }
 
+void addNode(GltfScene& scene, nlohmann::json node) {
+  nlohmann::json& nodes = scene.json["nodes"];
+  nodes.push_back(std::move(node));
+  scene.json["scenes"][0]["nodes"].push_back(nodes.size() - 1);
+}
+
+/// A camera that sees this many plates.
+void addPlateCamera(GltfScene& scene, int count) {
+  scene.json["cameras"] = {
+      {{"type", "orthographic"},
+       {"orthographic", {{"xmag", count / 2.0}, {"ymag", 0.5}, {"znear", 0.1}, {"zfar", 2}}}}};
+  addNode(scene, {{"camera", 0}, {"translation", {0.0, 0.5, 1.0}}});
+  scene.json["extensionsUsed"] = {"KHR_lights_punctual"};
+}
+
+void addLamp(GltfScene& scene, int light, const glm::dvec3& at) {
+  addNode(scene, {{"translation", {at.x, at.y, at.z}},
+                  {"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}});
+}
+
 /// Radiance of each plate under equal lamps in these directions, relative to the irradiance of one
 /// lamp. The lamps are distant point lights, so their light is parallel, and point lights cast no
 /// shadows.
@@ -89,21 +109,10 @@ std::vector<double> radiances(const std::vector<Plate>& plates,
   GltfScene scene;
   for (int i = 0; i < count; ++i)
     addPlate(scene, plates[std::size_t(i)], float(i) - float(count) / 2.0f);
-  nlohmann::json& nodes = scene.json["nodes"];
-  const auto add = [&](nlohmann::json node) {
-    nodes.push_back(std::move(node));
-    scene.json["scenes"][0]["nodes"].push_back(nodes.size() - 1);
-  };
-  scene.json["cameras"] = {
-      {{"type", "orthographic"},
-       {"orthographic", {{"xmag", count / 2.0}, {"ymag", 0.5}, {"znear", 0.1}, {"zfar", 2}}}}};
-  add({{"camera", 0}, {"translation", {0.0, 0.5, 1.0}}});
-  scene.json["extensionsUsed"] = {"KHR_lights_punctual"};
+  addPlateCamera(scene, count);
   scene.json["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
-  constexpr double kFar = 1e5;
   for (const glm::dvec3 lamp : lamps)
-    add({{"translation", {kFar * lamp.x, kFar * lamp.y, kFar * lamp.z}},
-         {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}});
+    addLamp(scene, 0, 1e5 * lamp);
   RenderSettings settings = settingsUnder(black(), 1);
   settings.width = std::uint32_t(count);
   const LinearImage picture = render(scene.glb(), settings);
@@ -248,23 +257,13 @@ TEST_CASE("a white plane under E lux shows E / pi times the exposure, which the 
   const auto radiance = [&](double lux, double moreLux, double candela, float stops) {
     GltfScene scene;
     addPlate(scene, {kView, 0.0, 1.0}, -0.5f);
-    nlohmann::json& nodes = scene.json["nodes"];
-    const auto add = [&](nlohmann::json node) {
-      nodes.push_back(std::move(node));
-      scene.json["scenes"][0]["nodes"].push_back(nodes.size() - 1);
-    };
-    scene.json["cameras"] = {
-        {{"type", "orthographic"},
-         {"orthographic", {{"xmag", 0.5}, {"ymag", 0.5}, {"znear", 0.1}, {"zfar", 2}}}}};
-    add({{"camera", 0}, {"translation", {0.0, 0.5, 1.0}}});
-    scene.json["extensionsUsed"] = {"KHR_lights_punctual"};
+    addPlateCamera(scene, 1);
     scene.json["extensions"]["KHR_lights_punctual"]["lights"] = {
         {{"type", "directional"}, {"intensity", lux}},
         {{"type", "directional"}, {"intensity", moreLux}},
         {{"type", "point"}, {"intensity", candela}}};
     for (int light = 0; light < 3; ++light) // along -z
-      add({{"translation", {0.0, 0.5, kHeight}},
-           {"extensions", {{"KHR_lights_punctual", {{"light", light}}}}}});
+      addLamp(scene, light, {0.0, 0.5, kHeight});
     RenderSettings settings = settingsUnder(black(), 1);
     settings.exposureEv = stops;
     return double(render(scene.glb(), settings).pixel(0, 0)[1]);

@@ -18,7 +18,7 @@ namespace {
 using Position = std::array<double, 3>;
 
 constexpr float kDistance = 3.0f, kFieldOfView = 0.3f; // of a camera in front of a square
-constexpr float kLevel = 1.0f / 255.0f;
+constexpr double kLevel = 1.0 / 255.0;
 
 /// Triplanar noise by tiling.
 BundleFile tilingBundle() {
@@ -31,13 +31,6 @@ BundleFile tilingBundle() {
   use.seed = 3;
   file.bundle.noises[0].tileSizeMetres = 0.3; // not exactly representable as a float
   return file;
-}
-
-float greatestDifference(const LinearImage& a, const LinearImage& b) {
-  float greatest = 0.0f;
-  for (std::size_t i = 0; i < a.values.size(); ++i)
-    greatest = std::max(greatest, std::abs(a.values[i] - b.values[i]));
-  return greatest;
 }
 
 /// The scene with all its nodes moved.
@@ -77,7 +70,7 @@ TEST_CASE("everything else looks as at the world's origin at any distance") {
   const LinearImage home = render(scene.glb(), stillSettings());
   const LinearImage away =
       render(moved(scene, {1e7 + 0.1, -2e7 + 0.2, 3e7 + 0.3}).glb(), stillSettings());
-  CHECK(greatestDifference(away, home) < kLevel);
+  CHECK(largestDifference(away, home) < kLevel);
   // Offsets are whole steps of the rendering origin, so nothing is rounded.
   CHECK(render(moved(scene, {1 << 20, -(1 << 17), 1 << 23}).glb(), stillSettings()).values ==
         home.values);
@@ -97,7 +90,7 @@ TEST_CASE(
       sceneRenderer.setCamera(camera);
       sceneRenderer.drawFrame(0);
       pictures.push_back(sceneRenderer.average(1));
-      CHECK(greatestDifference(pictures.back(), pictures.front()) < 2.0f * kLevel);
+      CHECK(largestDifference(pictures.back(), pictures.front()) < 2.0 * kLevel);
     }
   };
   std::vector<renderer::Camera> atOrigins(2, far.cameras[0]), flat;

@@ -10,6 +10,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace lichen::test {
 
 inline VulkanDevice& testDevice() {
@@ -49,6 +52,14 @@ inline renderer::Picture renderPicture(std::span<const std::byte> glb,
   for (const std::string& text : testDevice().messages().texts())
     FAIL_CHECK(text);
   return std::move(picture).value();
+}
+
+/// Over all values.
+inline double largestDifference(const LinearImage& a, const LinearImage& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.values.size(); ++i)
+    largest = std::max(largest, std::abs(double(a.values[i]) - double(b.values[i])));
+  return largest;
 }
 
 inline LinearImage render(std::span<const std::byte> glb,

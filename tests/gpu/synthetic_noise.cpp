@@ -2,11 +2,12 @@
 // Synthetic noises for the tests; see synthetic_noise.h.
 #include "synthetic_noise.h"
 
+#include "glb_of.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace lichen::test {
 namespace {
@@ -151,10 +152,7 @@ BundleFile syntheticBundle(std::span<const SyntheticMap> maps) {
 }
 
 std::vector<std::byte> syntheticGlb(std::span<const SyntheticMap> maps) {
-  Result<std::vector<std::byte>> glb = encodeGlb(syntheticBundle(maps));
-  if (!glb)
-    throw std::runtime_error(glb.error().message);
-  return std::move(glb).value();
+  return glbOf(syntheticBundle(maps));
 }
 
 } // namespace lichen::test

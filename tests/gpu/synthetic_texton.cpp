@@ -2,11 +2,12 @@
 // Synthetic texton noises for the tests; see synthetic_texton.h.
 #include "synthetic_texton.h"
 
+#include "glb_of.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 
 namespace lichen::test {
 namespace {
@@ -234,10 +235,7 @@ BundleFile syntheticTextonBundle(const SyntheticTexton& texton) {
 }
 
 std::vector<std::byte> syntheticTextonGlb(const SyntheticTexton& texton) {
-  Result<std::vector<std::byte>> glb = encodeGlb(syntheticTextonBundle(texton));
-  if (!glb)
-    throw std::runtime_error(glb.error().message);
-  return std::move(glb).value();
+  return glbOf(syntheticTextonBundle(texton));
 }
 
 } // namespace lichen::test

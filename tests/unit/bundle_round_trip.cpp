@@ -2,6 +2,7 @@
 // The reader returns what the writer wrote, bit for bit.
 #include "bundle_example.h"
 #include "bundle_surgery.h"
+#include "child_process.h"
 #include "temporary_folder.h"
 
 #include <lichen/bundle_files.h>
@@ -9,11 +10,6 @@
 #include <lichen/files.h>
 
 #include <catch2/catch.hpp>
-
-#include <csignal>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace lichen;
 using nlohmann::json;
@@ -213,23 +209,15 @@ TEST_CASE("a disk that is full between the two files of a .gltf leaves only the 
   REQUIRE(writeBundle(path, example::everyMap()).ok());
   BundleFile longText = example::smallest();
   longText.generator = std::string(200000, 'x');
-  // A limit on file size simulates a full disk. It runs in a child process, because the limit
-  // cannot be raised again.
-  const pid_t child = ::fork();
-  if (child == 0) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit = {100000, 100000};
-    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0)
-      ::_exit(100);
+  const int status = childStatus([&] {
+    if (!limitFiles(100000))
+      return 100;
     const Result<void> result = writeBundle(path, longText);
     const bool ofText = !result && result.error().kind == ErrorKind::resources &&
                         result.error().message.starts_with(path.string() + ": cannot be written");
-    ::_exit(ofText ? 0 : 1);
-  }
-  int status = 0;
-  REQUIRE(::waitpid(child, &status, 0) == child);
-  CHECK(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 0);
+    return ofText ? 0 : 1;
+  });
+  CHECK(status == 0);
   checkSameBundle(readBundle(path).value(), example::everyMap().bundle);
   CHECK(folder.entryCount() == 2);
 }

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Reads and writes whole files; a failed write leaves the old file intact and no temporary file.
+#include "child_process.h"
 #include "temporary_folder.h"
 
 #include <lichen/files.h>
 
 #include <catch2/catch.hpp>
 
-#include <csignal>
 #include <string>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace lichen;
 
@@ -71,21 +68,15 @@ TEST_CASE("a file that the user may not read is an error that says so") {
   const TemporaryFolder folder;
   REQUIRE(replaceFile(folder / "file", patternOf(10)));
   REQUIRE(::chmod((folder / "file").c_str(), 0) == 0);
-  const pid_t child = ::fork(); // gives up the permissions of root, if it has them
-  if (child == 0) {
+  const int status = childStatus([&] { // gives up the permissions of root, if it has them
     constexpr uid_t kNobody = 65534;
     if (::geteuid() == 0 && (::chmod(folder.path().c_str(), 0755) != 0 || ::seteuid(kNobody) != 0))
-      ::_exit(100);
+      return 100;
     const Result<Bytes> read = readFile(folder / "file");
-    const bool asExpected =
-        !read &&
-        read.error().message == (folder / "file").string() + ": cannot be read: Permission denied";
-    ::_exit(asExpected ? 0 : 1);
-  }
-  int status = 0;
-  REQUIRE(::waitpid(child, &status, 0) == child);
-  CHECK(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 0);
+    const std::string message = (folder / "file").string() + ": cannot be read: Permission denied";
+    return !read && read.error().message == message ? 0 : 1;
+  });
+  CHECK(status == 0);
 }
 
 TEST_CASE("a named pipe without a writer is an error, without waiting") {
@@ -190,24 +181,17 @@ TEST_CASE("writing over a folder fails and leaves no temporary file") {
 TEST_CASE("a write that does not fit leaves the old file intact and no temporary file") {
   const TemporaryFolder folder;
   REQUIRE(replaceFile(folder / "file", patternOf(100)));
-  // A limit on the file size simulates a full disk; in a child process, because it cannot be raised
-  // again.
-  const pid_t child = ::fork();
-  if (child == 0) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    const rlimit limit = {4096, 4096};
-    if (::setrlimit(RLIMIT_FSIZE, &limit) != 0)
-      ::_exit(100);
+  const int status = childStatus([&] {
+    if (!limitFiles(4096))
+      return 100;
     const Result<void> result = replaceFile(folder / "file", patternOf(100000));
-    const bool asExpected = !result && result.error().kind == ErrorKind::resources &&
-                            result.error().message ==
-                                (folder / "file").string() + ": cannot be written: File too large";
-    ::_exit(asExpected ? 0 : 1);
-  }
-  int status = 0;
-  REQUIRE(::waitpid(child, &status, 0) == child);
-  CHECK(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 0);
+    const std::string message = (folder / "file").string() + ": cannot be written: File too large";
+    return !result && result.error().kind == ErrorKind::resources &&
+                   result.error().message == message
+               ? 0
+               : 1;
+  });
+  CHECK(status == 0);
   CHECK(readFile(folder / "file").value() == patternOf(100));
   CHECK(folder.entryCount() == 1);
 }
@@ -215,18 +199,15 @@ TEST_CASE("a write that does not fit leaves the old file intact and no temporary
 TEST_CASE("a process killed while writing leaves the old file intact and no temporary file") {
   const TemporaryFolder folder;
   REQUIRE(replaceFile(folder / "file", patternOf(100)));
-  const pid_t child = ::fork();
-  if (child == 0) {
+  const int status = childStatus([&] {
     // Without a handler, the signal of the write beyond the limit kills the process in mid-write.
-    std::signal(SIGXFSZ, SIG_DFL);
-    const rlimit limit = {4096, 4096};
     const rlimit noCore = {0, 0};
-    if (::setrlimit(RLIMIT_CORE, &noCore) == 0 && ::setrlimit(RLIMIT_FSIZE, &limit) == 0)
+    if (::setrlimit(RLIMIT_CORE, &noCore) == 0 && limitFiles(4096)) {
+      std::signal(SIGXFSZ, SIG_DFL);
       static_cast<void>(replaceFile(folder / "file", patternOf(100000)));
-    ::_exit(100);
-  }
-  int status = 0;
-  REQUIRE(::waitpid(child, &status, 0) == child);
+    }
+    return 100;
+  });
   REQUIRE(WIFSIGNALED(status));
   CHECK(WTERMSIG(status) == SIGXFSZ);
   CHECK(readFile(folder / "file").value() == patternOf(100));

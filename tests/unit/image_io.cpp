@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What all formats share: detection, truncation, exhausted memory, and files on disk.
+#include "child_process.h"
 #include "image_samples.h"
 #include "temporary_folder.h"
 
@@ -10,9 +11,6 @@
 #include <array>
 #include <fstream>
 #include <malloc.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 using namespace lichen;
 using namespace lichen::samples;
@@ -170,20 +168,17 @@ namespace {
 /// kind of its error; 0 for success.
 template <class Operation>
 int errorKindWithLittleMemory(std::size_t spare, Operation operation) {
-  const pid_t child = ::fork();
-  if (child == 0) {
+  const int status = childStatus([&] {
     ::malloc_trim(0); // otherwise memory that the parent has freed would count as spare
     std::size_t pages = 0;
     std::ifstream("/proc/self/statm") >> pages;
     const rlim_t limit = pages * std::size_t(::sysconf(_SC_PAGESIZE)) + spare;
     const rlimit limits = {limit, limit};
     if (::setrlimit(RLIMIT_AS, &limits) != 0)
-      ::_exit(100);
+      return 100;
     const auto result = operation();
-    ::_exit(result ? 0 : int(result.error().kind));
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
+    return result ? 0 : int(result.error().kind);
+  });
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

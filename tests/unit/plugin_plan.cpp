@@ -206,7 +206,8 @@ TEST_CASE("a map without an inverse table has a placeholder of one texel at its 
 TEST_CASE(
     "each map of a mix has a table of its steps, and the material states the weight's source") {
   const BundleFile file = example::textonMix();
-  const TextonMap& texton = file.bundle.noises[1].maps[0].as<TextonMap>();
+  const NoiseMap& colors = file.bundle.noises[1].maps[0];
+  const auto& texton = colors.as<TextonMap>();
   const OwnedBundle bundle(file);
   auto noise = got<LichenNoiseProperties>(lichenGetNoiseProperties, bundle.handle, 0);
   CHECK(noise.mixSteps == 1);
@@ -219,7 +220,7 @@ TEST_CASE(
   CHECK(image.width == 3);
   CHECK(image.height == 1);
   CHECK(image.depth == LICHEN_MIX_ROWS);
-  // Means 0.5, 0.4 and 0.3 minus the first; deviations 0.5, 0.75 and 1 of the largest.
+  // Means 0.5, 0.4 and 0.3 minus the first; deviations over the largest, a sixth of the scale.
   Table table{"mix", TexelFormat::rgba16Sfloat, 3, 1, LICHEN_MIX_ROWS, 1, {}};
   const auto* bytes = static_cast<const std::byte*>(image.bytes);
   table.texels.assign(bytes, bytes + image.byteCount);
@@ -229,7 +230,10 @@ TEST_CASE(
   };
   for (std::size_t step = 0; step < 3; ++step) {
     CHECK(texel(LICHEN_MIX_MEAN, step, 1) == Approx(-0.1 * double(step)).epsilon(1.0 / 2048));
-    CHECK(texel(LICHEN_MIX_DEVIATION, step, 2) == Approx(0.5 + 0.25 * double(step)).epsilon(1e-3));
+    const double variance =
+        (step == 0 ? colors.covariance : texton.laterSteps[step - 1].covariance)[8];
+    CHECK(texel(LICHEN_MIX_DEVIATION, step, 2) ==
+          Approx(6.0 * std::sqrt(variance) / texton.scale[2]).epsilon(1e-3));
     for (std::size_t c = 0; c < 3; ++c) {
       const std::span<const double> ofChannel =
           lossRow(step == 0 ? texton.mipLoss : texton.laterSteps[step - 1].mipLoss, c, 3);
