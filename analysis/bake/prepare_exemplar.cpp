@@ -92,10 +92,14 @@ Result<PreparedExemplar> prepareExemplar(MaterialSet set, const ExemplarOptions&
       maps, options.outliers, set.periodic, photographPart(options, set), observer, set.notes);
   if (!filled)
     return filled.error();
-  Result<RectifiedPart> part = applyRectification(maps, options.rectification, set.periodic,
-                                                  findsRegularity, observer.words, set.notes);
+  const Periodic given = options.set.periodic; // --size may have measured the whole picture
+  Result<RectifiedPart> part = applyRectification(
+      maps, options.rectification, options.rectification.corners ? given : set.periodic,
+      findsRegularity, observer.words, set.notes);
   if (!part)
     return part.error();
+  if (part.value().corners)
+    set.periodic = given;
   PreparedExemplar prepared{
       std::move(set), {}, {}, part.value().regularity, part.value().widthShare};
   for (std::size_t m = 0; m < prepared.set.maps.size(); ++m)

@@ -42,6 +42,21 @@ std::vector<Photograph> moss() {
 
 } // namespace
 
+TEST_CASE("the borders of a rectified part are measured anew, also after --size measured others") {
+  MaterialSet set;
+  set.maps = {test::threeMaterials(64, 64, 5)};
+  set.periodic = Periodic::no; // as reading leaves it with a size
+  ExemplarOptions options{.flattening = {}, .outliers = {.keeps = true}};
+  options.set.size = {64, 64};
+  const auto prepared = [&] { return prepareExemplar(set, options, false).value(); };
+  CHECK(prepared().set.periodic == Periodic::no);
+  options.rectification.corners = TileCorners{{{2, 2}, {50, 3}, {51, 48}, {3, 50}}};
+  CHECK(prepared().set.periodic == Periodic::detect);
+  CHECK(!prepared().preparation.periodic);
+  options.set.periodic = Periodic::no;
+  CHECK(prepared().set.periodic == Periodic::no);
+}
+
 TEST_CASE("the names of images in memory say which maps of a material they are") {
   BakeOptions options = fastest();
   const Result<BakedMaterial> baked = bakeMaterial(moss(), options);
