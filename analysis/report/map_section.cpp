@@ -45,7 +45,8 @@ Extents resultExtents(const Extents& exemplar, int side) {
 }
 
 /// Pictures of the original, the exemplar, the exemplar repeated, its Gaussian version and the
-/// result, at one scale. The original is left out if the exemplar is unchanged.
+/// result, at one scale unless the original is too large for it. The original is left out if the
+/// exemplar is unchanged.
 Result<std::string> panesOf(const Bundle& bundle, const MaterialNoise& material,
                             const ShownExemplar& shown, const NoiseComparison& comparison,
                             int exemplarSide) {
@@ -62,9 +63,11 @@ Result<std::string> panesOf(const Bundle& bundle, const MaterialNoise& material,
   if (!result)
     return result.error();
   std::vector<Result<Picture>> made;
-  if (const std::optional<MapExemplar>& before = shown.origin.original; before)
-    made.push_back(encodedPicture(reduced(comparison.look.picture(*before), width, height),
+  if (const std::optional<MapExemplar>& before = shown.origin.original; before) {
+    const auto [across, down] = pictureExtents(before->width, before->height, exemplarSide);
+    made.push_back(encodedPicture(reduced(comparison.look.picture(*before), across, down),
                                   "Original", ", before it was flattened, filled or straightened"));
+  }
   std::string steps;
   for (const std::string& step : shown.origin.steps)
     steps += ", " + step;
@@ -186,14 +189,13 @@ Result<MapSection> describeMap(const Bundle& bundle, const MaterialNoise& materi
   const Result<std::string> panes = panesOf(bundle, material, shown, comparison, exemplarSide);
   if (!panes)
     return panes.error();
-  const std::string title(nameOf(exemplar.target));
   std::string markup =
-      element("article", element("h2", htmlText(title)) +
+      element("article", element("h2", nameOf(exemplar.target)) +
                              element("p class=\"quiet\"", summaryOf(exemplar)) + panes.value() +
                              measuresOf(comparison) + risksOf(shown, words) +
                              histogramsOf(comparison) + spectrumOf(comparison)) +
       "\n";
-  return MapSection{shown, title, std::move(markup), std::move(comparison.measures)};
+  return MapSection{shown, std::move(markup), std::move(comparison.measures)};
 }
 
 } // namespace lichen

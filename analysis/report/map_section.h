@@ -23,14 +23,13 @@ struct ShownExemplar {
 
 struct MapSection {
   ShownExemplar shown;
-  std::string title; ///< the map
   std::string markup;
   std::vector<Measure> measures;
 };
 
-/// The section of one map. The picture of the exemplar has at most exemplarSide^2 pixels, and all
-/// of them as many as MethodReport::picturePixels says. The noise is the material's. Settings that
-/// help against a risk are in `words`. Errors: as compareNoise().
+/// The section of one map. The pictures of the exemplar, the original and the Gaussian version have
+/// at most exemplarSide^2 pixels each, and the result has four times as many. The noise is the
+/// material's. Settings that help against a risk are in `words`. Errors: as compareNoise().
 [[nodiscard]] Result<MapSection> describeMap(const Bundle& bundle, const MaterialNoise& material,
                                              const ShownExemplar& shown, SettingWords words,
                                              int exemplarSide, const Progress& progress);

@@ -9,6 +9,9 @@
 #include <lichen/suitability.h>
 #include <lichen/synthesize.h>
 
+#include <utility>
+#include <vector>
+
 namespace lichen {
 
 /// The largest side of a synthesized result. A 4096 x 4096 RGB result takes 200 MB; more pixels do
@@ -43,14 +46,20 @@ struct MethodReport {
   Result<void> (*measure)(const ComparedResult& result, NoiseComparison& comparison);
   /// Adds measures that need more than the result; null if there are none.
   Result<void> (*judge)(const ComparedResult& result, NoiseComparison& comparison) = nullptr;
-  /// The number of pixels that judge() synthesizes, for an exemplar of this size; null for none.
-  double (*judgedPixels)(int width, int height) = nullptr;
-  /// The most pixels of all of a map's pictures on the page, in units of the exemplar's.
-  double picturePixels = 0.0;
+  double judgedShare = 0.0; ///< of the progress: the part that judge() takes
   /// Whether all maps of a set are resampled to the size of the largest.
   bool enlargesMaps = false;
 };
 
 [[nodiscard]] const MethodReport& reportOf(Method method);
+
+/// Gives the comparison these measures, or returns their error.
+[[nodiscard]] inline Result<void> take(Result<std::vector<Measure>> measures,
+                                       NoiseComparison& comparison) {
+  if (!measures)
+    return measures.error();
+  comparison.measures = std::move(measures).value();
+  return {};
+}
 
 } // namespace lichen

@@ -64,9 +64,7 @@ public:
   [[nodiscard]] Result<NoiseComparison> whole(const Progress& progress) {
     options_.width = std::min(kResultExemplars * width_, kLargestResultSide);
     options_.height = std::min(kResultExemplars * height_, kLargestResultSide);
-    const double pixels = double(options_.width) * options_.height;
-    const double judgedPixels = method_.judgedPixels ? method_.judgedPixels(width_, height_) : 0.0;
-    const double share = pixels / (pixels + judgedPixels);
+    const double share = 1.0 - method_.judgedShare;
     Result<NoiseComparison> comparison = measured(partOf(progress, 0.0, share));
     if (!comparison || !method_.judge)
       return comparison;

@@ -2,7 +2,6 @@
 // The record of a bake -> the bytes of its page.
 #include "map_section.h"
 #include "markup.h"
-#include "method_report.h"
 
 #include <lichen/noise_report.h>
 
@@ -20,11 +19,14 @@ namespace {
 
 constexpr int kLargestExemplarSide = 512;
 
+/// The pixels of all pictures of a map, in units of the exemplar's: the original, the exemplar,
+/// twice, its Gaussian version, and a result of 2 x 2 exemplars.
+constexpr double kPicturesOfMap = 8.0;
+
 /// Side of an exemplar's picture: all pictures together have at most kReportPixels.
-int exemplarSide(const BakeRecord& record, Method method) {
+int exemplarSide(const BakeRecord& record) {
   const double maps = double(std::max<std::size_t>(record.exemplars.size(), 1));
-  const double pictures = maps * reportOf(method).picturePixels;
-  return std::min(kLargestExemplarSide, int(std::sqrt(kReportPixels / pictures)));
+  return std::min(kLargestExemplarSide, int(std::sqrt(kReportPixels / (maps * kPicturesOfMap))));
 }
 
 std::string paragraph(std::string_view look, std::string_view text) {
@@ -40,7 +42,8 @@ std::string targetsLine(const std::vector<MapSection>& maps, const NoiseReport& 
       if (measure.isMissed())
         names += (names.empty() ? "" : ", ") + std::string(measure.name);
     if (!names.empty())
-      list += fmt::format("{}{} of {}", list.empty() ? "" : "; ", names, map.title);
+      list += fmt::format("{}{} of {}", list.empty() ? "" : "; ", names,
+                          nameOf(map.shown.exemplar.target));
   }
   if (report.targets == 0)
     return {};
@@ -128,7 +131,7 @@ void addTargets(const std::vector<MapSection>& maps, NoiseReport& report) {
 
 Result<NoiseReport> encode(const BakeRecord& record, const Progress& progress) {
   const MaterialNoise& material = *record.bundle.materials.front();
-  const int side = exemplarSide(record, record.bundle.noises[material.noise].method());
+  const int side = exemplarSide(record);
   const std::size_t count = record.exemplars.size();
   std::vector<MapSection> maps;
   for (std::size_t m = 0; m < count; ++m) {

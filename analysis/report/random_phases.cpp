@@ -40,13 +40,13 @@ Result<void> judgeRandomPhase(const ComparedResult& result, bool hasGivenSpectru
       return version.error();
     comparison.gaussian = comparison.look.picture(version.value());
   }
-  Result<std::vector<Measure>> measures =
-      comparison.gaussian ? measureGaussianResult(comparison.exemplar, *comparison.gaussian,
-                                                  comparison.result, targets)
-                          : measureResult(comparison.exemplar, comparison.result);
-  if (!measures)
-    return measures.error();
-  comparison.measures = std::move(measures).value();
+  if (Result<void> taken = take(
+          comparison.gaussian ? measureGaussianResult(comparison.exemplar, *comparison.gaussian,
+                                                      comparison.result, targets)
+                              : measureResult(comparison.exemplar, comparison.result),
+          comparison);
+      !taken)
+    return taken;
   if (hasGivenSpectrum)
     for (Measure& measure : comparison.measures)
       if (measure.name != kColorDistanceName && measure.target) {

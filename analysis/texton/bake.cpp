@@ -67,8 +67,8 @@ Result<void> check(std::span<const MapExemplar> maps, const TextonOptions& optio
 /// Returns the largest error of a stored covariance, relative to the standard deviations of its two
 /// channels.
 double covarianceError(const MethodBake& bake, const JointExemplar& joint, const MatrixXd& wanted) {
-  const MatrixXd stored =
-      noiseCovariance(storedTexton(bake.noise, bake.tables), bake.noise.as<TextonShape>().order);
+  const MatrixXd stored = noiseCovariance(storedTexton(bake.noise, bake.noise.maps, bake.tables),
+                                          bake.noise.as<TextonShape>().order);
   double worst = 0.0;
   for (Eigen::Index a = 0; a < wanted.rows(); ++a)
     for (Eigen::Index b = 0; b < wanted.cols(); ++b)

@@ -130,10 +130,11 @@ Table textonTable(std::span<const TextonCoefficients* const> steps, const Texton
   return table;
 }
 
-TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables, int step) {
+TextonCoefficients storedTexton(const Noise& noise, std::span<const NoiseMap> maps,
+                                std::span<const Table> tables, int step) {
   const TextonShape& shape = noise.as<TextonShape>();
   TextonCoefficients texton{shape.coefficientsX, shape.coefficientsY, 0, {}};
-  for (const NoiseMap& map : noise.maps) {
+  for (const NoiseMap& map : maps) {
     const Table& table = tables[map.as<TextonMap>().image];
     const std::vector<float> texels = decodeLevel(table, 0);
     const auto stride = std::size_t(channelCount(table.format));

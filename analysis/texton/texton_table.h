@@ -21,10 +21,10 @@ namespace lichen::texton {
                                 const TextonShape& shape, std::size_t firstChannel,
                                 std::span<const double> scale, int bits);
 
-/// Returns the coefficients of a step for the channels of all maps, as stored in the tables of
-/// `noise`.
-[[nodiscard]] TextonCoefficients storedTexton(const Noise& noise, std::span<const Table> tables,
-                                              int step = 0);
+/// Returns the coefficients of a step for the channels of some maps of `noise`, as stored in its
+/// tables.
+[[nodiscard]] TextonCoefficients storedTexton(const Noise& noise, std::span<const NoiseMap> maps,
+                                              std::span<const Table> tables, int step = 0);
 
 /// Returns TextonMap::mipLoss for each step of such a table, kMaxTextonLosses values per channel.
 /// For a channel that does not vary, the values are 0.

@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <texton/judgement.h>
 
 using namespace lichen;
 using namespace lichen::test;
@@ -55,7 +56,9 @@ TEST_CASE("a stored texton has the error and flatness that its bake found, at ev
   for (const int order : {0, 1, 3}) {
     INFO("order " << order);
     const Baked baked = bakedOf(map, order, 24);
-    const TextonJudgement judgement = judgeTexton(baked.bundle, 0, map).value();
+    const Noise& noise = baked.bundle.noises[0];
+    const texton::TextonJudgement judgement =
+        texton::judgeTexton(baked.bundle, noise, noise.maps[0], map);
     // Texels are 32-bit floats, and the covariance is corrected twice, to 1e-6 each.
     CHECK(judgement.modelError == Approx(baked.quality.modelError).epsilon(4e-6));
     CHECK(judgement.flatness == Approx(baked.quality.flatness).epsilon(4e-6));
@@ -68,9 +71,7 @@ TEST_CASE(
   const MapExemplar map = faint();
   const Baked baked = bakedOf(map, 1, 24);
   NoiseMap noise = baked.bundle.noises[0].maps[0];
-  const Result<MapExemplar> made = gaussianVersion(noise, map, 1);
-  REQUIRE(made);
-  const MapExemplar& gaussian = made.value();
+  const MapExemplar gaussian = texton::gaussianVersion(noise, map, 1);
   CHECK(gaussian.width == kSide);
   CHECK(gaussian.height == kSide);
   // Random phases do not change moduli, so the sample has the covariance itself.
@@ -87,30 +88,9 @@ TEST_CASE(
   // Four times the covariance is twice the distance from the mean.
   for (double& value : noise.covariance)
     value *= 4.0;
-  const MapExemplar doubled = gaussianVersion(noise, map, 1).value();
+  const MapExemplar doubled = texton::gaussianVersion(noise, map, 1);
   for (std::size_t i = 0; i < doubled.values.size(); i += 97)
     CHECK(double(doubled.values[i]) - noise.mean[i % 3] ==
           Approx(2.0 * (double(gaussian.values[i]) - noise.mean[i % 3])).margin(1e-5));
-  const Result<MapExemplar> other = gaussianVersion(noise, map, 2);
-  CHECK(other.value().values != doubled.values);
-}
-
-TEST_CASE("textons are compared with exemplars of their own channels and method only") {
-  const MapExemplar map = faint();
-  Baked baked = bakedOf(map, 1, 24);
-  CHECK_FALSE(judgeTexton(baked.bundle, 1, map));
-  MapExemplar other = map;
-  other.target = MapTarget::emissive;
-  CHECK_FALSE(judgeTexton(baked.bundle, 0, other));
-  other = map;
-  other.channels = {MapChannel::red};
-  other.values.resize(map.values.size() / 3);
-  const Result<TextonJudgement> channels = judgeTexton(baked.bundle, 0, other);
-  REQUIRE_FALSE(channels);
-  CHECK(channels.error().kind == ErrorKind::badInput);
-  CHECK_FALSE(gaussianVersion(baked.bundle.noises[0].maps[0], other, 1));
-  baked.bundle.noises[0].data = TilingNoise();
-  const Result<TextonJudgement> method = judgeTexton(baked.bundle, 0, map);
-  REQUIRE_FALSE(method);
-  CHECK(method.error().message.find("tiling, not texton") != std::string::npos);
+  CHECK(texton::gaussianVersion(noise, map, 2).values != doubled.values);
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 using namespace lichen;
@@ -56,6 +57,25 @@ TEST_CASE("lattice_visibility follows the lattice of the noise, with any grain")
       INFO("grain " << nameOf(grain) << ", rotation " << rotation);
       CHECK(latticeVisibilityOf(bundle, exemplar, rotation) > 2.5);
     }
+}
+
+TEST_CASE("a report shows the original of a straightened exemplar in its own shape") {
+  const MapExemplar exemplar = threeMaterials(24, 24, 5);
+  Bundle bundle = bundleOf(bakeTiling("a", {&exemplar, 1}, {}));
+  bundle.materials = {MaterialNoise{}};
+  const std::vector<Risk> risks = assessSuitability(exemplar, true).value();
+  const ExemplarOrigin origin{{"straightened"}, threeMaterials(40, 16, 5)};
+  const BakeRecord record{.bundle = bundle,
+                          .exemplars = {&exemplar, 1},
+                          .risks = {&risks, 1},
+                          .origins = {&origin, 1},
+                          .command = "",
+                          .facts = {},
+                          .notes = {}};
+  const NoiseReport report = encodeNoiseReport(record).value();
+  const std::string page(reinterpret_cast<const char*>(report.page.data()), report.page.size());
+  const std::string original = page.substr(page.find("alt=\"Original\""));
+  CHECK(original.substr(0, original.find("style")).ends_with("width=\"40\" height=\"16\" "));
 }
 
 TEST_CASE("all maps have the risk of borders that fade along the grain of the noise") {

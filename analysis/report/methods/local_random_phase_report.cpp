@@ -26,17 +26,11 @@ Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) 
   const auto& shared = noise.as<LocalRandomPhaseNoise>();
   if (shared.structure.columns == 0)
     return judgeRandomPhase(result, shared.hasGivenSpectrum, kTargets, comparison);
-  Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
-  if (!measures)
-    return measures.error();
-  comparison.measures = std::move(measures).value();
-  return {};
+  return take(measureResult(comparison.exemplar, comparison.result), comparison);
 }
 
 } // namespace
 
-/// The same pictures as for tiling, and a Gaussian version as large as the exemplar.
-extern const MethodReport kLocalRandomPhaseReport{
-    .assess = assess, .measure = measure, .picturePixels = 8.0};
+extern const MethodReport kLocalRandomPhaseReport{.assess = assess, .measure = measure};
 
 } // namespace lichen

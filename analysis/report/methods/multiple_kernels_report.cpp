@@ -22,8 +22,6 @@ Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) 
 
 } // namespace
 
-/// The same pictures as for local random phase.
-extern const MethodReport kMultipleKernelsReport{
-    .assess = assess, .measure = measure, .picturePixels = 8.0};
+extern const MethodReport kMultipleKernelsReport{.assess = assess, .measure = measure};
 
 } // namespace lichen

@@ -34,10 +34,9 @@ Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress&) {
 }
 
 Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) {
-  Result<std::vector<Measure>> measures = measureResult(comparison.exemplar, comparison.result);
-  if (!measures)
-    return measures.error();
-  comparison.measures = std::move(measures).value();
+  if (Result<void> taken = take(measureResult(comparison.exemplar, comparison.result), comparison);
+      !taken)
+    return taken;
   const Noise& noise = result.bundle.noises[result.options.material.noise];
   const Result<std::optional<double>> mismatch = cutMismatch(result.bundle, noise, result.map);
   if (!mismatch)
@@ -50,8 +49,6 @@ Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) 
 
 } // namespace
 
-/// The same pictures as for tiling.
-extern const MethodReport kQuiltingReport{
-    .assess = assess, .measure = measure, .picturePixels = 7.0};
+extern const MethodReport kQuiltingReport{.assess = assess, .measure = measure};
 
 } // namespace lichen

@@ -2,8 +2,7 @@
 // A texton noise and its exemplar -> measures against the exemplar's Gaussian texture, which is the
 // limit of texton noise.
 #include "../method_report.h"
-
-#include <lichen/texton.h>
+#include "texton/judgement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,22 +12,22 @@ namespace {
 
 constexpr GaussianTargets kTargets{0.5, 0.5, false};
 
-Measure flatnessMeasure(const TextonJudgement& texton) {
+Measure flatnessMeasure(double flatness) {
   return {
       "flatness",
       "",
       "how much the magnitudes of the texton's texels differ; ten times as many impacts are enough",
-      texton.flatness,
+      flatness,
       kFlatnessTarget,
       {}};
 }
 
-Measure modelErrorMeasure(const TextonJudgement& texton) {
+Measure modelErrorMeasure(double error) {
   return {"model_error",
           "",
           "transport distance of all channels together to the exemplar's Gaussian texture, as a "
           "share of its deviation",
-          texton.modelError,
+          error,
           {},
           {}};
 }
@@ -59,16 +58,13 @@ Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress& pr
 Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) {
   const SynthesisOptions& options = result.options;
   const std::size_t step = stepAt(result.bundle.noises[options.material.noise], options.mix[0]);
-  const Result<MapExemplar> gaussian =
-      gaussianVersion(mapAt(result.map, step), result.exemplar, options.material.seed);
-  if (!gaussian)
-    return gaussian.error();
-  comparison.gaussian = comparison.look.picture(gaussian.value());
-  Result<std::vector<Measure>> measures =
-      measureGaussianResult(comparison.exemplar, *comparison.gaussian, comparison.result, kTargets);
-  if (!measures)
-    return measures.error();
-  comparison.measures = std::move(measures).value();
+  comparison.gaussian = comparison.look.picture(
+      texton::gaussianVersion(mapAt(result.map, step), result.exemplar, options.material.seed));
+  if (Result<void> taken = take(measureGaussianResult(comparison.exemplar, *comparison.gaussian,
+                                                      comparison.result, kTargets),
+                                comparison);
+      !taken)
+    return taken;
   if (result.isEnlarged)
     for (Measure& measure : comparison.measures)
       if (measure.name == kGaussianSpectrumDistanceName && measure.value) {
@@ -80,25 +76,17 @@ Result<void> measure(const ComparedResult& result, NoiseComparison& comparison) 
 }
 
 Result<void> judge(const ComparedResult& result, NoiseComparison& comparison) {
-  const Bundle& bundle = result.bundle;
-  const SynthesisOptions& options = result.options;
-  const std::size_t step = stepAt(bundle.noises[options.material.noise], options.mix[0]);
-  const Result<TextonJudgement> texton =
-      judgeTexton(bundle, options.material.noise, result.exemplar, step);
-  if (!texton)
-    return texton.error();
-  comparison.measures.push_back(modelErrorMeasure(texton.value()));
-  comparison.measures.push_back(flatnessMeasure(texton.value()));
+  const Noise& noise = result.bundle.noises[result.options.material.noise];
+  const texton::TextonJudgement judged = texton::judgeTexton(
+      result.bundle, noise, result.map, result.exemplar, stepAt(noise, result.options.mix[0]));
+  comparison.measures.push_back(modelErrorMeasure(judged.modelError));
+  comparison.measures.push_back(flatnessMeasure(judged.flatness));
   return {};
 }
 
 } // namespace
 
-/// The same pictures as for tiling, and a Gaussian version as large as the result.
-extern const MethodReport kTextonReport{.assess = assess,
-                                        .measure = measure,
-                                        .judge = judge,
-                                        .picturePixels = 11.0,
-                                        .enlargesMaps = true};
+extern const MethodReport kTextonReport{
+    .assess = assess, .measure = measure, .judge = judge, .enlargesMaps = true};
 
 } // namespace lichen
