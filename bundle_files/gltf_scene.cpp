@@ -286,11 +286,6 @@ void GltfScene::setFactor(std::size_t material, std::string_view parent, std::st
       value.size() == 1 ? Json(value.front()) : Json(value);
 }
 
-void GltfScene::setTexture(std::size_t material, std::string_view parent, std::string_view key,
-                           const json& info) {
-  editedMember(state_->edited["materials"][material], parent, key) = info;
-}
-
 void GltfScene::removeExtension(std::span<const std::size_t> materials,
                                 const std::string& extension) {
   for (const std::size_t m : materials) {

@@ -80,6 +80,8 @@ Result<NoiseOnScene> applied(GltfScene& scene, const Bundle& bundle, std::size_t
     return mix.error();
   use.mix = mix.value().weight;
   const std::vector<std::size_t>& materials = mix.value().materials;
+  if (Result<void> checked = checkShading(scene, materials); !checked)
+    return checked.error();
   std::vector<std::string> frameNotes; // come last
   if (use.mapping == Mapping::surface) {
     Result<std::vector<MeshFrames>> frames =
@@ -96,7 +98,7 @@ Result<NoiseOnScene> applied(GltfScene& scene, const Bundle& bundle, std::size_t
   done.noise = std::move(noiseOn).value();
   if (options.setsFactors)
     setFactorsToOne(scene, materials, noise);
-  removeCompetingExtensions(scene, materials, noise, done.notes);
+  removeUnlit(scene, materials, done.notes);
   noteName(scene, noise.name, done.noise, done.notes);
   for (const std::size_t material : materials)
     done.materials.push_back(scene.materialTitle(material));

@@ -54,10 +54,6 @@ std::vector<std::string> notesOn(const GltfScene& scene, const std::vector<MeshF
   return notes;
 }
 
-bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
-  return scene.attribute(place, "TANGENT") && scene.attribute(place, "NORMAL");
-}
-
 /// Notes the materials whose normal texture will use the noise's tangents instead of tangents from
 /// its texture coordinates.
 std::vector<std::string> notesOnNormals(const GltfScene& scene,

@@ -67,12 +67,15 @@ addFrames(GltfScene& scene, std::span<const std::size_t> materials, const Noise&
           const std::optional<Vector3>& grain, const BakeObserver& observer,
           std::vector<std::string>& notes);
 
-/// Removes the extensions that replace the shading by core textures, and so by noise, each with one
-/// note: KHR_materials_unlit and KHR_materials_pbrSpecularGlossiness. A specular-glossy material
-/// without pbrMetallicRoughness gets in its core material what the noise does not bring: the
-/// diffuse colour, the glossiness factor as roughness, and no metal. All other extensions stay.
-void removeCompetingExtensions(GltfScene& scene, std::span<const std::size_t> materials,
-                               const Noise& noise, std::vector<std::string>& notes);
+/// Checks that no material is described by KHR_materials_pbrSpecularGlossiness instead of the
+/// core's textures, which the noise replaces. Errors: badInput.
+[[nodiscard]] Result<void> checkShading(const GltfScene& scene,
+                                        std::span<const std::size_t> materials);
+
+/// Removes KHR_materials_unlit, with one note: it replaces the shading by the base colour. All
+/// other extensions stay.
+void removeUnlit(GltfScene& scene, std::span<const std::size_t> materials,
+                 std::vector<std::string>& notes);
 
 /// Returns one note on the textures that remain, wholly or in part, because the noise does not have
 /// all their channels; empty if none remains. They keep their own texture coordinates and do not

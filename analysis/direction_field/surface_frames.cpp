@@ -22,10 +22,6 @@ std::optional<std::string> tangentReader(const nlohmann::json& material, bool ha
   return std::nullopt;
 }
 
-bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
-  return scene.attribute(place, "TANGENT") && scene.attribute(place, "NORMAL");
-}
-
 /// The primitives without a frame, per mesh.
 Result<std::map<std::size_t, std::vector<PrimitivePlace>>>
 placesWithoutFrame(const GltfScene& scene, std::span<const std::size_t> materials,
@@ -175,6 +171,10 @@ Result<MeshFrames> addToMesh(GltfScene& scene, const std::vector<PrimitivePlace>
 }
 
 } // namespace
+
+bool hasFrame(const GltfScene& scene, PrimitivePlace place) {
+  return scene.attribute(place, "TANGENT") && scene.attribute(place, "NORMAL");
+}
 
 Result<void> checkFrames(const GltfScene& scene, std::size_t material, bool bringsNormals) {
   const auto places = placesWithoutFrame(scene, {&material, 1}, bringsNormals);

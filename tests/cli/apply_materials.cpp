@@ -25,22 +25,11 @@ void addImage(Apply& apply, const std::string& uri) {
 }
 
 /// Both materials have the extension, and viewers must know it.
-void addExtension(Apply& apply, const char* extension, const json& content = json::object()) {
+void addExtension(Apply& apply, const char* extension) {
   apply.scene.json["extensionsUsed"] = json::array({extension});
   apply.scene.json["extensionsRequired"] = json::array({extension});
   for (auto& material : apply.scene.json["materials"])
-    material["extensions"][extension] = content;
-}
-
-/// 'wood' is specular-glossy, with two images beside the scene, and nothing else.
-void addGlossyImages(Apply& apply, const json& more) {
-  json content{{"diffuseTexture", {{"index", 0}, {"texCoord", 0}}},
-               {"specularGlossinessTexture", {{"index", 1}}}};
-  content.update(more);
-  addExtension(apply, kGlossy, content);
-  apply.scene.json["images"] = {{{"uri", "diffuse.png"}}, {{"uri", "glossiness.png"}}};
-  apply.scene.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
-  apply.material().erase("pbrMetallicRoughness");
+    material["extensions"][extension] = json::object();
 }
 
 } // namespace
@@ -80,44 +69,34 @@ TEST_CASE("a .glb embeds images from data URIs") {
 }
 
 TEST_CASE("an extension that hides the noise is removed, and its name with its last use") {
-  for (const char* extension : {kUnlit, kGlossy}) {
-    INFO(extension);
-    Apply apply;
-    addExtension(apply, extension);
-    CHECK_THAT(apply.notes(moss(), "wood"),
-               Catch::Contains("scene.glb: removed " + std::string(extension) +
-                               " from material 'wood': the noise needs"));
-    const json one = apply.output();
-    CHECK(one["materials"][0]["extensions"].size() == 1);
-    CHECK(one["materials"][0]["extensions"].contains(kExtension));
-    CHECK(one["materials"][1]["extensions"] == json{{extension, json::object()}});
-    CHECK(one["extensionsUsed"] == json{extension, kExtension});
-    CHECK(one["extensionsRequired"] == json{extension});
+  Apply apply;
+  addExtension(apply, kUnlit);
+  CHECK_THAT(apply.notes(moss(), "wood"),
+             Catch::Contains("scene.glb: removed " + std::string(kUnlit) +
+                             " from material 'wood': the noise needs"));
+  const json one = apply.output();
+  CHECK(one["materials"][0]["extensions"].size() == 1);
+  CHECK(one["materials"][0]["extensions"].contains(kExtension));
+  CHECK(one["materials"][1]["extensions"] == json{{kUnlit, json::object()}});
+  CHECK(one["extensionsUsed"] == json{kUnlit, kExtension});
+  CHECK(one["extensionsRequired"] == json{kUnlit});
 
-    const json both = apply.document(moss(), "all", {"--mapping", "triplanar"});
-    CHECK(!both["materials"][1]["extensions"].contains(extension));
-    CHECK(both["extensionsUsed"] == json{kExtension});
-    CHECK(!both.contains("extensionsRequired"));
-  }
+  const json both = apply.document(moss(), "all", {"--mapping", "triplanar"});
+  CHECK(!both["materials"][1]["extensions"].contains(kUnlit));
+  CHECK(both["extensionsUsed"] == json{kExtension});
+  CHECK(!both.contains("extensionsRequired"));
 }
 
-TEST_CASE("a specular-glossy material keeps in the core what the noise does not bring") {
+TEST_CASE("a specular-glossy material is refused, with advice, and others of its scene are not") {
   Apply apply;
-  addGlossyImages(apply, {{"diffuseFactor", {0.5, 0.25, 0.125, 1.0}}, {"glossinessFactor", 0.75}});
-  json core{{"baseColorTexture", {{"index", 0}, {"texCoord", 0}}},
-            {"metallicFactor", 0.0},
-            {"roughnessFactor", 0.25}};
-  const auto coreOf = [](const json& document) {
-    return document["materials"][0]["pbrMetallicRoughness"];
-  };
-  CHECK(coreOf(apply.document(moss(), "wood")) == core);
-  CHECK_THAT(apply.notes(wool(), "wood"), // heights only
-             Catch::Contains("baseColorTexture of material 'wood' stays visible"));
-  core["baseColorFactor"] = {0.5, 0.25, 0.125, 1.0};
-  CHECK(coreOf(apply.output()) == core);
-  // The core's own description is complete.
-  apply.material()["pbrMetallicRoughness"] = {{"metallicFactor", 0.5}};
-  CHECK(coreOf(apply.document(moss(), "wood")) == json{{"metallicFactor", 0.5}});
+  apply.scene.json["extensionsUsed"] = json::array({kGlossy});
+  apply.material()["extensions"][kGlossy] = json::object();
+  for (const char* material : {"wood", "all"})
+    apply.refuses(moss(), material, {"--mapping", "triplanar"},
+                  {"scene.glb: material 'wood' has " + std::string(kGlossy),
+                   "convert it to metallic-roughness first"},
+                  kBadInput);
+  CHECK(apply.run(moss(), "1", {"--mapping", "triplanar"}).code == 0);
 }
 
 TEST_CASE("extensions that add to the core's shading stay, and so do texture transforms") {

@@ -31,6 +31,9 @@ struct FrameOptions {
   bool bringsNormals = false;
 };
 
+/// Whether a primitive has tangents, and the normals that belong to them.
+[[nodiscard]] bool hasFrame(const GltfScene& scene, PrimitivePlace place);
+
 /// Checks that new frames for a material's primitives replace no tangents that are in use. Errors:
 /// badInput, naming the first primitive whose material needs tangents of its texture coordinates.
 [[nodiscard]] Result<void> checkFrames(const GltfScene& scene, std::size_t material,

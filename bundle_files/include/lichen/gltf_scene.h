@@ -82,11 +82,6 @@ public:
   void setFactor(std::size_t material, std::string_view parent, std::string_view key,
                  const std::vector<double>& value);
 
-  /// Adds or replaces a texture of a material; `parent` as of setFactor(). `info` is a glTF
-  /// textureInfo. Throws std::bad_alloc.
-  void setTexture(std::size_t material, std::string_view parent, std::string_view key,
-                  const nlohmann::json& info);
-
   /// Removes an extension from materials, and from the lists of used and required extensions if
   /// nothing else in the asset has it. Throws std::bad_alloc.
   void removeExtension(std::span<const std::size_t> materials, const std::string& extension);

@@ -53,21 +53,17 @@ example::TinyScene shadedScene() {
   return scene;
 }
 
-/// A scene whose materials have extensions that `lichen apply` removes, one of them required, and
+/// A scene whose materials have an extension that `lichen apply` removes, which is required, and
 /// extensions that it keeps.
 example::TinyScene competingScene() {
   using Json = nlohmann::ordered_json;
-  constexpr const char* kGlossy = "KHR_materials_pbrSpecularGlossiness";
   example::TinyScene scene = shadedScene();
-  scene.json["extensionsUsed"].push_back(kGlossy);
   scene.json["extensionsUsed"].push_back("KHR_texture_transform");
-  scene.json["extensionsRequired"] = {kGlossy};
+  scene.json["extensionsRequired"] = {"KHR_materials_unlit"};
   Json& material = scene.json["materials"][0];
-  material.erase("pbrMetallicRoughness");
-  const Json texture = {{"index", 0},
-                        {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
-  material["emissiveTexture"] = texture;
-  material["extensions"][kGlossy] = {{"diffuseTexture", texture}, {"glossinessFactor", 0.5}};
+  material["emissiveTexture"] = {{"index", 0},
+                                 {"extensions", {{"KHR_texture_transform", {{"scale", {2, 2}}}}}}};
+  material["extensions"]["KHR_materials_unlit"] = Json::object();
   return scene;
 }
 
