@@ -146,25 +146,6 @@ void preferOwnFiles(SetFiles& set) {
   std::erase_if(set.files, [](const SetFile& file) { return slotsOf(file).empty(); });
 }
 
-/// Adds a note if the names of two files begin like the names of two different materials.
-void noteOtherMaterials(SetFiles& set) {
-  const SetFile* first = nullptr;
-  std::string words;
-  for (const SetFile& file : set.files) {
-    const std::string own = wordsBeforeRole(file.path.stem().string());
-    if (own.empty() || own == words)
-      continue;
-    if (first != nullptr) {
-      set.notes.push_back("the names of " + first->path.filename().string() + " and " +
-                          file.path.filename().string() +
-                          " suggest two materials; they are baked as maps of one");
-      return;
-    }
-    first = &file;
-    words = own;
-  }
-}
-
 Result<void> checkSlots(const std::vector<SetFile>& files) {
   for (std::size_t b = 1; b < files.size(); ++b)
     for (std::size_t a = 0; a < b; ++a)
@@ -316,7 +297,6 @@ Result<SetFiles> chosenOf(const Listed& listed, const fs::path& firstInput, File
   set.name = listed.fromFolder.front() ? folderName(firstInput) : commonName(files);
   dropSecondConvention(set);
   preferOwnFiles(set);
-  noteOtherMaterials(set);
   if (Result<void> checked = checkSlots(set.files); !checked)
     return checked.error();
   return set;
@@ -436,13 +416,9 @@ std::vector<std::string> lowerCaseWords(std::string_view text) {
   return words;
 }
 
-/// The parts of a file name.
-struct NameParts {
-  std::vector<std::string> before; ///< the words before the role
-  std::optional<FileRole> role;
-};
+} // namespace
 
-NameParts taken(std::string_view stem) {
+std::optional<FileRole> fileRole(std::string_view stem) {
   std::vector<std::string> words = lowerCaseWords(stem);
   while (!words.empty() && isSkipped(words.back()))
     words.pop_back();
@@ -452,29 +428,10 @@ NameParts taken(std::string_view stem) {
       joined += words[w];
     const auto found = std::find_if(std::begin(kPhrases), std::end(kPhrases),
                                     [&](const Phrase& p) { return p.words == joined; });
-    if (found == std::end(kPhrases))
-      continue;
-    words.resize(words.size() - count);
-    return {std::move(words), found->role};
+    if (found != std::end(kPhrases))
+      return found->role;
   }
-  return {};
-}
-
-/// Returns whether a skipped word belongs to the material's name, such as the number of "rock_02".
-bool isNumber(const std::string& word) {
-  return word.find_first_not_of("0123456789") == std::string::npos;
-}
-
-} // namespace
-
-std::optional<FileRole> fileRole(std::string_view stem) { return taken(stem).role; }
-
-std::string wordsBeforeRole(std::string_view stem) {
-  std::string joined;
-  for (const std::string& word : taken(stem).before)
-    if (!isSkipped(word) || isNumber(word))
-      joined += word;
-  return joined;
+  return std::nullopt;
 }
 
 } // namespace lichen::exemplar

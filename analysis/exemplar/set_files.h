@@ -29,15 +29,10 @@ enum class FileRole {
 };
 
 /// Returns the role that the last words of a file name state, such as "normal". `stem` is the name
-/// without its extension. Words
-/// for resolution, format, version and number after them are skipped. Words end at punctuation and
-/// before capitals: "rock_nor-gl_2K" and "Rock_2K-PNG_NormalGL" are normal maps. "metal_plate" has
-/// no role, because the role must come last.
+/// without its extension. Words for resolution, format, version and number after them are skipped.
+/// Words end at punctuation and before capitals: "rock_nor-gl_2K" and "Rock_2K-PNG_NormalGL" are
+/// normal maps. "metal_plate" has no role, because the role must come last.
 [[nodiscard]] std::optional<FileRole> fileRole(std::string_view stem);
-
-/// Returns the words before the role's, joined, in lower case: "rock" for "Rock_2K_Albedo", nothing
-/// for "normal". Words for resolution and format are skipped. `stem` must have a role.
-[[nodiscard]] std::string wordsBeforeRole(std::string_view stem);
 
 struct SetFile {
   std::filesystem::path path;
