@@ -133,10 +133,6 @@ Result<MethodBake> bakeMaps(const std::string& name, std::span<const MapExemplar
 
 } // namespace
 
-double automaticStructure(std::span<const MapExemplar> maps) {
-  return structureOf(placement::nearPeriods(maps, 1));
-}
-
 Result<MethodBake> bakeLocalRandomPhase(std::string name, std::span<const MapExemplar> maps,
                                         const LocalRandomPhaseOptions& options) {
   return withinMemory([&] { return gaussian::noMemoryToBake(name, maps); },

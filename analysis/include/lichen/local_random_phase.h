@@ -33,11 +33,6 @@ struct LocalRandomPhaseOptions : GaussianizationOptions {
 inline constexpr NumberRange kCosinesRange{1.0, double(kMostCosines)};
 inline constexpr NumberRange kStructureRange{0.0, 1.0}, kTurbulenceRange{0.0, 1.0};
 
-/// The structure that a bake chooses if the options name none: how clearly the maps repeat, but 0
-/// below 0.3, which nobody sees. Maps as in bakeLocalRandomPhase(). O(N log N) in the number of
-/// pixels. Deterministic. Throws std::bad_alloc.
-[[nodiscard]] double automaticStructure(std::span<const MapExemplar> maps);
-
 /// Gaussianizes the maps as bakeTiling() does, and fits cosines to the cross-spectra of all maps
 /// together: one phase serves all channels. The noise has the histogram of the exemplar and the
 /// spectrum of its Gaussian values; what the phases of the exemplar hold is lost. Maps may differ
