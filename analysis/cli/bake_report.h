@@ -17,7 +17,7 @@ namespace lichen::cli {
 /// A successful bake.
 struct BakeOutcome {
   std::string output;
-  const Bundle& bundle; ///< holds one noise
+  const Bundle& bundle; ///< its first noise is the result; layers and index maps follow
   std::vector<std::string> notes;
   Verdict verdict;
   std::vector<MapRisk> risks;

@@ -16,7 +16,7 @@ namespace lichen::cli {
 struct ReportedBake {
   std::vector<std::string> files; ///< of the command line
   std::string output;
-  const Bundle& bundle; ///< one noise, one material
+  const Bundle& bundle; ///< its first noise is shown, as its one material uses it
   const BakedMaterial& baked;
   const nlohmann::ordered_json& figures; ///< of the method
 };

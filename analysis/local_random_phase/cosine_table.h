@@ -60,7 +60,7 @@ struct StructureImage {
   std::vector<double> deviations; ///< of each level: root mean square over the map's channels
 };
 
-/// `inside`: of the structure's frequencies. `texels`: of the tile. Level l is what footprints of
+/// `inside`: of the structure's frequencies. Level l is what footprints of
 /// 2^l of its own texels leave. `offsets` [tiles]: the image is the mean over all of them; none
 /// stand for offset 0. Throws std::bad_alloc.
 [[nodiscard]] StructureImage structureImage(const MapSpectrum& inside,

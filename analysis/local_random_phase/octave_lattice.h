@@ -60,8 +60,8 @@ template <class Real>
 /// quarter of a tile.
 inline constexpr int kPlacementOctave = 2;
 
-/// The columns and rows in kOctaveTiles tiles that are nearest to equilateral triangles whose edges
-/// are about as long as the shorter side of the tile.
+/// The columns and rows in kOctaveTiles tiles that make triangles as nearly equilateral as
+/// possible, with edges about as long as the shorter side of the tile.
 [[nodiscard]] std::array<int, 2> cellsOfOctave0(int texelsX, int texelsY);
 
 /// Edges of octave 0 along x and 2 / sqrt(3) of its rows' distance along y, in tiles. Both are the

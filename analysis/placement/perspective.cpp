@@ -53,7 +53,7 @@ ImageLevel smoothed(const ImageLevel& image) {
 }
 
 /// The unit square as a trapezoid whose side at along = 0 is shorter by this share, or the opposite
-/// one if it is negative. [Hec89] section 2.2.
+/// one if it is negative. [H89] section 2.2.
 void squeeze(double share, double& across, double& along) {
   const double shorter = std::abs(share);
   const double from = share < 0.0 ? 1.0 - along : along; // 0 at the short side

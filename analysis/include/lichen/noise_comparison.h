@@ -15,9 +15,10 @@ struct NoiseComparison {
   MapLook look;
   SrgbImage exemplar; ///< as a picture
   SrgbImage result;   ///< as a picture
-  /// Tiling: measureResult() and lattice_visibility. Textons: measureGaussianResult(), model_error
-  /// and flatness. Local random phase: measureGaussianResult() without a structure, otherwise
-  /// measureResult().
+  /// Tiling: measureResult() and lattice_visibility. Quilting: measureResult() and cut_mismatch.
+  /// Textons: measureGaussianResult(), model_error and flatness. Multiple kernels, and local random
+  /// phase without a structure: measureGaussianResult(), but measureResult() if their spectrum was
+  /// given. Local random phase with a structure: measureResult().
   std::vector<Measure> measures;
   /// The exemplar's Gaussian version, if the noise has random phases.
   std::optional<SrgbImage> gaussian;

@@ -19,15 +19,15 @@ namespace lichen {
 /// The steps from a photograph's map to the exemplar that was baked.
 struct ExemplarOrigin {
   std::vector<std::string> steps;      ///< for example "cropped", in order
-  std::optional<MapExemplar> original; ///< before flattening; empty if it was not flattened
+  std::optional<MapExemplar> original; ///< before all steps but crop and size; empty if none
 };
 
 /// A finished bake, as the caller knows it. Texts may hold any bytes; invalid UTF-8 is
 /// replaced. The objects referred to must outlive the call.
 struct BakeRecord {
-  const Bundle& bundle;                   ///< has one noise and one material
+  const Bundle& bundle; ///< the first noise is shown, and the first material's use of it
   std::span<const MapExemplar> exemplars; ///< every map to show
-  /// The result of assessSuitability() for each exemplar, in the same order.
+  /// The result of assessNoise() for each exemplar, in the same order.
   std::span<const std::vector<Risk>> risks;
   std::span<const ExemplarOrigin> origins; ///< one per exemplar
   std::optional<Verdict> verdict{};        ///< the page begins with it
@@ -52,8 +52,8 @@ struct NoiseReport {
 /// Returns a page that needs no other file and no network. An exemplar's picture has at most 512^2
 /// pixels, and fewer if there are many maps, because all pictures together have at most
 /// kReportPixels. A pixel takes at most 4 bytes, so the page stays below 14 MiB (about 7 MiB for
-/// photographs). Synthesizes and measures as
-/// compareNoise() does, which takes seconds. Errors: as compareNoise() and synthesize().
+/// photographs). Synthesizes and measures as compareNoise() does, which takes seconds. Errors: as
+/// compareNoise() and synthesize().
 [[nodiscard]] Result<NoiseReport> encodeNoiseReport(const BakeRecord& record,
                                                     const Progress& progress = {});
 

@@ -24,9 +24,10 @@ namespace lichen {
                                                                  Periodic borders,
                                                                  const Progress& progress = {});
 
-/// Measures a noise on a small result: two exemplars per side, or one if that has more than 1024
-/// pixels. The measures are the same as of compareNoise(), without lattice_visibility, model_error
-/// and flatness, and take 0.6 s for 512 x 512 pixels on two cores. Errors: as compareNoise().
+/// Measures a noise on a small result: two exemplars per side but at most 1024 pixels, or one if
+/// that is longer. The measures are the same as of compareNoise(), without lattice_visibility,
+/// model_error and flatness, and take 0.6 s for 512 x 512 pixels on two cores. Errors: as
+/// compareNoise().
 [[nodiscard]] Result<std::vector<Measure>> measureNoise(const Bundle& bundle,
                                                         const MaterialNoise& material,
                                                         const MapExemplar& exemplar,
