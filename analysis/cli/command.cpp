@@ -74,7 +74,7 @@ void say(const SharedOptions& options, const std::string& line) {
 }
 
 void note(const SharedOptions& options, const std::string& line) {
-  if (!options.quiet)
+  if (!options.quiet && !options.json)
     std::fputs(("note: " + escaped(line) + "\n").c_str(), stderr);
 }
 

@@ -67,7 +67,7 @@ inline constexpr const char* kDroppedByOthers =
 void printLine(const std::string& text);
 /// Prints one line to standard output unless `quiet` or `json`.
 void say(const SharedOptions& options, const std::string& line);
-/// Prints one line to standard error unless `quiet`.
+/// Prints one line to standard error unless `quiet` or `json`: the JSON report has the notes.
 void note(const SharedOptions& options, const std::string& line);
 
 } // namespace lichen::cli

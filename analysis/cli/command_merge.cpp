@@ -87,8 +87,7 @@ Result<int> run(const Arguments& arguments) {
     return written.error();
   progress.erase();
   for (const std::string& text : merged.value().notes)
-    if (!arguments.shared.json) // the JSON report contains the notes
-      note(arguments.shared, text);
+    note(arguments.shared, text);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   report(arguments, merged.value(), seconds.count());
   return kDone;

@@ -208,9 +208,8 @@ Result<int> run(Arguments& arguments) {
   if (Result<void> written = writeBundle(arguments.output, file.value()); !written)
     return written.error();
   progress.erase();
-  if (!arguments.shared.json)
-    for (const std::string& line : notes)
-      note(arguments.shared, line);
+  for (const std::string& line : notes)
+    note(arguments.shared, line);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   report(arguments, file.value().bundle, quality, notes, seconds.count());
   return kDone;

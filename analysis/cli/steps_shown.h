@@ -16,7 +16,7 @@ class StepsShown {
 public:
   explicit StepsShown(const SharedOptions& options) : options_(options) {}
 
-  /// For an operation that this object outlives. With --json, notes belong to the report alone.
+  /// For an operation that this object outlives.
   [[nodiscard]] BakeObserver observer() {
     return {.progress =
                 [this](std::string_view step, double fraction) {
@@ -29,8 +29,7 @@ public:
             .note =
                 [this](const std::string& text) {
                   line_.reset();
-                  if (!options_.json)
-                    note(options_, text);
+                  note(options_, text);
                 },
             .words = optionOf};
   }
