@@ -8,9 +8,9 @@
 #include "steps_shown.h"
 
 #include <lichen/apply_noise.h>
-#include <lichen/bundle_files.h>
 #include <lichen/counted.h>
 #include <lichen/layered_noise.h>
+#include <lichen/shader_parameters.h>
 
 #include <CLI/App.hpp>
 #include <fmt/format.h>
@@ -50,12 +50,7 @@ struct Arguments {
 /// Returns the parameters of the bundle's first material that uses the noise, since the user has
 /// seen the noise with them; the options override them.
 MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Arguments& arguments) {
-  MaterialNoise use;
-  for (const std::optional<MaterialNoise>& material : bundle.materials)
-    if (material && material->noise == noise) {
-      use = *material;
-      break;
-    }
+  MaterialNoise use = materialOf(bundle, noise);
   use.mapping = arguments.mapping;
   use.space = arguments.space.value_or(isInSpace(use.mapping) ? use.space : NoiseSpace::world);
   use.texCoord = 0;
@@ -65,8 +60,7 @@ MaterialNoise parametersOf(const Bundle& bundle, std::size_t noise, const Argume
   use.seed = arguments.seed.value_or(use.seed);
   use.contrast = arguments.contrast.value_or(use.contrast);
   use.planeSharpness = arguments.planeSharpness.value_or(use.planeSharpness);
-  EvaluationOptions none; // a material stores none
-  arguments.methods[std::size_t(bundle.noises[noise].method())](use, none);
+  arguments.methods[std::size_t(bundle.noises[noise].method())](use);
   return use;
 }
 
@@ -165,31 +159,17 @@ void report(const Arguments& arguments, const NoiseOnScene& outcome, double seco
                   outcome.noise.newTables == 1 ? "" : "s", seconds));
 }
 
-struct ChosenNoise {
-  Bundle bundle;
-  std::size_t index = 0; ///< index of the noise in its bundle
-};
-
 /// Returns the noise that the user named, after checking that its method supports the options.
 Result<ChosenNoise> chooseNoise(const Arguments& arguments) {
-  const auto [file, name] = splitNoise(arguments.noise);
-  if (name.empty() && file.size() < arguments.noise.size())
-    return Error{ErrorKind::usage,
-                 fmt::format("--noise {}: the name after the colon is empty; expected {} or "
-                             "{}:NAME",
-                             arguments.noise, file, file)};
-  Result<Bundle> bundle = readBundle(file);
-  if (!bundle)
-    return bundle.error();
-  const Result<std::size_t> index = findNoise(bundle.value(), file, name);
-  if (!index)
-    return index.error();
-  const Noise& noise = bundle.value().noises[index.value()];
+  Result<ChosenNoise> chosen = chosenNoise(arguments.noise);
+  if (!chosen)
+    return chosen;
+  const Noise& noise = chosen.value().noise();
   if (Result<void> fits = checkMapping(noise, arguments.mapping); !fits)
     return fits.error();
   if (Result<void> fits = checkMethodOptions(arguments, noise); !fits)
     return fits.error();
-  return ChosenNoise{std::move(bundle).value(), index.value()};
+  return chosen;
 }
 
 /// Reads the noise and the scene, and writes the scene with it.
@@ -197,7 +177,7 @@ Result<NoiseOnScene> apply(Arguments& arguments) {
   const Result<ChosenNoise> chosen = chooseNoise(arguments);
   if (!chosen)
     return chosen.error();
-  const auto& [bundle, index] = chosen.value();
+  const auto& [file, bundle, index] = chosen.value();
   Result<GltfScene> scene = GltfScene::open(arguments.scene);
   if (!scene)
     return scene.error();
@@ -229,12 +209,10 @@ Result<int> run(Arguments& arguments) {
 /// X,Y,Z, not the zero vector.
 Accepted<Vector3> axis() {
   constexpr double kMost = 1e6; // only the ratios of the components matter
-  constexpr std::size_t kNumbers = 3;
-  const Accepted<std::vector<double>> list = numbers({-kMost, kMost}, kNumbers);
   return {"X,Y,Z", fmt::format("X,Y,Z with numbers from {} to {}, not all 0", -kMost, kMost),
-          [read = list.read](const std::string& text) -> std::optional<Vector3> {
-            const std::optional<std::vector<double>> values = read(text);
-            if (!values || values->size() != kNumbers)
+          [](const std::string& text) -> std::optional<Vector3> {
+            const auto values = numbersFrom<3>(text, {-kMost, kMost});
+            if (!values)
               return std::nullopt;
             const Vector3 axis{float((*values)[0]), float((*values)[1]), float((*values)[2])};
             return axis == Vector3{} ? std::nullopt : std::optional(axis);
@@ -242,20 +220,16 @@ Accepted<Vector3> axis() {
 }
 
 Accepted<std::array<double, 4>> twoPlaces() {
-  constexpr std::size_t kNumbers = 4;
-  const Accepted<std::vector<double>> list = numbers(kMixPlaceRange, kNumbers);
-  return {
-      "U0,V0,U1,V1",
-      fmt::format("U0,V0,U1,V1 with numbers from {} to {}, two places {:f} or more apart",
-                  kMixPlaceRange.least, kMixPlaceRange.most, kLeastMixLength),
-      [read = list.read](const std::string& text) -> std::optional<std::array<double, 4>> {
-        const std::optional<std::vector<double>> values = read(text);
-        if (!values || values->size() != kNumbers)
-          return std::nullopt;
-        const std::array<double, 4> places{(*values)[0], (*values)[1], (*values)[2], (*values)[3]};
-        const double length = std::hypot(places[2] - places[0], places[3] - places[1]);
-        return length < kLeastMixLength ? std::nullopt : std::optional(places);
-      }};
+  return {"U0,V0,U1,V1",
+          fmt::format("U0,V0,U1,V1 with numbers from {} to {}, two places {:f} or more apart",
+                      kMixPlaceRange.least, kMixPlaceRange.most, kLeastMixLength),
+          [](const std::string& text) -> std::optional<std::array<double, 4>> {
+            const auto places = numbersFrom<4>(text, kMixPlaceRange);
+            const bool areApart =
+                places && std::hypot((*places)[2] - (*places)[0], (*places)[3] - (*places)[1]) >=
+                              kLeastMixLength;
+            return areApart ? places : std::nullopt;
+          }};
 }
 
 constexpr int kMostColorSet = 15;
@@ -328,7 +302,7 @@ Runner addApply(CLI::App& verb, const SharedOptions& shared) {
       .required();
   addMixOptions(verb, arguments->apply.mix);
   for (const Method method : allMethods())
-    arguments->methods.push_back(commandOf(method).addApplyOptions(verb));
+    arguments->methods.push_back(commandOf(method).addUseOptions(verb));
   arguments->verb = &verb;
   verb.footer(kDroppedByOthers);
   return [arguments] { return run(*arguments); };

@@ -12,7 +12,6 @@
 #include "steps_shown.h"
 
 #include <lichen/bake_material.h>
-#include <lichen/layered_noise.h>
 #include <lichen/layers.h>
 
 #include <CLI/App.hpp>
@@ -79,10 +78,6 @@ std::optional<Method> methodOf(const Arguments& arguments) {
 
 /// Checks that the user gave no options of another method than the chosen one.
 Result<void> checkMethodOptions(const Arguments& arguments, Method method) {
-  if (arguments.layers && !isLayerable(method))
-    return Error{ErrorKind::usage,
-                 fmt::format("--layers: layers do not take the method {}; expected --method {}",
-                             nameOf(method), layerableMethods())};
   struct Shared {
     const char* option;
     bool (MethodCommand::*isTaken)() const;

@@ -42,22 +42,14 @@ struct MapMeasures {
   std::vector<Measure> measures;
 };
 
-/// A bundle, and which of its noises to compare.
-struct BakedNoise {
-  Bundle bundle;
-  std::size_t index = 0;
-
-  [[nodiscard]] const Noise& noise() const { return bundle.noises[index]; }
-};
-
-Result<BakedNoise> readBaked(const Arguments& arguments) {
+Result<ChosenNoise> readBaked(const Arguments& arguments) {
   Result<Bundle> bundle = readBundle(arguments.result);
   if (!bundle)
     return bundle.error();
   const Result<std::size_t> index = findNoise(bundle.value(), arguments.result, arguments.noise);
   if (!index)
     return index.error();
-  BakedNoise baked{std::move(bundle).value(), index.value()};
+  ChosenNoise baked{arguments.result, std::move(bundle).value(), index.value()};
   if (arguments.mix && !isMix(baked.noise()))
     return notMixed("--mix", baked.noise());
   return baked;
@@ -85,7 +77,8 @@ Result<AsBaked> readAsBaked(const Arguments& arguments) {
   }
   if (arguments.map.empty())
     return baked;
-  const Result<std::size_t> place = indexOf(arguments.map, names, "--map", arguments.exemplar);
+  const Result<std::size_t> place =
+      indexOf(arguments.map, names, "--map ", "map", arguments.exemplar);
   if (!place)
     return place.error();
   maps = {std::move(maps[place.value()])};
@@ -151,7 +144,7 @@ void noteOtherSize(AsBaked& exemplar, const Bundle& bundle, const Noise& noise) 
 }
 
 /// The verdict on a bundle's noise, as `bake` gives it: from the measures of a small result.
-Result<Verdict> verdictOf(const BakedNoise& baked, const MaterialSet& set,
+Result<Verdict> verdictOf(const ChosenNoise& baked, const MaterialSet& set,
                           const SharedOptions& shared) {
   ProgressLine line("judge", shared);
   Result<NoiseJudgement> judged =
@@ -162,7 +155,7 @@ Result<Verdict> verdictOf(const BakedNoise& baked, const MaterialSet& set,
   return std::move(judged).value().verdict;
 }
 
-Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, const BakedNoise& baked,
+Result<std::vector<MapMeasures>> compareBundle(const Arguments& arguments, const ChosenNoise& baked,
                                                AsBaked& exemplar) {
   MaterialNoise material = materialOf(baked.bundle, baked.index);
   material.mix = {.weight = arguments.mix.value_or(0.0)};
@@ -196,7 +189,7 @@ std::string lineOf(const Measure& measure, std::size_t nameWidth) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// The verdict in words; of a good one also why the exit code is 1, if it is.
+/// The verdict in words. If it is good and a target is missed, also why the exit code is 1.
 std::string wordsOf(const Verdict& verdict, const std::vector<MapMeasures>& maps) {
   std::ptrdiff_t missed = 0;
   for (const MapMeasures& map : maps)
@@ -227,8 +220,7 @@ Json jsonOfMeasure(MapTarget map, const Measure& measure) {
 void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
             const std::optional<Verdict>& verdict, const std::vector<std::string>& notes) {
   for (const std::string& text : notes)
-    if (!arguments.shared.json) // the JSON report contains the notes
-      note(arguments.shared, text);
+    note(arguments.shared, text);
   if (verdict)
     say(arguments.shared, wordsOf(*verdict, maps));
   Json list = Json::array();
@@ -253,7 +245,16 @@ void report(const Arguments& arguments, const std::vector<MapMeasures>& maps,
                           {"notes", notes}}));
 }
 
+/// A mix records nothing of its exemplars, so they are prepared by the defaults of `lichen mix`.
+void prepareAsMix(Arguments& arguments) {
+  arguments.asBaked.set.cutsFrame = true;
+  arguments.asBaked.outliers.recorded.reset();
+  if (!isGiven(*arguments.verb, "--flatten"))
+    arguments.asBaked.flattening = {true, 0.0, {}};
+}
+
 Result<int> run(Arguments& arguments) {
+  arguments.asBaked.set.cutsFrame = false;
   arguments.asBaked.outliers.recorded.emplace();
   if (!arguments.noise.empty() && !namesBundle(arguments.result))
     return Error{ErrorKind::usage, fmt::format("--noise {}: {} is an image; expected a bundle",
@@ -265,18 +266,19 @@ Result<int> run(Arguments& arguments) {
     return Error{ErrorKind::usage,
                  fmt::format("{}: is a bundle; expected a photograph or a folder, then the result",
                              arguments.exemplar)};
-  std::optional<BakedNoise> baked;
+  std::optional<ChosenNoise> baked;
   std::string adopted;
   if (namesBundle(arguments.result)) {
-    Result<BakedNoise> read = readBaked(arguments);
+    Result<ChosenNoise> read = readBaked(arguments);
     if (!read)
       return read.error();
     baked = std::move(read).value();
-    adopted =
-        describe(adoptPreparation(baked->noise().preparation, *arguments.verb, arguments.asBaked));
+    if (isMix(baked->noise()))
+      prepareAsMix(arguments);
+    else
+      adopted = describe(
+          adoptPreparation(baked->noise().preparation, *arguments.verb, arguments.asBaked));
   }
-  // A bundle records what was cut off, but of the exemplars of a mix.
-  arguments.asBaked.set.cutsFrame = baked && isMix(baked->noise());
   Result<AsBaked> exemplar = readAsBaked(arguments);
   if (!exemplar && adopted.empty())
     return exemplar.error();

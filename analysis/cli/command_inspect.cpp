@@ -22,31 +22,17 @@ struct Arguments {
   std::string bundle;
 };
 
-struct FormatName {
-  const char* name;
-  int bits; ///< per channel
-};
+/// Bits per channel.
+int bitsOf(TexelFormat format) {
+  constexpr std::size_t kBitsPerByte = 8;
+  return int(kBitsPerByte * texelBytes(format)) / channelCount(format);
+}
 
-FormatName formatName(TexelFormat format) {
-  switch (format) {
-  case TexelFormat::r8Unorm:
-    return {"R8", 8};
-  case TexelFormat::rg8Unorm:
-    return {"RG8", 8};
-  case TexelFormat::rgba8Unorm:
-    return {"RGBA8", 8};
-  case TexelFormat::r16Sfloat:
-    return {"R16F", 16};
-  case TexelFormat::rg16Sfloat:
-    return {"RG16F", 16};
-  case TexelFormat::rgba16Sfloat:
-    return {"RGBA16F", 16};
-  case TexelFormat::r32Sfloat:
-    return {"R32F", 32};
-  case TexelFormat::rgba32Sfloat:
-    break;
-  }
-  return {"RGBA32F", 32};
+/// "RG8" for two channels of 8 bits, "R16F" for one of 16-bit floats.
+std::string formatName(TexelFormat format) {
+  const int bits = bitsOf(format);
+  return std::string("RGBA").substr(0, std::size_t(channelCount(format))) + std::to_string(bits) +
+         (bits > 8 ? "F" : "");
 }
 
 const MethodCommand& commandOf(const Noise& noise) { return cli::commandOf(noise.method()); }
@@ -54,11 +40,6 @@ const MethodCommand& commandOf(const Noise& noise) { return cli::commandOf(noise
 int fetchesPerPixel(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
   const Noise& described = bundle.noises[noise];
   return commandOf(described).fetches(described, map, materialOf(bundle, noise));
-}
-
-/// Returns the bits per channel of the image that the shader samples.
-int bitsOf(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
-  return formatName(bundle.tables[commandOf(bundle.noises[noise]).imageOf(map)].format).bits;
 }
 
 /// The sum over all maps and layers, and the index maps.
@@ -126,7 +107,7 @@ Json describe(const Bundle& bundle, std::size_t noise, const NoiseMap& map) {
             {"encoding", nameOf(map.encoding)},
             {"width", width},
             {"height", height},
-            {"bits", bitsOf(bundle, noise, map)},
+            {"bits", bitsOf(bundle.tables[imageTableOf(map)].format)},
             {"mean", map.mean},
             {"covariance", map.covariance},
             {"fetchesPerPixel", fetchesPerPixel(bundle, noise, map)}};
@@ -180,7 +161,7 @@ Json describe(const Bundle& bundle, const std::string& file, std::size_t diskByt
                        {"materials", noise.materials}});
   for (const Table& table : bundle.tables)
     tables.push_back({{"name", table.name},
-                      {"format", formatName(table.format).name},
+                      {"format", formatName(table.format)},
                       {"width", table.width},
                       {"height", table.height},
                       {"depth", table.depth},

@@ -39,27 +39,13 @@ struct Arguments {
   PreviewShape preview{};
 };
 
-/// A bundle, and which of its noises is meant.
-struct Input {
-  std::string file;
-  Bundle bundle;
-  std::size_t noise = 0;
-};
-
-Result<Input> readInput(const std::string& text) {
-  const auto [file, name] = splitNoise(text);
-  Result<Bundle> bundle = readBundle(file);
-  if (!bundle)
-    return bundle.error();
-  const Result<std::size_t> noise = findNoise(bundle.value(), file, name);
-  if (!noise)
-    return noise.error();
-  const Noise& chosen = bundle.value().noises[noise.value()];
-  if (chosen.layers)
+Result<ChosenNoise> readInput(const std::string& text) {
+  Result<ChosenNoise> input = chosenNoise(text);
+  if (input && input.value().noise().layers)
     return Error{ErrorKind::usage,
-                 fmt::format("{}: noise '{}' is layered itself; expected one that is not", file,
-                             chosen.name)};
-  return Input{file, std::move(bundle).value(), noise.value()};
+                 fmt::format("{}: noise '{}' is layered itself; expected one that is not",
+                             input.value().file, input.value().noise().name)};
+  return input;
 }
 
 Result<void> check(const Arguments& arguments) {
@@ -76,7 +62,7 @@ Result<void> check(const Arguments& arguments) {
 }
 
 /// The index map: a noise of a bundle, or one that has a spectrum.
-Result<Input> readIndex(const Arguments& arguments, std::span<const BundledNoise> layers) {
+Result<ChosenNoise> readIndex(const Arguments& arguments, std::span<const BundledNoise> layers) {
   const auto isBundle = [&](const char* extension) {
     const std::string& text = arguments.index;
     return text.ends_with(extension) || text.find(extension + std::string(":")) != text.npos;
@@ -100,33 +86,33 @@ Result<Input> readIndex(const Arguments& arguments, std::span<const BundledNoise
   if (!baked)
     return baked.error();
   baked.value().noises[0].tileSizeMetres = noise.tileSizeMetres;
-  return Input{"--index", std::move(baked).value(), 0};
+  return ChosenNoise{"--index", std::move(baked).value(), 0};
 }
 
 Result<Bundle> layered(const Arguments& arguments) {
-  std::vector<Input> inputs;
+  std::vector<ChosenNoise> inputs;
   std::vector<std::string> names;
   for (const std::string& text : arguments.inputs) {
-    Result<Input> input = readInput(text);
+    Result<ChosenNoise> input = readInput(text);
     if (!input)
       return input.error();
-    names.push_back(input.value().bundle.noises[input.value().noise].name);
+    names.push_back(input.value().noise().name);
     inputs.push_back(std::move(input).value());
-    const Input& first = inputs.front();
-    const Input& last = inputs.back();
-    if (const std::string fault = layerFault(first.bundle, first.bundle.noises[first.noise],
-                                             last.bundle, last.bundle.noises[last.noise]);
+    const ChosenNoise& first = inputs.front();
+    const ChosenNoise& last = inputs.back();
+    if (const std::string fault =
+            layerFault(first.bundle, first.noise(), last.bundle, last.noise());
         !fault.empty())
       return Error{ErrorKind::usage, last.file + ": " + fault};
   }
   std::vector<BundledNoise> layers;
-  for (const Input& input : inputs)
-    layers.push_back({&input.bundle, input.noise});
-  const Result<Input> index = readIndex(arguments, layers);
+  for (const ChosenNoise& input : inputs)
+    layers.push_back({&input.bundle, input.index});
+  const Result<ChosenNoise> index = readIndex(arguments, layers);
   if (!index)
     return index.error();
   const std::vector<BundledNoise> indices(layers.size() - 1,
-                                          {&index.value().bundle, index.value().noise});
+                                          {&index.value().bundle, index.value().index});
   const std::string name =
       arguments.name.empty() ? fmt::format("{}", fmt::join(names, "-")) : arguments.name;
   const std::vector<double> equal(layers.size(), 1.0 / double(layers.size()));

@@ -50,11 +50,9 @@ struct Arguments {
 
 /// "0.3", or "0,1" for weights from left to right.
 Accepted<std::array<double, 2>> mixWeights() {
-  constexpr std::size_t kBorders = 2;
-  const Accepted<std::vector<double>> list = numbers(kMixWeightRange, kBorders);
   return {"W|W0,W1", "a weight from 0 to 1, or two with a comma between them",
-          [read = list.read](const std::string& text) -> std::optional<std::array<double, 2>> {
-            const std::optional<std::vector<double>> weights = read(text);
+          [](const std::string& text) -> std::optional<std::array<double, 2>> {
+            const auto weights = numbersFrom(text, kMixWeightRange, 1, 2);
             if (!weights)
               return std::nullopt;
             return std::array{weights->front(), weights->back()};
@@ -71,7 +69,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   for (const NoiseMap& map : chosen.maps)
     maps.emplace_back(nameOf(map.target));
   const Result<std::size_t> map =
-      indexOf(arguments.map, maps, "--map", fmt::format("noise '{}'", chosen.name));
+      indexOf(arguments.map, maps, "--map ", "map", fmt::format("noise '{}'", chosen.name));
   if (!map)
     return map.error();
   if (const auto foreign = foreignOption(*arguments.verb, chosen.method()))
@@ -88,7 +86,7 @@ Result<void> resolve(const Bundle& bundle, Arguments& arguments) {
   MaterialNoise& material = synthesis.material;
   material.seed = arguments.seed.value_or(material.seed);
   material.contrast = arguments.contrast.value_or(material.contrast);
-  arguments.methods[std::size_t(chosen.method())](material, synthesis.evaluation);
+  arguments.methods[std::size_t(chosen.method())](material);
   if (arguments.mix && !isMix(chosen))
     return notMixed("--mix", chosen);
   constexpr std::array<double, 2> kFullPath{0.0, 1.0}, kMiddle{0.5, 0.5};
@@ -263,7 +261,7 @@ Runner addSynth(CLI::App& verb, const SharedOptions& shared) {
   addValue(verb, "--contrast", arguments->contrast, optional(number(kContrastRange)), "",
            "Factor of the variation [default: the bundle's]");
   for (const Method method : allMethods())
-    arguments->methods.push_back(commandOf(method).addSynthOptions(verb));
+    arguments->methods.push_back(commandOf(method).addUseOptions(verb));
   arguments->verb = &verb;
   return [arguments] { return run(*arguments); };
 }

@@ -9,10 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <string_view>
+#include <limits>
 
 namespace lichen::cli {
 namespace {
@@ -42,15 +41,14 @@ Accepted<Flattening> flattening() {
 }
 
 Accepted<std::optional<PixelRectangle>> crop() {
-  const Accepted<std::vector<double>> list = numbers({0.0, kMaxImageSide}, 4);
   return {
       "X,Y,W,H",
       fmt::format(
           "X,Y,W,H with whole numbers of pixels, X and Y from 0, W and H from 1, at most {}",
           kMaxImageSide),
-      [read = list.read](const std::string& text) -> std::optional<std::optional<PixelRectangle>> {
-        const auto part = read(text);
-        if (!part || part->size() != 4 || (*part)[2] < 1.0 || (*part)[3] < 1.0 ||
+      [](const std::string& text) -> std::optional<std::optional<PixelRectangle>> {
+        const auto part = numbersFrom<4>(text, {0.0, kMaxImageSide});
+        if (!part || (*part)[2] < 1.0 || (*part)[3] < 1.0 ||
             std::ranges::any_of(*part, [](double n) { return n != std::floor(n); }))
           return std::nullopt;
         return PixelRectangle{int((*part)[0]), int((*part)[1]), int((*part)[2]), int((*part)[3])};
@@ -60,18 +58,13 @@ Accepted<std::optional<PixelRectangle>> crop() {
 /// Eight numbers from 0, with commas or spaces between them.
 std::optional<TileCorners> cornersFrom(const std::string& text) {
   TileCorners corners{};
-  const char* at = text.data();
-  const char* const end = text.data() + text.size();
-  for (std::size_t k = 0; k < 2 * corners.size(); ++k) {
-    if (k > 0 && (at == end || std::string_view(", ").find(*at++) == std::string_view::npos))
-      return std::nullopt;
-    double& value = corners[k / 2][k % 2];
-    const auto [rest, fault] = std::from_chars(at, end, value);
-    if (fault != std::errc() || !(value >= 0.0))
-      return std::nullopt;
-    at = rest;
-  }
-  return at == end && areConvex(corners) ? std::optional(corners) : std::nullopt;
+  const auto numbers = numbersFrom<2 * std::tuple_size_v<TileCorners>>(
+      text, {0.0, std::numeric_limits<double>::max()}, ", ");
+  if (!numbers)
+    return std::nullopt;
+  for (std::size_t k = 0; k < numbers->size(); ++k)
+    corners[k / 2][k % 2] = (*numbers)[k];
+  return areConvex(corners) ? std::optional(corners) : std::nullopt;
 }
 
 /// "off", or "X,Y,X,Y,X,Y,X,Y", the corners, commas or spaces between them; "auto" too if
@@ -187,7 +180,7 @@ void addExemplarOptions(CLI::App& verb, ExemplarOptions& options, ExemplarUse us
       std::string("Make the part between four corners the tile, after all that is above: X,Y of "
                   "the upper left, upper right, lower right and lower left; choose points that lie "
                   "whole periods apart") +
-          (findsPeriods ? "; auto: whole periods of what repeats, in a bake by quilting" : ""));
+          (findsPeriods ? "; auto: whole periods, where the bake keeps what repeats" : ""));
   const Choices<Periodic> periodic{
       {"auto", Periodic::detect}, {"yes", Periodic::yes}, {"no", Periodic::no}};
   add("--periodic", options.set.periodic, oneOf(periodic), "auto",

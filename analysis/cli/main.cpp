@@ -28,8 +28,7 @@ struct Verb {
 };
 constexpr Verb kVerbs[] = {
     {"bake", "Turn a photograph of a material into noise", addBake},
-    {"mix",
-     "Turn several photographs into one texton noise that changes from the first to the last",
+    {"mix", "Turn several photographs into one noise that changes from the first to the last",
      addMix},
     {"synth", "Write an image of a noise, without a GPU", addSynth},
     {"inspect", "Show what a bundle holds and what it costs", addInspect},

@@ -54,20 +54,6 @@ Accepted<Number> numberBetween(const std::string& kind, Number smallest, Number 
           [=](const std::string& text) { return parseNumber(text, smallest, largest); }};
 }
 
-/// Parses two numbers with a separator between them.
-template <class Number>
-std::optional<std::array<Number, 2>> parsePair(std::string_view text, char separator,
-                                               Number smallest, Number largest) {
-  const std::size_t at = text.find(separator);
-  if (at == std::string_view::npos)
-    return std::nullopt;
-  const std::optional<Number> first = parseNumber(text.substr(0, at), smallest, largest);
-  const std::optional<Number> second = parseNumber(text.substr(at + 1), smallest, largest);
-  if (!first || !second)
-    return std::nullopt;
-  return std::array<Number, 2>{*first, *second};
-}
-
 class HelpFormatter : public CLI::Formatter {
 public:
   std::string make_option_opts(const CLI::Option* option) const override {
@@ -114,37 +100,43 @@ Accepted<std::uint32_t> seedNumber() {
 }
 
 Accepted<std::array<int, 2>> imageSize(int largest) {
-  return {"WxH|N", fmt::format("a size from 1x1 to {0}x{0}, or one number for a square", largest),
-          [=](const std::string& text) -> std::optional<std::array<int, 2>> {
-            if (const std::optional<int> side = parseNumber(text, 1, largest))
-              return std::array<int, 2>{*side, *side};
-            return parsePair(text, 'x', 1, largest);
-          }};
+  return {
+      "WxH|N", fmt::format("a size from 1x1 to {0}x{0}, or one number for a square", largest),
+      [=](const std::string& text) -> std::optional<std::array<int, 2>> {
+        if (const std::optional<int> side = parseNumber(text, 1, largest))
+          return std::array<int, 2>{*side, *side};
+        const std::size_t cross = std::min(text.find('x'), text.size() - 1);
+        const auto width = parseNumber(std::string_view(text).substr(0, cross), 1, largest);
+        const auto height = parseNumber(std::string_view(text).substr(cross + 1), 1, largest);
+        return width && height ? std::optional(std::array<int, 2>{*width, *height}) : std::nullopt;
+      }};
 }
 
 Accepted<std::array<double, 2>> coordinates(NumberRange range) {
   return {"X,Y",
           fmt::format("X,Y with numbers from {} to {}", plain(range.least), plain(range.most)),
-          [=](const std::string& text) { return parsePair(text, ',', range.least, range.most); }};
+          [=](const std::string& text) { return numbersFrom<2>(text, range); }};
+}
+
+std::optional<std::vector<double>> numbersFrom(std::string_view text, NumberRange range,
+                                               std::size_t least, std::size_t most,
+                                               std::string_view separators) {
+  std::vector<double> values;
+  for (std::size_t begin = 0, end = 0; end != std::string_view::npos; begin = end + 1) {
+    end = text.find_first_of(separators, begin);
+    const auto value = parseNumber(text.substr(begin, end - begin), range.least, range.most);
+    if (!value || values.size() == most)
+      return std::nullopt;
+    values.push_back(*value);
+  }
+  return values.size() >= least ? std::optional(std::move(values)) : std::nullopt;
 }
 
 Accepted<std::vector<double>> numbers(NumberRange range, std::size_t most) {
-  const auto read = [=](const std::string& text) -> std::optional<std::vector<double>> {
-    std::vector<double> values;
-    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
-      end = text.find(',', begin);
-      const auto value =
-          parseNumber(std::string_view(text).substr(begin, end - begin), range.least, range.most);
-      if (!value || values.size() == most)
-        return std::nullopt;
-      values.push_back(*value);
-    }
-    return values;
-  };
   return {"N,N,...",
           fmt::format("1 to {} numbers from {} to {}, with commas between them", most,
                       plain(range.least), plain(range.most)),
-          read};
+          [=](const std::string& text) { return numbersFrom(text, range, 1, most); }};
 }
 
 const Option& Option::required() const {

@@ -6,6 +6,7 @@
 
 #include <lichen/bundle_writer.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,23 @@ struct Accepted {
 [[nodiscard]] Accepted<std::array<int, 2>> imageSize(int largest);
 /// "10,-2.5" -> {10.0, -2.5}. Both numbers in `range`.
 [[nodiscard]] Accepted<std::array<double, 2>> coordinates(NumberRange range);
+/// The `least` to `most` numbers in `range` that the text consists of, with one of `separators`
+/// between two of them; nothing for other texts.
+[[nodiscard]] std::optional<std::vector<double>> numbersFrom(std::string_view text,
+                                                             NumberRange range, std::size_t least,
+                                                             std::size_t most,
+                                                             std::string_view separators = ",");
+/// The same for exactly `Count` numbers.
+template <std::size_t Count>
+[[nodiscard]] std::optional<std::array<double, Count>>
+numbersFrom(std::string_view text, NumberRange range, std::string_view separators = ",") {
+  const auto values = numbersFrom(text, range, Count, Count, separators);
+  if (!values)
+    return std::nullopt;
+  std::array<double, Count> numbers{};
+  std::copy(values->begin(), values->end(), numbers.begin());
+  return numbers;
+}
 /// "0.2,0.5,0.3" -> {0.2, 0.5, 0.3}: 1 to `most` numbers in `range`.
 [[nodiscard]] Accepted<std::vector<double>> numbers(NumberRange range, std::size_t most);
 /// The same for an option whose absence has a meaning.

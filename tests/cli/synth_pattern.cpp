@@ -123,14 +123,11 @@ TEST_CASE("the material's seed decides the pattern, unless --seed overrides it")
           0.9);
 }
 
-TEST_CASE("--table-levels and each number of --tile-rotation give another pattern, and their first "
-          "values are the defaults") {
-  const Arguments far{"--size", "64x64", "--texels-per-tile", "12"}, near{"--size", "64x64"};
+TEST_CASE("each number of --tile-rotation gives another pattern, and none is the default") {
+  const Arguments near{"--size", "64x64"};
   const auto with = [](const Arguments& view, const char* option, const char* value) {
     return made(view + Arguments{option, value});
   };
-  CHECK((with(far, "--table-levels", "blended").values == made(far).values));
-  CHECK(shareOfDifferent(with(far, "--table-levels", "nearest"), made(far)) > 0.3);
   const SrgbImage none = made(near), two = with(near, "--tile-rotation", "2");
   CHECK((with(near, "--tile-rotation", "none").values == none.values));
   CHECK(shareOfDifferent(two, none) > 0.3);

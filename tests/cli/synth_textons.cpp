@@ -118,7 +118,6 @@ TEST_CASE("the error for an option of another method names that method") {
       synthOf(texton),
       std::vector<Refused>{
           {{"--sharpness", "2"}, {"--sharpness", "tiling", "'grain'", "texton"}},
-          {{"--table-levels", "nearest"}, {"--table-levels", "tiling", "'grain'", "texton"}},
           {{"--tile-rotation", "4"}, {"--tile-rotation", "tiling", "'grain'", "texton"}}});
 }
 

@@ -87,10 +87,6 @@ class LocalRandomPhaseCommand final : public MethodCommand {
     return kPerCosine * shared.cosineCount() + kPerTile * tiles + (hasList ? 3 : 0) +
            (map.as<LocalRandomPhaseMap>().inverseTable ? 1 : 0);
   }
-
-  std::size_t imageOf(const NoiseMap& map) const override {
-    return map.as<LocalRandomPhaseMap>().cosines;
-  }
 };
 
 } // namespace

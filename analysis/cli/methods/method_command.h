@@ -8,7 +8,6 @@
 #include "spectrum_option.h"
 
 #include <lichen/bake_material.h>
-#include <lichen/noise_evaluator.h>
 
 #include <nlohmann/json.hpp>
 
@@ -34,8 +33,8 @@ struct CommonOptions {
 using BakeOptionsReader = std::function<Result<MethodOptions>(std::span<const MapExemplar> maps,
                                                               std::vector<std::string>& notes)>;
 
-/// Replaces parameters of a material by those that the command line gives.
-using UseOptions = std::function<void(MaterialNoise& material, EvaluationOptions& evaluation)>;
+/// Replaces parameters of a material by what the command line gives.
+using UseOptions = std::function<void(MaterialNoise& material)>;
 
 using Json = nlohmann::ordered_json;
 
@@ -56,11 +55,8 @@ public:
   [[nodiscard]] virtual BakeOptionsReader addBakeOptions(CLI::App& verb,
                                                          CommonOptions& common) const = 0;
   /// The same for the verbs that use a noise; most methods have no parameters of a material.
-  [[nodiscard]] virtual UseOptions addSynthOptions(CLI::App&) const {
-    return [](MaterialNoise&, EvaluationOptions&) {};
-  }
-  [[nodiscard]] virtual UseOptions addApplyOptions(CLI::App&) const {
-    return [](MaterialNoise&, EvaluationOptions&) {};
+  [[nodiscard]] virtual UseOptions addUseOptions(CLI::App&) const {
+    return [](MaterialNoise&) {};
   }
 
   /// Members of `bake --json`, and of the report, on a noise of this method.
@@ -82,8 +78,6 @@ public:
                                     const MaterialNoise& use) const = 0;
   /// Those that all maps of a noise share, which fetches() leaves out.
   [[nodiscard]] virtual int sharedFetches() const { return 0; }
-  /// The table from which the shader samples the map.
-  [[nodiscard]] virtual std::size_t imageOf(const NoiseMap& map) const = 0;
 };
 
 [[nodiscard]] const MethodCommand& commandOf(Method method);

@@ -2,7 +2,7 @@
 // Multiple-kernels noise on the command line: options, bake reports, and descriptions for
 // `inspect`.
 #include "method_command.h"
-#include "pattern_option.h"
+#include "multiple_kernels_pattern.h"
 
 #include <memory>
 
@@ -103,10 +103,6 @@ class MultipleKernelsCommand final : public MethodCommand {
     const auto& shared = noise.as<MultipleKernelsNoise>();
     return int(kKernelTexels) * shared.kernels + 2 * shared.cosines +
            (map.as<MultipleKernelsMap>().inverseTable ? 1 : 0);
-  }
-
-  std::size_t imageOf(const NoiseMap& map) const override {
-    return map.as<MultipleKernelsMap>().kernels;
   }
 };
 

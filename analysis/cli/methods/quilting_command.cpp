@@ -51,7 +51,6 @@ class QuiltingCommand final : public MethodCommand {
   int sharedFetches() const override {
     return 3; // of the cells of all tiles at a point
   }
-  std::size_t imageOf(const NoiseMap& map) const override { return map.as<QuiltingMap>().image; }
 };
 
 } // namespace

@@ -18,23 +18,9 @@ namespace lichen::cli {
 [[nodiscard]] inline std::optional<std::vector<double>>
 numbersAfter(std::string_view name, std::string_view text, NumberRange range, std::size_t least,
              std::size_t most) {
-  if (!text.starts_with(name))
+  if (!text.starts_with(name) || text.substr(name.size(), 1) != ":")
     return std::nullopt;
-  const Accepted<double> accepted = number(range);
-  std::vector<double> values;
-  for (text.remove_prefix(name.size()); !text.empty();) {
-    if (text.front() != ':')
-      return std::nullopt;
-    text.remove_prefix(1);
-    const std::string_view word = text.substr(0, text.find(':'));
-    const std::optional<double> value = accepted.read(std::string(word));
-    if (!value)
-      return std::nullopt;
-    values.push_back(*value);
-    text.remove_prefix(word.size());
-  }
-  return values.size() >= least && values.size() <= most ? std::make_optional(values)
-                                                         : std::nullopt;
+  return numbersFrom(text.substr(name.size() + 1), range, least, most, ":");
 }
 [[nodiscard]] inline std::optional<std::vector<double>>
 numbersAfter(std::string_view name, std::string_view text, NumberRange range, std::size_t count) {

@@ -50,7 +50,7 @@ class TextonCommand final : public MethodCommand {
     };
   }
 
-  UseOptions addSynthOptions(CLI::App& verb) const override {
+  UseOptions addUseOptions(CLI::App& verb) const override {
     struct Use {
       std::optional<double> impacts;
       std::optional<PointProcess> points;
@@ -62,7 +62,7 @@ class TextonCommand final : public MethodCommand {
     addValue(verb, "--points", options->points, optional(pointProcess()), "",
              "One impact per grid cell, or a Poisson process [default: the bundle's]")
         .group(kHeading);
-    return [options](MaterialNoise& material, EvaluationOptions&) {
+    return [options](MaterialNoise& material) {
       material.impacts = options->impacts.value_or(material.impacts);
       material.pointProcess = options->points.value_or(material.pointProcess);
     };
@@ -91,7 +91,6 @@ class TextonCommand final : public MethodCommand {
   int fetches(const Noise& noise, const NoiseMap&, const MaterialNoise& use) const override {
     return fetchesOfTexton(noise.as<TextonShape>(), use.impacts);
   }
-  std::size_t imageOf(const NoiseMap& map) const override { return map.as<TextonMap>().image; }
 };
 
 } // namespace

@@ -11,38 +11,6 @@ namespace {
 
 constexpr const char* kHeading = "Tiling";
 
-/// The options of a use.
-struct Use {
-  std::optional<double> sharpness;
-  std::optional<std::uint32_t> tileRotation;
-  bool nearestTableLevel = false;
-
-  void operator()(MaterialNoise& material, EvaluationOptions& evaluation) const {
-    material.blendSharpness = sharpness.value_or(material.blendSharpness);
-    material.tileRotation = tileRotation.value_or(material.tileRotation);
-    evaluation.nearestTableLevel = nearestTableLevel;
-  }
-};
-
-std::shared_ptr<Use> addUseOptions(CLI::App& verb) {
-  auto options = std::make_shared<Use>();
-  addValue(verb, "--sharpness", options->sharpness, optional(number(kBlendSharpnessRange)), "",
-           "Exponent of the blend weights [default: the bundle's]")
-      .group(kHeading);
-  const Choices<std::uint32_t> rotations{{"none", 0}, {"2", 2}, {"4", 4}};
-  addValue(verb, "--tile-rotation", options->tileRotation, optional(oneOf(rotations)), "",
-           "Random rotation of each tile: by half turns (2); of square tiles by quarter turns (4) "
-           "[default: the bundle's]")
-      .group(kHeading);
-  return options;
-}
-
-UseOptions useOf(std::shared_ptr<Use> options) {
-  return [options = std::move(options)](MaterialNoise& material, EvaluationOptions& evaluation) {
-    (*options)(material, evaluation);
-  };
-}
-
 class TilingCommand final : public MethodCommand {
   std::string heading() const override { return kHeading; }
 
@@ -52,15 +20,25 @@ class TilingCommand final : public MethodCommand {
     };
   }
 
-  UseOptions addSynthOptions(CLI::App& verb) const override {
-    std::shared_ptr<Use> options = addUseOptions(verb);
-    addValue(verb, "--table-levels", options->nearestTableLevel,
-             oneOf(Choices<bool>{{"blended", false}, {"nearest", true}}), "blended",
-             "Mip levels of the inverse table: blend two, or fetch the nearest")
+  UseOptions addUseOptions(CLI::App& verb) const override {
+    struct Use {
+      std::optional<double> sharpness;
+      std::optional<std::uint32_t> tileRotation;
+    };
+    auto options = std::make_shared<Use>();
+    addValue(verb, "--sharpness", options->sharpness, optional(number(kBlendSharpnessRange)), "",
+             "Exponent of the blend weights [default: the bundle's]")
         .group(kHeading);
-    return useOf(std::move(options));
+    const Choices<std::uint32_t> rotations{{"none", 0}, {"2", 2}, {"4", 4}};
+    addValue(verb, "--tile-rotation", options->tileRotation, optional(oneOf(rotations)), "",
+             "Random rotation of each tile: by half turns (2); of square tiles by quarter turns "
+             "(4) [default: the bundle's]")
+        .group(kHeading);
+    return [options](MaterialNoise& material) {
+      material.blendSharpness = options->sharpness.value_or(material.blendSharpness);
+      material.tileRotation = options->tileRotation.value_or(material.tileRotation);
+    };
   }
-  UseOptions addApplyOptions(CLI::App& verb) const override { return useOf(addUseOptions(verb)); }
 
   Json figures(const BakedMaterial& baked) const override {
     const Noise& noise = baked.bundle.noises.front();
@@ -90,8 +68,6 @@ class TilingCommand final : public MethodCommand {
     constexpr int kTaps = 3;
     return tableKindOf(map.as<TilingMap>()) == TableKind::none ? kTaps : kTaps + 1;
   }
-
-  std::size_t imageOf(const NoiseMap& map) const override { return map.as<TilingMap>().gaussian; }
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Text -> waves and splines; or a picture -> its cosines.
-#include "pattern_option.h"
+#include "multiple_kernels_pattern.h"
 
 #include "../srgb_picture.h"
 #include "text_parts.h"
