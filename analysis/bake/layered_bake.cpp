@@ -2,6 +2,8 @@
 // Labels -> exemplars of each label -> noises -> one layered noise.
 #include "layered_bake.h"
 
+#include "layers/label_means.h"
+
 #include <lichen/bundle_merge.h>
 #include <lichen/index_map.h>
 #include <lichen/layered_noise.h>
@@ -15,8 +17,6 @@
 
 namespace lichen {
 namespace {
-
-constexpr std::uint32_t kFillSeed = 1;
 
 /// The map that shows where the materials lie: the base colour, or the first one.
 const MapExemplar& guideOf(std::span<const MapExemplar> maps) {
@@ -54,15 +54,10 @@ Result<LabelImage> labelsOf(const LayersOptions& options, const MapExemplar& gui
 
 /// Whether each map has the centre of a pixel in each label, whatever its size.
 Result<void> checkSamples(const LabelImage& labels, std::span<const MapExemplar> maps) {
-  const auto at = [](int i, int to, int from) {
-    return (2 * std::size_t(i) + 1) * std::size_t(from) / (2 * std::size_t(to));
-  };
   for (const MapExemplar& map : maps) {
     std::vector<bool> found(std::size_t(labels.count));
-    for (int y = 0; y < map.height; ++y)
-      for (int x = 0; x < map.width; ++x)
-        found[labels.labels[at(y, map.height, labels.height) * std::size_t(labels.width) +
-                            at(x, map.width, labels.width)]] = true;
+    for (const std::uint8_t label : layers::resizedLabels(labels, map.width, map.height).labels)
+      found[label] = true;
     if (std::ranges::count(found, false) > 0)
       return Error{ErrorKind::badInput,
                    fmt::format("the map {} of {} x {} pixels is too small for labels of {} x {}",
@@ -72,16 +67,14 @@ Result<void> checkSamples(const LabelImage& labels, std::span<const MapExemplar>
   return {};
 }
 
-LayerSide sideOf(const LayerPart& part) { return {part.isSplit, std::size_t(part.index)}; }
-
 /// Layer k has label k.
 std::vector<LayerNode> nodesOf(std::span<const LayerSplit> splits) {
   std::vector<LayerNode> nodes;
   for (const LayerSplit& split : splits) {
     LayerNode node;
     node.proportion = std::clamp(split.proportion, kProportionRange.least, kProportionRange.most);
-    node.below = sideOf(split.below);
-    node.above = sideOf(split.above);
+    node.below = split.below;
+    node.above = split.above;
     nodes.push_back(node);
   }
   return nodes;
@@ -105,7 +98,7 @@ Result<LayeredBake> bakeLayers(const LayersOptions& options, const std::string& 
       return Error{ErrorKind::usage, fault + "; leave its file out"};
   bool bordersWereKept = true, hasSolids = true;
   for (std::size_t layer = 0; layer < layers.size(); ++layer) {
-    Result<MethodBake> baked = bake(exemplarsOfLabel(maps, labels.value(), int(layer), kFillSeed));
+    Result<MethodBake> baked = bake(exemplarsOfLabel(maps, labels.value(), int(layer)));
     if (!baked)
       return baked.error();
     MethodBake& made = baked.value();

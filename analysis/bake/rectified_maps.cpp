@@ -17,8 +17,8 @@ struct Distortion {
   double perspective = 0.0; ///< the greatest angle between opposite sides
 
   /// Beyond these the search may have taken other vectors than the material's rows: of eleven
-  /// materials it does so with none that is turned by 10 degrees, with one to four by 14 to 24, and
-  /// with all further on, mostly with a shear of 3 to 7 degrees.
+  /// materials it does so with none that is rotated by 10 degrees, with one to four by 14 to 24,
+  /// and with all by more, mostly with a shear of 3 to 7 degrees.
   [[nodiscard]] bool isDoubtful() const {
     constexpr double kSureRotation = 15.0, kSureShear = 3.0;
     return std::abs(rotation) > kSureRotation || std::abs(shear) > kSureShear;
@@ -37,12 +37,12 @@ Distortion distortionOf(const TileCorners& corners) {
           std::max(std::abs(upper - lower), std::abs(left - right))};
 }
 
-/// ", turned by 3.1 degrees, sheared by 0.5 degrees", as far as that is visible.
+/// ", rotated by 3.1 degrees, sheared by 0.5 degrees", as far as that is visible.
 std::string wordsFor(const Distortion& distortion) {
   constexpr double kVisible = 0.25; // degrees
   std::vector<std::string> words;
   if (std::abs(distortion.rotation) > kVisible)
-    words.push_back(fmt::format("turned by {:.1f} degrees", distortion.rotation));
+    words.push_back(fmt::format("rotated by {:.1f} degrees", distortion.rotation));
   if (std::abs(distortion.shear) > kVisible)
     words.push_back(fmt::format("sheared by {:.1f} degrees", distortion.shear));
   if (distortion.perspective > kVisible)

@@ -172,5 +172,6 @@ bool isPeriodic(const MapExemplar& map) {
 } // namespace lichen::exemplar
 
 bool lichen::bordersFit(std::span<const MapExemplar> maps, Periodic periodic) {
-  return exemplar::keepsBorders(maps, periodic, std::identity());
+  return periodic == Periodic::yes ||
+         (periodic == Periodic::detect && std::ranges::all_of(maps, exemplar::isPeriodic));
 }

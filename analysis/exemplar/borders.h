@@ -4,9 +4,6 @@
 
 #include <lichen/exemplar.h>
 
-#include <algorithm>
-#include <functional>
-
 namespace lichen::exemplar {
 
 /// How far the line between opposite borders stands out among the lines between interior
@@ -26,15 +23,5 @@ struct SeamStrength {
 /// Returns whether no seam is stronger than 1. 2 to 5 % of the exemplars that tile are found not to
 /// (docs/decisions/005-exemplar.md). Throws std::bad_alloc.
 [[nodiscard]] bool isPeriodic(const MapExemplar& map);
-
-/// Returns whether a bake preserves the borders of `maps`: if `periodic` is yes, or if it is detect
-/// and all maps are periodic. `mapOf` returns the map of an element.
-template <class Maps, class MapOf>
-[[nodiscard]] bool keepsBorders(const Maps& maps, Periodic periodic, const MapOf& mapOf) {
-  return periodic == Periodic::yes || (periodic == Periodic::detect &&
-                                       std::all_of(maps.begin(), maps.end(), [&](const auto& each) {
-                                         return isPeriodic(std::invoke(mapOf, each));
-                                       }));
-}
 
 } // namespace lichen::exemplar

@@ -72,6 +72,15 @@ Moments momentsOf(std::span<const float> values, int channels) {
       [&](std::size_t i, int c) { return values[i * stride + std::size_t(c)]; });
 }
 
+ValueRange rangeOf(std::span<const float> values, std::size_t channels, std::size_t channel) {
+  ValueRange range{values[channel], values[channel]};
+  for (std::size_t i = channel; i < values.size(); i += channels) {
+    range.least = std::min(range.least, values[i]);
+    range.most = std::max(range.most, values[i]);
+  }
+  return range;
+}
+
 ColorSpace colorSpaceOf(const MapExemplar& map) {
   const int channels = int(map.channels.size());
   ColorSpace space{momentsOf(map.values, channels), {}};

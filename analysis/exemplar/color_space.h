@@ -10,6 +10,8 @@
 #include <Eigen/Dense>
 
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace lichen::exemplar {
@@ -22,6 +24,13 @@ using ChannelMatrix = transport::SmallMatrix;
 /// Mean and covariance of interleaved values; `values.size()` is a multiple of `channels` (1 to 3).
 using Moments = transport::Moments<ChannelMatrix>;
 [[nodiscard]] Moments momentsOf(std::span<const float> values, int channels);
+
+/// The least and the greatest value of one channel of interleaved values.
+struct ValueRange {
+  float least = 0.0f, most = 0.0f;
+};
+[[nodiscard]] ValueRange rangeOf(std::span<const float> values, std::size_t channels,
+                                 std::size_t channel);
 
 /// Coordinates of the exemplar's values in `dimensions` (0 to channels) orthonormal directions, the
 /// rows of `basis`. These are the directions whose variance is more than twice the variance of

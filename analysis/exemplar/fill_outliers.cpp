@@ -130,10 +130,7 @@ std::vector<float> distances(const Eigen::MatrixXd& rows) {
     const Eigen::MatrixXd scaled = covariance.ldlt().solve(rows.transpose()).transpose();
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
       squares[std::size_t(i)] = scaled.row(i).dot(rows.row(i));
-    std::vector<double> sorted = squares;
-    const auto usual = sorted.begin() + std::ptrdiff_t(kUsual * double(sorted.size() - 1));
-    std::ranges::nth_element(sorted, usual);
-    most = *usual;
+    most = quantile(squares, kUsual);
   }
   std::vector<float> result;
   for (const double square : squares)
@@ -276,7 +273,7 @@ public:
     return along(left_, x) * along(right_, part_.width - 1 - x) * along(top_, y) *
            along(bottom_, part_.height - 1 - y);
   }
-  /// Whether the pixel is one of both.
+  /// Whether the pixel lies on the edge, where both parts are blended.
   [[nodiscard]] bool isEdge(int x, int y) const { return at(x, y) < 1.0f; }
 
 private:
@@ -317,11 +314,7 @@ EdgeMeans edgeMeans(const MapExemplar& map, const Part& part, const Fade& fade, 
 void fillChannel(MapExemplar& map, const Part& part, int fromX, int fromY, const Fade& fade,
                  std::size_t channel) {
   const EdgeMeans means = edgeMeans(map, part, fade, fromX, fromY, channel);
-  float least = map.values[channel], most = least;
-  for (std::size_t i = channel; i < map.values.size(); i += map.channels.size()) {
-    least = std::min(least, map.values[i]);
-    most = std::max(most, map.values[i]);
-  }
+  const auto [least, most] = rangeOf(map.values, map.channels.size(), channel);
   for (int y = 0; y < part.height; ++y)
     for (int x = 0; x < part.width; ++x) {
       const float there = fade.at(x, y), here = 1.0f - there;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Maps (height, width, channels each) -> the same maps without their slow variation.
+#include "color_space.h"
 #include "low_pass.h"
 #include "progress_part.h"
 #include "resample.h"
@@ -66,11 +67,7 @@ bool isLight(const MapExemplar& map) {
 std::pair<float, float> storedRange(const MapExemplar& map, std::size_t channel) {
   if (map.encoding == ValueEncoding::slope)
     return {-kHalfMax, kHalfMax};
-  float least = map.values[channel], most = least;
-  for (std::size_t i = channel; i < map.values.size(); i += map.channels.size()) {
-    least = std::min(least, map.values[i]);
-    most = std::max(most, map.values[i]);
-  }
+  const auto [least, most] = rangeOf(map.values, map.channels.size(), channel);
   if (!isLight(map))
     return {least, most};
   const float white = map.encoding == ValueEncoding::log2 ? encoded(kHalfMax, map.encoding) : 1.0f;

@@ -124,9 +124,7 @@ double edgeConcentration(const MapExemplar& map, bool periodic) {
   const double period = kShortestLight * std::max(map.width, map.height);
   const Plane plane{map.width, map.height, principalComponent(map).values};
   const Plane slow = lowPassed(plane, trendOf(plane, periodic), {period, period}, periodic);
-  const auto at = [&](int x, int y) {
-    return double(slow.values[std::size_t(y) * std::size_t(slow.width) + std::size_t(x)]);
-  };
+  const auto at = [&](int x, int y) { return double(slow.at(x, y)); };
   // Forward differences suffice: the plane has no variation at the scale of a pixel.
   double squares = 0.0, fourths = 0.0;
   for (int y = 0; y + 1 < slow.height; ++y)

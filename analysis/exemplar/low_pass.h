@@ -32,11 +32,6 @@ struct Period {
   return std::exp2(-(cyclesX * cyclesX + cyclesY * cyclesY));
 }
 
-/// The gain of the high-pass: 0 at the mean, 1/2 at the period, 15/16 at half the period.
-[[nodiscard]] inline double highPassGain(double cyclesX, double cyclesY) {
-  return 1.0 - lowPassGain(cyclesX, cyclesY);
-}
-
 /// A polynomial of degree 4 in x and y: the least-squares fit, with its terms shrunk. An
 /// orthonormal term c becomes c (1 - 4 S / c^2), or 0 if that is less, with S the mean square of
 /// the terms of degree 5 to 8, which measures the material's own slow variation (non-negative

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Image files -> maps. The steps, in order: read, crop, fill invisible colours, resample, join.
 #include "borders.h"
+#include "color_space.h"
 #include "frame.h"
 #include "invisible_color.h"
 #include "map_values.h"
@@ -262,13 +263,8 @@ void joinChannels(std::vector<NamedMap>& maps, bool wraps, std::vector<std::stri
 
 /// Returns whether no channel varies by more than a rounding step.
 bool isConstant(const MapExemplar& map) {
-  const std::size_t channels = map.channels.size();
-  for (std::size_t c = 0; c < channels; ++c) {
-    float least = map.values[c], most = map.values[c];
-    for (std::size_t i = c; i < map.values.size(); i += channels) {
-      least = std::min(least, map.values[i]);
-      most = std::max(most, map.values[i]);
-    }
+  for (std::size_t c = 0; c < map.channels.size(); ++c) {
+    const auto [least, most] = rangeOf(map.values, map.channels.size(), c);
     if (most - least > float(map.quantum))
       return false;
   }
@@ -344,7 +340,9 @@ Result<MaterialSet> readMaps(const Result<SetFiles>& found, const MaterialSetOpt
     if (Result<void> done = crop(maps, *set.crop); !done)
       return done.error();
   fillInvisibleColors(maps);
-  const bool wraps = keepsBorders(maps, options.periodic, &NamedMap::map);
+  const bool wraps =
+      options.periodic == Periodic::yes || (options.periodic == Periodic::detect &&
+                                            std::ranges::all_of(maps, isPeriodic, &NamedMap::map));
   if (options.size) {
     if (Result<void> done = resize(maps, *options.size, wraps, set.notes); !done)
       return done.error();

@@ -61,6 +61,13 @@ ImageLevel areaAverage(const ImageLevel& source) {
   return result;
 }
 
+ImageLevel reducedImage(const MapExemplar& map, int mostSide) {
+  ImageLevel level{map.width, map.height, int(map.channels.size()), map.values};
+  while (std::max(level.width, level.height) > mostSide)
+    level = areaAverage(level);
+  return level;
+}
+
 // Plane (height, width) -> plane of means. Rows, then columns, each by a running sum.
 namespace {
 

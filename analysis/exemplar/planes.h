@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Images without encoding: mip levels by area averages, means over squares, and a map as one small
-// grey plane, for measures of what shows from some distance.
+// Images without encoding: mip levels by area averages, means over squares, quantiles, and a map as
+// one small grey plane, for measures of what shows from some distance.
 #pragma once
 
 #include <lichen/exemplar.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -23,6 +24,17 @@ struct ImageLevel {
 /// row: each texel averages the area that it covers. Throws std::bad_alloc.
 [[nodiscard]] ImageLevel areaAverage(const ImageLevel& source);
 
+/// The first level of a map whose sides are at most `mostSide`. Throws std::bad_alloc.
+[[nodiscard]] ImageLevel reducedImage(const MapExemplar& map, int mostSide);
+
+/// The value below which lies this share of the others, in [0, 1], of at least one value.
+template <class Value>
+[[nodiscard]] Value quantile(std::vector<Value> values, double share) {
+  const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
 /// The mean of each pixel's square of 2 `radius` + 1 pixels per side, as far as it lies in the
 /// plane. Throws std::bad_alloc. O(N) for any radius.
 [[nodiscard]] std::vector<float> boxMean(std::span<const float> plane, int width, int height,
@@ -33,9 +45,10 @@ struct Plane {
   int width = 0, height = 0;
   std::vector<float> values;
 
-  [[nodiscard]] float at(int x, int y) const {
-    return values[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return std::size_t(y) * std::size_t(width) + std::size_t(x);
   }
+  [[nodiscard]] float at(int x, int y) const { return values[index(x, y)]; }
 };
 
 /// Averages squares of pixels, and all channels, less the mean of all, so that the shorter side has

@@ -3,6 +3,7 @@
 // along y. Source of the filter: [MN88] eq. 8 with B = C = 1/3.
 #include "resample.h"
 
+#include "color_space.h"
 #include "value_encoding.h"
 
 #include <tbb/parallel_for.h>
@@ -102,19 +103,17 @@ MapExemplar resampled(const MapExemplar& map, int width, int height, bool wraps)
   const std::size_t channels = map.channels.size();
   for (float& value : result.values)
     value = decoded(value, map.encoding);
-  std::vector<float> least(result.values.begin(), result.values.begin() + std::ptrdiff_t(channels));
-  std::vector<float> most = least;
-  for (std::size_t i = 0; i < result.values.size(); ++i) {
-    least[i % channels] = std::min(least[i % channels], result.values[i]);
-    most[i % channels] = std::max(most[i % channels], result.values[i]);
-  }
+  std::vector<ValueRange> ranges;
+  for (std::size_t c = 0; c < channels; ++c)
+    ranges.push_back(rangeOf(result.values, channels, c));
   result.values =
       resampledAxis(result.values, std::size_t(map.height), map.width, width, channels, wraps);
   result.values =
       resampledAxis(result.values, 1, map.height, height, std::size_t(width) * channels, wraps);
-  for (std::size_t i = 0; i < result.values.size(); ++i)
-    result.values[i] = encoded(
-        std::clamp(result.values[i], least[i % channels], most[i % channels]), map.encoding);
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    const auto [least, most] = ranges[i % channels];
+    result.values[i] = encoded(std::clamp(result.values[i], least, most), map.encoding);
+  }
   result.width = width;
   result.height = height;
   return result;

@@ -58,6 +58,8 @@ constexpr transport::TransportOptions kExchanges{.swapRounds = 1, .exactRounds =
 /// Columns of a field per summed block.
 constexpr Index kColumnsOfBlock = 4096;
 
+DecodedBlends decodedBlends(const Gaussianized& gaussian, const InverseTable& table);
+
 MatrixXf standardized(const std::vector<Point>& points, int dimensions) {
   MatrixXf z(dimensions, Index(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -422,8 +424,6 @@ DecodedBlends blendsThrough(const Gaussianized& gaussian, const InverseTable& ta
   return blends;
 }
 
-} // namespace
-
 DecodedBlends decodedBlends(const Gaussianized& gaussian, const InverseTable& table) {
   if (table.dimensions == 1)
     return blendsThrough<1>(gaussian, table);
@@ -431,5 +431,7 @@ DecodedBlends decodedBlends(const Gaussianized& gaussian, const InverseTable& ta
     return blendsThrough<2>(gaussian, table);
   return blendsThrough<3>(gaussian, table);
 }
+
+} // namespace
 
 } // namespace lichen::gaussian

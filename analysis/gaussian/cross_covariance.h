@@ -14,15 +14,13 @@
 
 namespace lichen::gaussian {
 
-/// One column per blend.
+/// 262,144 blends of three taps, uniform in the image and in the lattice's triangles: one column
+/// per blend. All images use the same positions and weights: the k-th columns of two maps are the
+/// same blend.
 struct DecodedBlends {
   Eigen::MatrixXf gaussian; ///< D rows: G with mean 0 and variance 1
   Eigen::MatrixXf values;   ///< one row per channel of the table
 };
-
-/// Draws 262,144 blends of three taps, uniform in the image and in the lattice's triangles. All
-/// images use the same positions and weights: the k-th columns of two maps are the same blend.
-[[nodiscard]] DecodedBlends decodedBlends(const Gaussianized& gaussian, const InverseTable& table);
 
 /// What later maps need from a finished map to correlate with it: 2 D floats per pixel, and blends.
 struct SettledMap {

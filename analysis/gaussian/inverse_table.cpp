@@ -45,11 +45,9 @@ void matchMoments(InverseTable& table, std::span<const float> decoded) {
   std::array<float, exemplar::kMaxChannels> low{};
   std::array<float, exemplar::kMaxChannels> high{};
   for (std::size_t c = 0; c < channels; ++c) {
-    low[c] = high[c] = decoded[c];
-    for (std::size_t i = c; i < decoded.size(); i += channels) {
-      low[c] = std::min(low[c], decoded[i]);
-      high[c] = std::max(high[c], decoded[i]);
-    }
+    const auto [least, most] = exemplar::rangeOf(decoded, channels, c);
+    low[c] = least;
+    high[c] = most;
   }
   for (int pass = 0; pass < kPasses; ++pass) {
     const exemplar::Moments found = interpolatedMoments(table);

@@ -108,12 +108,7 @@ void restoreLevelMeans(std::vector<InverseTable>& levels, bool holdsRoots, const
     InverseTable& level = levels[k];
     const FetchMoments fetched = fetchMoments(level, int(k), image, losses);
     for (std::size_t c = 0; c < channels; ++c) {
-      float low = exact.values[c];
-      float high = low;
-      for (std::size_t i = c; i < exact.values.size(); i += channels) {
-        low = std::min(low, exact.values[i]);
-        high = std::max(high, exact.values[i]);
-      }
+      const auto [low, high] = exemplar::rangeOf(exact.values, channels, c);
       const auto channel = Eigen::Index(c);
       const double mean = wanted.mean[channel];
       const double target = holdsRoots ? wanted.covariance(channel, channel) + mean * mean : mean;

@@ -2,6 +2,7 @@
 // Map (width * height * channels) -> matched Gaussian points (width * height) and inverse table.
 #include "map_fit.h"
 
+#include "exemplar/resample.h"
 #include "exemplar/value_encoding.h"
 #include "table_lookup.h"
 
@@ -80,23 +81,10 @@ bool isTriedOnMiddle(const MapExemplar& map) {
 }
 
 MapExemplar middleOf(const MapExemplar& map) {
-  MapExemplar part;
-  part.target = map.target;
-  part.channels = map.channels;
-  part.encoding = map.encoding;
-  part.quantum = map.quantum;
-  part.width = std::min(map.width, kLargestTrialSide);
-  part.height = std::min(map.height, kLargestTrialSide);
-  const std::size_t channels = map.channels.size();
-  const auto left = std::size_t((map.width - part.width) / 2);
-  const auto top = std::size_t((map.height - part.height) / 2);
-  for (std::size_t y = 0; y < std::size_t(part.height); ++y) {
-    const auto row =
-        map.values.begin() + std::ptrdiff_t(((top + y) * std::size_t(map.width) + left) * channels);
-    part.values.insert(part.values.end(), row,
-                       row + std::ptrdiff_t(std::size_t(part.width) * channels));
-  }
-  return part;
+  const int width = std::min(map.width, kLargestTrialSide);
+  const int height = std::min(map.height, kLargestTrialSide);
+  return exemplar::cropped(map,
+                           {(map.width - width) / 2, (map.height - height) / 2, width, height});
 }
 
 /// Fits Gaussian image and table with a share of the surroundings in every point.

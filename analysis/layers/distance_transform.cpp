@@ -39,8 +39,8 @@ void squaredDistances(std::vector<double>& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     while (k + 1 < start.size() && start[k + 1] < double(i))
       ++k;
-    const double way = double(i) - lowest[k];
-    distances[i] = way * way + line[std::size_t(lowest[k])];
+    const double offset = double(i) - lowest[k];
+    distances[i] = offset * offset + line[std::size_t(lowest[k])];
   }
   line = std::move(distances);
 }

@@ -80,10 +80,10 @@ MapExemplar filled(const MapExemplar& map, const Purity& purity,
 } // namespace
 
 std::vector<MapExemplar> exemplarsOfLabel(std::span<const MapExemplar> maps,
-                                          const LabelImage& labels, int label, std::uint32_t seed) {
+                                          const LabelImage& labels, int label) {
   assert(std::count(labels.labels.begin(), labels.labels.end(), label) > 0);
   const std::vector<float> distance = distanceToOthers(labels, label);
-  const std::vector<PatchLattice> lattices = patchLattices(labels, distance, seed);
+  const std::vector<PatchLattice> lattices = patchLattices(labels, distance);
   std::vector<MapExemplar> exemplars;
   for (const MapExemplar& map : maps)
     exemplars.push_back(filled(map, purityOf(labels, distance, map.width, map.height), lattices));

@@ -16,8 +16,8 @@ Result<std::vector<LayerNode>> layerChain(std::span<const double> shares, double
     if (!(proportion >= kProportionRange.least && proportion <= kProportionRange.most))
       return Error{
           ErrorKind::usage,
-          fmt::format("{:g} beside {:g} of the layers after it; expected at least a hundredth of "
-                      "both on each side",
+          fmt::format("a layer has {:g}, and all layers after it have {:g}; expected each of the "
+                      "two to be at least a hundredth of their sum",
                       shares[n], rest - shares[n])};
     nodes[n].proportion = proportion;
     nodes[n].softness = softness;

@@ -91,9 +91,7 @@ float quantile(const std::vector<float>& distance, double share) {
   for (const float value : distance)
     if (value > 0.0f)
       inside.push_back(value);
-  const auto place = inside.begin() + std::ptrdiff_t(share * double(inside.size() - 1));
-  std::nth_element(inside.begin(), place, inside.end());
-  return *place;
+  return exemplar::quantile(std::move(inside), share);
 }
 constexpr double kThick = 0.9; ///< the quantile that stands for a label's thickest places
 
@@ -193,7 +191,7 @@ PatchBlend blendAt(const std::vector<PatchLattice>& lattices, const Purity& puri
 }
 
 std::vector<PatchLattice> patchLattices(const LabelImage& labels,
-                                        const std::vector<float>& distance, std::uint32_t seed) {
+                                        const std::vector<float>& distance) {
   const int width = labels.width, height = labels.height;
   const Purity purity = purityOf(labels, distance, width, height);
   constexpr float kPure = 0.99f; // 1 but for rounding
@@ -209,6 +207,7 @@ std::vector<PatchLattice> patchLattices(const LabelImage& labels,
   constexpr float kCellOverDistance = 2.0f;
   constexpr float kLeastCell = 6.0f; // pixels
   constexpr double kEnough = 1e-4;   // of the pixels may remain
+  constexpr std::uint32_t kSeed = 1; // any
   float cell = std::max(kLeastCell, std::min(kCellOverDistance * quantile(distance, kThick),
                                              0.25f * float(std::min(width, height))));
   std::vector<PatchLattice> lattices;
@@ -219,7 +218,7 @@ std::vector<PatchLattice> patchLattices(const LabelImage& labels,
     lattice.rows = 2 * std::max(1, int(std::lround(0.5f * float(height) / rowHeight)));
     lattice.vertices.resize(std::size_t(lattice.columns) * std::size_t(lattice.rows));
     chooseSources(lattice, purity, missing, purePixels,
-                  latticeSeed(seed, std::uint32_t(lattices.size())));
+                  latticeSeed(kSeed, std::uint32_t(lattices.size())));
     lattices.push_back(std::move(lattice));
     tbb::parallel_for(0, height, [&](int y) {
       for (int x = 0; x < width; ++x)

@@ -2,6 +2,8 @@
 // Which copies of a label's regions fill the rest of the tile.
 #pragma once
 
+#include "exemplar/planes.h"
+
 #include <lichen/layers.h>
 
 #include <array>
@@ -11,13 +13,7 @@
 namespace lichen::layers {
 
 /// How far a pixel shows one label alone: 0 near other labels, 1 away from them.
-struct Purity {
-  int width = 0, height = 0;
-  std::vector<float> values;
-  [[nodiscard]] float at(int x, int y) const {
-    return values[std::size_t(y) * std::size_t(width) + std::size_t(x)];
-  }
-};
+using Purity = exemplar::Plane;
 
 /// The purity of each of width x height pixels of the tile. `distance` is that to other labels
 /// [pixels of `labels`]. In a thin label all pixels lie near others; those farthest from them count
@@ -59,7 +55,7 @@ struct PatchBlend {
 
 /// Chooses the offsets of lattices of ever smaller cells, at most kMostLattices, until they cover
 /// the tile. `distance` as for purityOf(). Deterministic. Throws std::bad_alloc.
-[[nodiscard]] std::vector<PatchLattice>
-patchLattices(const LabelImage& labels, const std::vector<float>& distance, std::uint32_t seed);
+[[nodiscard]] std::vector<PatchLattice> patchLattices(const LabelImage& labels,
+                                                      const std::vector<float>& distance);
 
 } // namespace lichen::layers

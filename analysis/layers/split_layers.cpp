@@ -56,13 +56,13 @@ std::shared_ptr<const Group> mergedAll(Groups groups) {
   return groups[0];
 }
 
-/// Appends the split of a group and those below it; returns the part that stands for the group.
-LayerPart appendSplits(const LabelImage& labels, const Group& group,
+/// Appends the split of a group and the splits below it; returns what stands for the group.
+LayerSide appendSplits(const LabelImage& labels, const Group& group,
                        std::vector<LayerSplit>& splits) {
   if (!group.below) {
     for (int label = 0; label < labels.count; ++label)
       if (group.labels.test(std::size_t(label)))
-        return {false, label};
+        return {false, std::size_t(label)};
   }
   IndexMap map{labels.width, labels.height, {}, {}};
   for (const std::uint8_t label : labels.labels) {
@@ -71,11 +71,11 @@ LayerPart appendSplits(const LabelImage& labels, const Group& group,
   }
   const std::size_t index = splits.size();
   splits.push_back({map.proportion(), indexSpectrum(map), {}, {}});
-  const LayerPart below = appendSplits(labels, *group.below, splits);
-  const LayerPart above = appendSplits(labels, *group.above, splits);
+  const LayerSide below = appendSplits(labels, *group.below, splits);
+  const LayerSide above = appendSplits(labels, *group.above, splits);
   splits[index].below = below;
   splits[index].above = above;
-  return {true, int(index)};
+  return {true, index};
 }
 
 } // namespace

@@ -29,7 +29,6 @@ struct Cosine {
 /// std::bad_alloc.
 [[nodiscard]] std::vector<Cosine> fitCosines(const PowerPlane& power,
                                              std::span<const FrequencyBox> boxes,
-                                             const std::array<double, 2>& edges,
-                                             bool isGiven = false);
+                                             const std::array<double, 2>& edges, bool isGiven);
 
 } // namespace lichen::local_random_phase

@@ -1,14 +1,49 @@
 // SPDX-License-Identifier: MIT
-// The size of the lattices' cells.
+// Position in a cell -> the windows of the vertices around it; and the size of the lattices' cells.
 #include "octave_lattice.h"
 
 #include <lichen/fft.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace lichen::local_random_phase {
+namespace {
+
+/// The window before its normalisation, at the squared distance `square` from its vertex in units
+/// of the squared edge of a lattice's triangles: (1 - square / (3 / 4))^3, 0 from sqrt(3) / 2 on.
+/// A smaller radius than [LRP14]'s 1.5: within sqrt(3) / 2, the height of a triangle, a point has
+/// windows of the three vertices around it and no others.
+double windowAt(double square) {
+  constexpr double kPerSquaredRadius = 4.0 / 3.0;
+  const double left = 1.0 - kPerSquaredRadius * square;
+  return left > 0.0 ? left * left * left : 0.0;
+}
+
+/// The vector from a vertex, in lattice coordinates -> its squared length in edges.
+double squaredEdges(double column, double row) {
+  return column * column + column * row + row * row;
+}
+
+} // namespace
+
+Windows windowsAt(double column, double row) {
+  const int corner = column + row < 1.0 ? 0 : 1;
+  Windows windows;
+  windows.corner = {{{corner, corner}, {1, 0}, {0, 1}}};
+  double squares = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    windows.offset[k] = {column - windows.corner[k][0], row - windows.corner[k][1]};
+    windows.weight[k] = windowAt(squaredEdges(windows.offset[k][0], windows.offset[k][1]));
+    squares += windows.weight[k] * windows.weight[k];
+  }
+  const double scale = 1.0 / std::sqrt(squares);
+  for (double& weight : windows.weight)
+    weight *= scale;
+  return windows;
+}
 
 std::array<int, 2> cellsOfOctave0(int texelsX, int texelsY) {
   // 7 columns and 8 rows of a square tile are equilateral to 1 %.
@@ -43,7 +78,7 @@ std::vector<float> windowPlane() {
       const double row = (y + 0.5) / kSamplesPerEdge * 2.0 / std::numbers::sqrt3;
       const double column = (x + 0.5) / kSamplesPerEdge - 0.5 * row;
       const int left = int(std::floor(column)), top = int(std::floor(row));
-      const Windows<double> windows = windowsAt(column - left, row - top);
+      const Windows windows = windowsAt(column - left, row - top);
       for (std::size_t k = 0; k < 3; ++k)
         if (left + windows.corner[k][0] == 0 && top + windows.corner[k][1] == 0)
           plane[std::size_t((y + kSide) % kSide) * kSide + std::size_t((x + kSide) % kSide)] =

@@ -154,6 +154,29 @@ std::vector<std::vector<PatternCosine>> scalePattern(const TakenPattern& pattern
   return patterns;
 }
 
+/// At most `most` kernels, those without direction last, then by energy. Adds the errors of the fit
+/// and of fits with a half and a quarter of them.
+std::vector<Kernel> kernelsFor(const random_phase::PowerPlane& power, const WindowSpectrum& window,
+                               int most, std::vector<SpectrumError>& errors) {
+  std::vector<std::size_t> counts;
+  for (const int count : {most / 4, most / 2, most})
+    if (count > 0)
+      counts.push_back(std::size_t(count));
+  std::vector<Kernel> kernels;
+  for (const KernelFit& fit : fitKernels(power, window, counts)) {
+    if (!errors.empty() && fit.kernels.size() == kernels.size())
+      errors.pop_back();
+    errors.push_back({int(fit.kernels.size()), fit.decibels});
+    kernels = fit.kernels;
+  }
+  if (kernels.empty()) // nothing varies
+    kernels.push_back({1.0, {}, {1.0, 1.0}, 0.0, false});
+  std::stable_sort(kernels.begin(), kernels.end(), [](const Kernel& a, const Kernel& b) {
+    return std::pair(a.isRing, -a.energy) < std::pair(b.isRing, -b.energy);
+  });
+  return kernels;
+}
+
 /// As bakeMultipleKernels(), but throws std::bad_alloc.
 Result<MethodBake> bakeMaps(const std::string& name, std::span<const MapExemplar> maps,
                             const MultipleKernelsOptions& options) {
@@ -181,22 +204,8 @@ Result<MethodBake> bakeMaps(const std::string& name, std::span<const MapExemplar
   shared.hasGivenSpectrum |= options.perturbation && !options.perturbation->pattern.empty();
   const WindowSpectrum window(options.window);
   const random_phase::PowerPlane power = random_phase::powerPlane(spectra);
-  std::vector<std::size_t> counts;
-  for (const int most : {options.kernels / 4, options.kernels / 2, options.kernels})
-    if (most > 0)
-      counts.push_back(std::size_t(most));
-  std::vector<Kernel> kernels;
-  for (const KernelFit& fit : fitKernels(power, window, counts)) {
-    if (!bake.figures.spectrumErrors.empty() && fit.kernels.size() == kernels.size())
-      bake.figures.spectrumErrors.pop_back();
-    bake.figures.spectrumErrors.push_back({int(fit.kernels.size()), fit.decibels});
-    kernels = fit.kernels;
-  }
-  if (kernels.empty()) // nothing varies
-    kernels.push_back({1.0, {}, {1.0, 1.0}, 0.0, false});
-  std::stable_sort(kernels.begin(), kernels.end(), [](const Kernel& a, const Kernel& b) {
-    return std::pair(a.isRing, -a.energy) < std::pair(b.isRing, -b.energy);
-  });
+  const std::vector<Kernel> kernels =
+      kernelsFor(power, window, options.kernels, bake.figures.spectrumErrors);
   shared.kernels = int(kernels.size());
   shared.rings = int(std::count_if(kernels.begin(), kernels.end(),
                                    [](const Kernel& kernel) { return kernel.isRing; }));

@@ -196,19 +196,6 @@ double Kernel::area(Window window) const {
   return (window == Window::gabor ? pi : 4.0) * stretch[0] * stretch[1];
 }
 
-Kernel kernelOf(const KernelRow& row, bool isRing) {
-  Kernel kernel;
-  for (const std::array<float, 4>& color : row.colors)
-    for (const float factor : color)
-      kernel.energy += double(factor) * double(factor);
-  kernel.frequency = {double(row.frequency[0]), double(row.frequency[1])};
-  const auto& q = row.toWindow;
-  kernel.stretch = {1.0 / double(q[0]), 1.0 / double(q[3])};
-  kernel.shear = -double(q[2]) * kernel.stretch[0] * kernel.stretch[1];
-  kernel.isRing = isRing;
-  return kernel;
-}
-
 double windowAt(Window window, double p, double q) {
   if (window == Window::gabor) {
     const double left = std::max(0.0, 1.0 - p * p - q * q);

@@ -34,9 +34,6 @@ struct Kernel {
   [[nodiscard]] double area(Window window) const;
 };
 
-/// The kernel of a row of a map's image. Its energy is the energy in the map's Gaussian values.
-[[nodiscard]] Kernel kernelOf(const KernelRow& row, bool isRing);
-
 /// w at (p, q).
 [[nodiscard]] double windowAt(Window window, double p, double q);
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace lichen::multiple_kernels {
@@ -303,6 +304,9 @@ Target targetOf(const PowerPlane& power, const WindowSpectrum& spectrum) {
   return target;
 }
 
+std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks, const PowerPlane& power,
+                                const WindowSpectrum& spectrum, std::size_t count);
+
 /// The fits of 1, 2, 3 and 4 rings to a spectrum, each when it is first asked for.
 class RingFits {
 public:
@@ -408,30 +412,25 @@ std::vector<KernelFit> fitKernels(const PowerPlane& power, const WindowSpectrum&
 }
 
 // Blocks of frequencies -> rings, by the distance of frequency_blocks.h.
+namespace {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+constexpr std::size_t kFree = 3; // parameters of a ring: logarithms of energy, length and width
 
-std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks,
-                                const random_phase::PowerPlane& power,
-                                const WindowSpectrum& spectrum, std::size_t count) {
-  const FrequencyBlocks radial = radialBlocks(blocks);
-  constexpr std::size_t kFree = 3;
+/// The parameters of `count` rings of equal energy, no longer than `highest`; nothing if the blocks
+/// have too little power, or are too few.
+std::optional<VectorXd> firstRings(const FrequencyBlocks& radial, std::size_t count,
+                                   double highest) {
   if (radial.size() < kFree * count)
-    return {};
+    return std::nullopt;
   double energy = 0.0;
   for (const FrequencyBlock& block : radial)
     energy += 2.0 * block.count * block.power;
   if (!(energy > 0.0))
-    return {};
+    return std::nullopt;
   // The first block of each part of the energy.
   VectorXd values(Index(kFree * count));
   double before = 0.0;
   std::size_t ring = 0;
-  // A support of two texels: smaller rings would have aliases, which this fit does not model.
-  const double finest = -std::log(double(std::max(power.columns, power.rows / 2)));
-  const double highest = double(std::min(power.columns, power.rows / 2 + 1));
   for (const FrequencyBlock& block : radial) {
     before += 2.0 * block.count * block.power;
     if (ring < count && before >= energy * (double(ring) + 0.5) / double(count)) {
@@ -442,7 +441,19 @@ std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks,
       ++ring;
     }
   }
-  if (ring < count)
+  return ring < count ? std::nullopt : std::optional(values);
+}
+
+/// `count` rings of equal energy, whose lengths, widths and energies are then fitted to the power
+/// of all directions together. Empty if firstRings() finds none.
+std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks, const PowerPlane& power,
+                                const WindowSpectrum& spectrum, std::size_t count) {
+  const FrequencyBlocks radial = radialBlocks(blocks);
+  // A support of two texels: smaller rings would have aliases, which this fit does not model.
+  const double finest = -std::log(double(std::max(power.columns, power.rows / 2)));
+  const double highest = double(std::min(power.columns, power.rows / 2 + 1));
+  const std::optional<VectorXd> first = firstRings(radial, count, highest);
+  if (!first)
     return {};
   const auto kernelsOf = [&](const VectorXd& from) {
     std::vector<Kernel> kernels(count);
@@ -487,10 +498,11 @@ std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks,
     return residuals;
   };
   return kernelsOf(
-      minimized(values, kLeastGain, residualsAt, [](const VectorXd&, const VectorXd& step) {
+      minimized(*first, kLeastGain, residualsAt, [](const VectorXd&, const VectorXd& step) {
         constexpr double kMost = 0.7;
         return (std::min(1.0, kMost / std::max(step.cwiseAbs().maxCoeff(), 1e-300)) * step).eval();
       }));
 }
 
+} // namespace
 } // namespace lichen::multiple_kernels

@@ -2,7 +2,6 @@
 // A power spectrum -> few kernels whose noise has it.
 #pragma once
 
-#include "frequency_blocks.h"
 #include "kernel.h"
 #include "random_phase/power_tree.h"
 
@@ -31,11 +30,5 @@ struct KernelFit {
 [[nodiscard]] double spectrumErrorDb(const random_phase::PowerPlane& power,
                                      const WindowSpectrum& spectrum,
                                      const std::vector<Kernel>& kernels);
-
-/// `count` rings of equal energy, whose lengths, widths and energies are then fitted to the power
-/// of all directions together. Empty if the plane has too little power, or too few frequencies.
-[[nodiscard]] std::vector<Kernel> fittedRings(const FrequencyBlocks& blocks,
-                                              const random_phase::PowerPlane& power,
-                                              const WindowSpectrum& spectrum, std::size_t count);
 
 } // namespace lichen::multiple_kernels

@@ -7,6 +7,8 @@
 // which they were also judged. Source: docs/decisions/009-local-random-phase.md.
 #include "near_periods.h"
 
+#include "exemplar/planes.h"
+
 #include <lichen/fft.h>
 #include <lichen/lattice.h>
 
@@ -18,11 +20,8 @@
 namespace lichen::placement {
 namespace {
 
-/// The autocorrelation of a periodic image: 1 at (0, 0).
-struct Autocorrelation {
-  int width = 0, height = 0;
-  std::vector<float> values;
-};
+/// Of a periodic image: 1 at (0, 0).
+using Autocorrelation = exemplar::Plane;
 
 /// Random numbers in [0, 1).
 class Generator {
@@ -274,14 +273,16 @@ NearPeriods nearPeriods(std::span<const MapExemplar> maps, std::size_t most,
   if (closeness == 0.0)
     return result;
   constexpr double kSharpness = 300.0, kLeastHeight = 0.75;
-  constexpr std::ptrdiff_t kFirst = 2, kEnd = 9; // the shifts 3 to 9 are the measure of the others
+  constexpr std::ptrdiff_t kFirst = 2,
+                           kEnd = 9; // others have three quarters of the median of shifts 3 to 9
   Draw draw(correlation, kSharpness * closeness);
   while (draw.shifts().size() < most) {
     double least = -1.0;
     if (draw.heights().size() >= std::size_t(kEnd)) {
-      std::vector<double> heights(draw.heights().begin() + kFirst, draw.heights().begin() + kEnd);
-      std::nth_element(heights.begin(), heights.begin() + (kEnd - kFirst) / 2, heights.end());
-      least = kLeastHeight * closeness * heights[(kEnd - kFirst) / 2];
+      least = kLeastHeight * closeness *
+              exemplar::quantile(std::vector<double>(draw.heights().begin() + kFirst,
+                                                     draw.heights().begin() + kEnd),
+                                 0.5);
     }
     if (!draw.next(least))
       break;

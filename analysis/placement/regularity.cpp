@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Maps -> the part that holds whole periods -> how clearly something repeats in it.
-#include "exemplar/borders.h"
 #include "exemplar/grain.h"
 #include "exemplar/value_encoding.h"
 #include "near_periods.h"
@@ -12,7 +11,6 @@
 #include <lichen/regularity.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace lichen {
 
@@ -42,7 +40,7 @@ Result<Regularity> regularityOf(std::span<const MapExemplar> maps, Periodic peri
     Regularity regularity;
     if (std::min(maps.front().width, maps.front().height) < kLeastRegularSide)
       return regularity;
-    const bool fit = exemplar::keepsBorders(maps, periodic, std::identity());
+    const bool fit = bordersFit(maps, periodic);
     regularity.outlines = outlinesOf(maps.front(), fit);
     std::vector<MapExemplar> stored = exemplar::asStored(maps);
     const placement::WholePeriods periods = placement::wholePeriods(stored.front(), fit);

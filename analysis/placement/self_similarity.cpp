@@ -3,6 +3,8 @@
 // transforms of the picture padded with zeros.
 #include "self_similarity.h"
 
+#include "exemplar/color_space.h"
+
 #include <lichen/fft.h>
 
 #include <algorithm>
@@ -72,15 +74,7 @@ SelfCorrelation selfCorrelation(const ImageLevel& image) {
 }
 
 BorderMisfit::BorderMisfit(const exemplar::ImageLevel& image) : image_(image) {
-  const auto channels = std::size_t(image.channels);
-  const double count = double(image.width) * image.height;
-  std::vector<double> sums(channels), squares(channels);
-  for (std::size_t i = 0; i < image.values.size(); ++i) {
-    sums[i % channels] += double(image.values[i]);
-    squares[i % channels] += double(image.values[i]) * double(image.values[i]);
-  }
-  for (std::size_t c = 0; c < channels; ++c)
-    unrelated_ += 2.0 * std::max(0.0, squares[c] / count - std::pow(sums[c] / count, 2.0));
+  unrelated_ = 2.0 * exemplar::momentsOf(image.values, image.channels).covariance.trace();
 }
 
 double BorderMisfit::between(const std::array<double, 2>& from, const std::array<double, 2>& side,

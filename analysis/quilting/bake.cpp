@@ -2,7 +2,6 @@
 // Exemplar maps (width * height * channels values each) -> a quilting noise and its tables.
 #include "cells.h"
 #include "closed_borders.h"
-#include "exemplar/borders.h"
 #include "exemplar/color_space.h"
 #include "exemplar/grain.h"
 #include "exemplar/planes.h"
@@ -152,7 +151,7 @@ Result<MethodBake> bakeMaps(const std::string& name, std::span<const MapExemplar
   progress.reach(kPeriodsOfProgress);
   quilting::CellField field = quilting::cellsOf(maps, count);
   const quilting::FittingShifts fitting = quilting::fittingShifts(field, periods.shifts);
-  if (!exemplar::keepsBorders(given, options.periodic, std::identity()) &&
+  if (!bordersFit(given, options.periodic) &&
       quilting::closeBorders(maps, field, count, fitting,
                              progress.part(kPeriodsOfProgress, kBordersOfProgress))) {
     bake.figures.bordersWereKept = false;

@@ -4,6 +4,7 @@
 // docs/decisions/012-quilting.md says how the constants were chosen.
 #include "cells.h"
 
+#include "exemplar/color_space.h"
 #include "exemplar/planes.h"
 
 #include <Eigen/SparseCholesky>
@@ -13,21 +14,14 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 
 namespace lichen::quilting {
 namespace {
 
 using exemplar::ImageLevel;
-
-/// width x height values on a torus.
-struct Plane {
-  int width = 0, height = 0;
-  std::vector<float> values;
-
-  [[nodiscard]] std::size_t index(int x, int y) const {
-    return std::size_t(y) * std::size_t(width) + std::size_t(x);
-  }
-};
+using exemplar::Plane; // here on a torus
+using exemplar::quantile;
 
 /// The maps of the largest size, reduced, each with a total variance of 1.
 std::vector<ImageLevel> standardized(std::span<const MapExemplar> maps) {
@@ -38,20 +32,8 @@ std::vector<ImageLevel> standardized(std::span<const MapExemplar> maps) {
   for (const MapExemplar& map : maps) {
     if (map.width != largest.width || map.height != largest.height)
       continue;
-    ImageLevel level{map.width, map.height, int(map.channels.size()), map.values};
-    while (std::max(level.width, level.height) > kMostSide)
-      level = exemplar::areaAverage(level);
-    const auto channels = std::size_t(level.channels);
-    double variance = 0.0;
-    for (std::size_t c = 0; c < channels; ++c) {
-      double sum = 0.0, squares = 0.0;
-      for (std::size_t i = c; i < level.values.size(); i += channels) {
-        sum += double(level.values[i]);
-        squares += double(level.values[i]) * double(level.values[i]);
-      }
-      const double count = double(level.values.size()) / double(channels);
-      variance += squares / count - sum * sum / (count * count);
-    }
+    ImageLevel level = exemplar::reducedImage(map, kMostSide);
+    const double variance = exemplar::momentsOf(level.values, level.channels).covariance.trace();
     const auto scale = variance > 0.0 ? float(1.0 / std::sqrt(variance)) : 0.0f;
     for (float& value : level.values)
       value *= scale;
@@ -103,7 +85,7 @@ Gaussian gaussianOf(double deviation) {
   const int reach = int(std::ceil(kReach * deviation));
   for (int k = -reach; k <= reach; ++k) {
     const double value = std::exp(-0.5 * k * k / (deviation * deviation)) /
-                         (deviation * std::sqrt(2.0 * 3.14159265358979));
+                         (deviation * std::sqrt(2.0 * std::numbers::pi));
     result.values.push_back(float(value));
     result.derivative.push_back(float(k / (deviation * deviation) * value));
   }
@@ -144,12 +126,6 @@ Plane halfMaximum(const Plane& source) {
       most = std::max(most, source.values[source.index(x, y)]);
     }
   return result;
-}
-
-float quantile(std::vector<float> values, double share) {
-  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 /// Smooths edges, so that joints a little apart still correlate.

@@ -3,6 +3,8 @@
 // docs/decisions/012-quilting.md says how the constants were chosen.
 #include "closed_borders.h"
 
+#include "exemplar/color_space.h"
+#include "exemplar/planes.h"
 #include "placement/near_periods.h"
 #include "placement/self_similarity.h"
 #include "placement/whole_periods.h"
@@ -10,12 +12,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace lichen::quilting {
 namespace {
+
+using Eigen::Index;
 
 /// What a band is filled from. [tiles]
 using Shift = std::array<double, 2>;
@@ -33,9 +37,7 @@ float halfCell(const CellField& cells, std::size_t axis) {
   std::vector<float> distances;
   for (const std::array<float, 2>& vector : cells.toCentre)
     distances.push_back(std::abs(vector[axis]));
-  const auto large = distances.begin() + std::ptrdiff_t(kLarge * double(distances.size() - 1));
-  std::ranges::nth_element(distances, large);
-  return std::clamp(*large, kLeast, kMost);
+  return std::clamp(exemplar::quantile(std::move(distances), kLarge), kLeast, kMost);
 }
 
 /// The shift that repeats the exemplar and is nearest to half a tile along the axis. If none is
@@ -98,31 +100,17 @@ void closeAxis(std::span<MapExemplar> maps, const CellField& cells, std::size_t 
   }
 }
 
-/// The mean of each channel.
-std::vector<double> meansOf(const MapExemplar& map) {
-  std::vector<double> means(map.channels.size());
-  for (std::size_t i = 0; i < map.values.size(); ++i)
-    means[i % means.size()] += double(map.values[i]);
-  for (double& mean : means)
-    mean *= double(means.size()) / double(map.values.size());
-  return means;
-}
-
 /// Shifts each channel to another mean, by its values between the least and the greatest: those
 /// stay, such as the 0 and 1 of a mask. A channel of which most values are one of the two stays as
 /// it is. Values that reach them stop there, so the mean is met nearly.
-void shiftMeans(MapExemplar& map, const std::vector<double>& means) {
-  const std::vector<double> own = meansOf(map);
-  const std::size_t channels = own.size();
-  std::vector<float> least(channels, std::numeric_limits<float>::max());
-  std::vector<float> most(channels, std::numeric_limits<float>::lowest());
-  for (std::size_t i = 0; i < map.values.size(); ++i) {
-    const std::size_t c = i % channels;
-    least[c] = std::min(least[c], map.values[i]);
-    most[c] = std::max(most[c], map.values[i]);
-  }
+void shiftMeans(MapExemplar& map, const exemplar::ChannelVector& means) {
+  const std::size_t channels = map.channels.size();
+  const exemplar::ChannelVector own = exemplar::momentsOf(map.values, int(channels)).mean;
+  std::vector<exemplar::ValueRange> ranges;
+  for (std::size_t c = 0; c < channels; ++c)
+    ranges.push_back(exemplar::rangeOf(map.values, channels, c));
   const auto isBetween = [&](std::size_t i) {
-    return map.values[i] > least[i % channels] && map.values[i] < most[i % channels];
+    return map.values[i] > ranges[i % channels].least && map.values[i] < ranges[i % channels].most;
   };
   std::vector<double> between(channels); // the share of such values
   for (std::size_t i = 0; i < map.values.size(); ++i)
@@ -131,16 +119,15 @@ void shiftMeans(MapExemplar& map, const std::vector<double>& means) {
     const std::size_t c = i % channels;
     if (between[c] > 0.5 && isBetween(i))
       map.values[i] =
-          std::clamp(map.values[i] + float((means[c] - own[c]) / between[c]), least[c], most[c]);
+          std::clamp(map.values[i] + float((means[Index(c)] - own[Index(c)]) / between[c]),
+                     ranges[c].least, ranges[c].most);
   }
 }
 
 /// Whether opposite borders across an axis look alike in all maps.
 bool lookAlike(std::span<const MapExemplar> maps, std::size_t axis) {
   return std::ranges::all_of(maps, [&](const MapExemplar& map) {
-    exemplar::ImageLevel image{map.width, map.height, int(map.channels.size()), map.values};
-    while (std::max(image.width, image.height) > placement::kMostPeriodSide)
-      image = exemplar::areaAverage(image);
+    const exemplar::ImageLevel image = exemplar::reducedImage(map, placement::kMostPeriodSide);
     return placement::BorderMisfit(image).bordersLookAlike(axis);
   });
 }
@@ -149,9 +136,9 @@ bool lookAlike(std::span<const MapExemplar> maps, std::size_t axis) {
 
 bool closeBorders(std::span<MapExemplar> maps, const CellField& cells, double count,
                   const FittingShifts& shifts, ProgressPart progress) {
-  std::vector<std::vector<double>> means;
+  std::vector<exemplar::ChannelVector> means;
   for (const MapExemplar& map : maps)
-    means.push_back(meansOf(map));
+    means.push_back(exemplar::momentsOf(map.values, int(map.channels.size())).mean);
   bool isClosed = false;
   for (const std::size_t axis : {std::size_t(0), std::size_t(1)}) {
     const std::optional<Shift> shift = shiftAlong(axis, shifts);

@@ -14,35 +14,23 @@
 #include <vector>
 
 namespace lichen::suitability {
-namespace {
-
-template <typename GainAt>
-double cloudinessOf(const HalfSpectrum& spectrum, const GainAt& gainAt) {
+double cloudiness(const HalfSpectrum& spectrum, std::optional<double> longestPeriod) {
   double sum = 0.0, squares = 0.0;
   for (int v = 0; v < spectrum.height; ++v)
     for (int u = 0; u < spectrum.columns(); ++u) {
       if (u == 0 && v == 0)
         continue;
-      const double gain = gainAt(u, v);
+      const double slow =
+          !longestPeriod
+              ? 0.0
+              : exemplar::lowPassGain(*longestPeriod * u / spectrum.width,
+                                      *longestPeriod * spectrum.signedRow(v) / spectrum.height);
+      const double gain = 1.0 - slow;
       const double power = gain * gain * double(std::norm(spectrum.at(u, v)));
       sum += spectrum.multiplicity(u) * power;
       squares += spectrum.multiplicity(u) * power * power;
     }
   return sum > 0.0 ? 2.0 / 3.0 * std::sqrt(3.0 * squares) / sum : 0.0;
-}
-
-} // namespace
-
-double cloudiness(const HalfSpectrum& spectrum) {
-  return cloudinessOf(spectrum, [](int, int) { return 1.0; });
-}
-
-double cloudinessAbove(const HalfSpectrum& spectrum, double periodPixels) {
-  return cloudinessOf(spectrum, [&](int u, int v) {
-    const int signedV = spectrum.signedRow(v);
-    return exemplar::highPassGain(periodPixels * u / spectrum.width,
-                                  periodPixels * signedV / spectrum.height);
-  });
 }
 
 // Spectrum of a plane (height, width / 2 + 1) -> share of its variance in spectral lines.

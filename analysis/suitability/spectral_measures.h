@@ -4,6 +4,8 @@
 
 #include <lichen/fft.h>
 
+#include <optional>
+
 namespace lichen::suitability {
 
 /// The relative standard deviation, over the random offsets of three equally weighted taps, of the
@@ -13,11 +15,10 @@ namespace lichen::suitability {
 /// variance is 1 + (2/3) (r(a - b) + r(a - c) + r(b - c)) with r the autocorrelation. The three
 /// values of r are uncorrelated, and by Parseval the mean of r^2 over all offsets is
 /// sum P^2 / (sum P)^2.
-/// 0 for a plane without variance.
-[[nodiscard]] double cloudiness(const HalfSpectrum& spectrum);
-
-/// The cloudiness after highPassGain() removes variation slower than `periodPixels`.
-[[nodiscard]] double cloudinessAbove(const HalfSpectrum& spectrum, double periodPixels);
+/// 0 for a plane without variance. With a `longestPeriod` [pixels], after a high-pass at this
+/// period, 1 - lowPassGain().
+[[nodiscard]] double cloudiness(const HalfSpectrum& spectrum,
+                                std::optional<double> longestPeriod = {});
 
 /// The share of the variance in spectral lines, in [0, 1]. A line is a frequency with more than 20
 /// times the median power of the 9 x 9 frequencies around it, and than three of the eight before

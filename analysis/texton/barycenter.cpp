@@ -108,14 +108,14 @@ FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
   result.power = sum.squaredNorm();
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> axes(sum * sum.adjoint());
   startFrom(axes.eigenvectors().col(sum.rows() - 1), weighted, result);
-  const auto lacksPower = [&] {
+  const auto isTooWeak = [&] {
     return result.kernel.squaredNorm() < (1.0 - kAsGood) * result.power;
   };
   // Where all vectors are real, as for symmetric exemplars, a real start would stay real.
-  const Complex turn = isOwnMirror ? Complex(1.0) : Complex(0.0, 1.0);
-  for (Eigen::Index k = 0; k < count && lacksPower(); ++k)
-    startFrom(weighted.col(k) + turn * weighted.col((k + 1) % count), weighted, result);
-  if (lacksPower())
+  const Complex phase = isOwnMirror ? Complex(1.0) : Complex(0.0, 1.0);
+  for (Eigen::Index k = 0; k < count && isTooWeak(); ++k)
+    startFrom(weighted.col(k) + phase * weighted.col((k + 1) % count), weighted, result);
+  if (isTooWeak())
     result.distance =
         result.power + result.kernel.squaredNorm() - 2.0 * (sum.adjoint() * result.kernel).norm();
   return result;

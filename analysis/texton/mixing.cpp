@@ -131,7 +131,7 @@ Result<TextonMix> path(std::span<const MixExemplar> exemplars, int stepsPerLeg,
   const std::vector<GaussianModel> aligned = alignedModels(modelsOf(exemplars));
   const std::vector<TextonCoefficients> textons =
       fittedTogether(aligned, fitOptions(options, aligned[0], progress.part(0.0, kFitOfProgress)));
-  TextonMix mix{aligned[0].width(), aligned[0].height(), {}};
+  TextonMix mix;
   const std::size_t legs = exemplars.size() - 1;
   const auto perLeg = std::size_t(stepsPerLeg);
   for (std::size_t index = 0; index <= legs * perLeg; ++index) {
@@ -158,7 +158,7 @@ Result<TextonMix> single(std::span<const MixExemplar> exemplars, std::vector<dou
   step.texton = fitCoefficients(found.model, fitOptions(options, found.model, options.progress));
   if (Result<void> finished = finish(exemplars, found.model, options.order, step); !finished)
     return finished.error();
-  TextonMix mix{found.model.width(), found.model.height(), {}};
+  TextonMix mix;
   mix.steps.push_back(std::move(step));
   return mix;
 }

@@ -35,8 +35,6 @@ struct MixStep {
 
 /// The textons of one tile.
 struct TextonMix {
-  int width = 0;  ///< texels of the tile, as onOneGrid() makes it
-  int height = 0; ///< texels of the tile
   std::vector<MixStep> steps;
 };
 
@@ -52,8 +50,8 @@ struct TextonMix {
                                               int stepsPerLeg, const FitOptions& options);
 
 /// Fits one texton to the barycentre with these weights: one per exemplar, none negative, with any
-/// positive sum. Takes at least one exemplar. Errors and time as
-/// for fitTextonPath(), and usage for other weights.
+/// positive sum. Takes at least one exemplar. Errors and time as for fitTextonPath(), and usage for
+/// other weights.
 [[nodiscard]] Result<TextonMix> fitTextonBarycenter(std::span<const MixExemplar> exemplars,
                                                     std::span<const double> weights,
                                                     const FitOptions& options);

@@ -3,6 +3,7 @@
 //
 // At any support, a texton's noise has Gaussian values and random phases, so it reproduces neither
 // the exemplar's histogram nor its outlines. It also misses variation slower than the support.
+#include "exemplar/color_space.h"
 #include "exemplar/value_encoding.h"
 #include "gaussian/normality.h"
 #include "progress_part.h"
@@ -146,19 +147,10 @@ Waves wavesOf(const MapExemplar& map, const Texels& texels, ProgressPart progres
   return sum;
 }
 
+/// The root of the mean variance of the channels.
 double deviationOf(const MapExemplar& map) {
-  const std::size_t channels = map.channels.size();
-  double sum = 0.0;
-  for (std::size_t c = 0; c < channels; ++c) {
-    double mean = 0.0, square = 0.0;
-    for (std::size_t i = c; i < map.values.size(); i += channels) {
-      mean += map.values[i];
-      square += double(map.values[i]) * double(map.values[i]);
-    }
-    const double count = double(map.values.size() / channels);
-    sum += std::max(0.0, square / count - (mean / count) * (mean / count));
-  }
-  return std::sqrt(sum / double(channels));
+  const auto channels = int(map.channels.size());
+  return std::sqrt(exemplar::momentsOf(map.values, channels).covariance.trace() / channels);
 }
 
 std::string oneDecimal(double value) {

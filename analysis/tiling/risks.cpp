@@ -39,7 +39,7 @@ enum class SlowCause {
 };
 
 /// Advised periods, as a share of the longer side. The longest leaves 1 - 2^(-1/9), a fourteenth,
-/// of a wave as long as that side (highPassGain).
+/// of a wave as long as that side (1 - lowPassGain()).
 constexpr double kLongestAdvisedPeriod = 1.0 / 3.0;
 
 /// The slow variation in a map.
@@ -69,7 +69,7 @@ Risk cloudinessRisk(const MapExemplar& map, const HalfSpectrum& spectrum, const 
   // Slow variation can be removed, a lattice cannot: find out which one causes the clouds.
   const int side = std::max(spectrum.width, spectrum.height);
   const auto flattensBy = [&](double share) {
-    return cloudinessAbove(spectrum, share * side) < kCloudiness.mild;
+    return cloudiness(spectrum, share * side) < kCloudiness.mild;
   };
   double share = kLongestAdvisedPeriod;
   while (share > kShortestLight && !flattensBy(share))

@@ -74,18 +74,4 @@ std::vector<std::uint32_t> improveAssignment(std::span<const Point> source,
   return start;
 }
 
-double transportCost(std::span<const Point> source, std::span<const Point> target,
-                     std::span<const std::uint32_t> assignment) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const Point& s = source[i];
-    const Point& t = target[assignment[i]];
-    const double dx = double(s.x) - t.x;
-    const double dy = double(s.y) - t.y;
-    const double dz = double(s.z) - t.z;
-    sum += dx * dx + dy * dy + dz * dz;
-  }
-  return source.empty() ? 0.0 : sum / double(source.size());
-}
-
 } // namespace lichen::transport

@@ -40,8 +40,4 @@ inline constexpr TransportOptions kFastTransport{.swapRounds = 1, .exactRounds =
                                                            std::vector<std::uint32_t> start,
                                                            const TransportOptions& options);
 
-/// Mean of |source[i] - target[p[i]]|^2.
-[[nodiscard]] double transportCost(std::span<const Point> source, std::span<const Point> target,
-                                   std::span<const std::uint32_t> assignment);
-
 } // namespace lichen::transport

@@ -17,6 +17,30 @@ std::vector<float> firstCoordinates(const std::vector<Point>& points) {
   return x;
 }
 
+/// An integer that sorts by value, then by index. Integers sort faster than pairs.
+std::uint64_t sortKey(float value, std::uint32_t index) {
+  constexpr std::uint32_t kSign = 1u << 31u;
+  const auto bits = std::bit_cast<std::uint32_t>(value + 0.0f); // -0 is 0
+  const std::uint32_t ordered = (bits & kSign) != 0 ? ~bits : bits | kSign;
+  return (std::uint64_t(ordered) << 32u) | index;
+}
+
+std::vector<std::uint32_t> indicesOf(const std::vector<std::uint64_t>& keys) {
+  std::vector<std::uint32_t> indices(keys.size());
+  std::transform(keys.begin(), keys.end(), indices.begin(),
+                 [](std::uint64_t key) { return std::uint32_t(key); });
+  return indices;
+}
+
+/// Indices by ascending value; the index breaks ties. O(N log N).
+std::vector<std::uint32_t> ascendingOrder(std::span<const float> values) {
+  std::vector<std::uint64_t> keys(values.size());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    keys[i] = sortKey(values[i], std::uint32_t(i));
+  tbb::parallel_sort(keys.begin(), keys.end());
+  return indicesOf(keys);
+}
+
 } // namespace
 
 std::vector<Point> matchedByRank(const std::vector<Point>& sources,
@@ -34,32 +58,6 @@ std::vector<Point> matchedInOrder(const std::vector<std::uint32_t>& order,
 }
 
 // Values and scores, one of each per pixel -> pixels in order.
-namespace {
-
-/// An integer that sorts by value, then by index. Integers sort faster than pairs.
-std::uint64_t sortKey(float value, std::uint32_t index) {
-  constexpr std::uint32_t kSign = 1u << 31u;
-  const auto bits = std::bit_cast<std::uint32_t>(value + 0.0f); // -0 is 0
-  const std::uint32_t ordered = (bits & kSign) != 0 ? ~bits : bits | kSign;
-  return (std::uint64_t(ordered) << 32u) | index;
-}
-
-std::vector<std::uint32_t> indicesOf(const std::vector<std::uint64_t>& keys) {
-  std::vector<std::uint32_t> indices(keys.size());
-  std::transform(keys.begin(), keys.end(), indices.begin(),
-                 [](std::uint64_t key) { return std::uint32_t(key); });
-  return indices;
-}
-
-} // namespace
-
-std::vector<std::uint32_t> ascendingOrder(std::span<const float> values) {
-  std::vector<std::uint64_t> keys(values.size());
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    keys[i] = sortKey(values[i], std::uint32_t(i));
-  tbb::parallel_sort(keys.begin(), keys.end());
-  return indicesOf(keys);
-}
 
 TieOrder::TieOrder(std::span<const float> values) : order_(ascendingOrder(values)) {
   for (std::size_t rank = 0; rank < order_.size(); ++rank)

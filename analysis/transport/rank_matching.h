@@ -19,9 +19,6 @@ namespace lichen::transport {
 [[nodiscard]] std::vector<Point> matchedInOrder(const std::vector<std::uint32_t>& order,
                                                 const std::vector<Point>& targets);
 
-/// Indices by ascending value; the index breaks ties. O(N log N).
-[[nodiscard]] std::vector<std::uint32_t> ascendingOrder(std::span<const float> values);
-
 /// The fixed order of pixels by value, whose ties a score can break.
 class TieOrder {
 public:

@@ -113,7 +113,7 @@ TEST_CASE("the tile of bricks that borders cut is whole periods, or what --recti
   CHECK(cornersOf() == TileCorners{{{4.0, 6.0}, {100.0, 8.0}, {102.0, 134.0}, {2.0, 132.0}}});
 }
 
-TEST_CASE("the note on a tile that is turned by nearly too much to be found asks for a check") {
+TEST_CASE("the note on a tile that is rotated by nearly too much to be found asks for a check") {
   const Workplace workplace;
   const auto notesOf = [&](double degrees) {
     const std::string bricks = workplace.write("bricks.png", turnedBricks(degrees));
@@ -121,8 +121,8 @@ TEST_CASE("the note on a tile that is turned by nearly too much to be found asks
   };
   const auto doubt = Catch::Contains("; this is at the limit of what is found, so check the tile: "
                                      "if it is wrong, give its four corners to --rectify");
-  CHECK_THAT(notesOf(10.0), Catch::Contains("turned by 1") && !doubt);
-  CHECK_THAT(notesOf(18.0), Catch::Matches("[^]*turned by 1[78][^]*") && doubt);
+  CHECK_THAT(notesOf(10.0), Catch::Contains("rotated by 1") && !doubt);
+  CHECK_THAT(notesOf(18.0), Catch::Matches("[^]*rotated by 1[78][^]*") && doubt);
 }
 
 TEST_CASE("the risk of cuts says what was found in the exemplar") {

@@ -198,7 +198,7 @@ TEST_CASE("the exemplar of a label keeps its pixels, and elsewhere has its stati
   const MapExemplar map = mixed(labels);
   for (int label = 0; label < 2; ++label) {
     const std::vector<float> pure = materials()[std::size_t(label)];
-    const std::vector<MapExemplar> found = exemplarsOfLabel({&map, 1}, labels, label, 1);
+    const std::vector<MapExemplar> found = exemplarsOfLabel({&map, 1}, labels, label);
     REQUIRE(found.size() == 1);
     const std::vector<float>& values = found[0].values;
     REQUIRE(values.size() == map.values.size());
@@ -246,8 +246,7 @@ TEST_CASE("maps of other sizes take the same copies") {
     for (int x = 0; x < kSide; x += 2)
       half.values.insert(half.values.end(), &map.values[std::size_t(3 * (y * kSide + x))],
                          &map.values[std::size_t(3 * (y * kSide + x))] + 3);
-  const std::vector<MapExemplar> found =
-      exemplarsOfLabel(std::vector{map, map, half}, labels, 0, 1);
+  const std::vector<MapExemplar> found = exemplarsOfLabel(std::vector{map, map, half}, labels, 0);
   CHECK(found[0].values == found[1].values);
   REQUIRE(found[2].values.size() == half.values.size());
   double product = 0.0, squares = 0.0, halfSquares = 0.0;
@@ -278,7 +277,7 @@ TEST_CASE("a label without an inside fills the tile all the same") {
       for (std::size_t c = 0; c < 3; ++c)
         map.values[3 * i + c] = 0.7f + 0.1f * float(generator() & 1u);
     }
-  const std::vector<MapExemplar> found = exemplarsOfLabel({&map, 1}, labels, 1, 1);
+  const std::vector<MapExemplar> found = exemplarsOfLabel({&map, 1}, labels, 1);
   CHECK(*std::min_element(found[0].values.begin(), found[0].values.end()) >= 0.7f);
 }
 
@@ -294,13 +293,13 @@ TEST_CASE("labels of near colours are split last") {
   const auto count = [&](int label) {
     return double(std::count(labels.labels.begin(), labels.labels.end(), label));
   };
-  CHECK_FALSE(splits[0].below.isSplit);
+  CHECK_FALSE(splits[0].below.isNode);
   CHECK(splits[0].below.index == 0);
-  CHECK(splits[0].above.isSplit);
+  CHECK(splits[0].above.isNode);
   CHECK(splits[0].above.index == 1);
   CHECK(splits[0].proportion == Approx(1.0 - count(0) / double(kPixels)));
-  CHECK_FALSE(splits[1].below.isSplit);
-  CHECK_FALSE(splits[1].above.isSplit);
+  CHECK_FALSE(splits[1].below.isNode);
+  CHECK_FALSE(splits[1].above.isNode);
   const int darker = splits[1].below.index, lighter = splits[1].above.index;
   CHECK(darker + lighter == 3);
   CHECK(splits[1].proportion == Approx(count(lighter) / (count(1) + count(2))));

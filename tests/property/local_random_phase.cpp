@@ -148,7 +148,7 @@ TEST_CASE("fitted cosines have the spectrum's variance and its autocovariance") 
     }
   const std::array<double, 2> edges = edgesOfOctave0(7, 8);
   const std::vector<Cosine> cosines =
-      fitCosines(power, boxesOfEqualPower(smoothed(power), 50), edges);
+      fitCosines(power, boxesOfEqualPower(smoothed(power), 50), edges, false);
   const WindowSpectrum window;
   const auto sinc = [](double x) {
     return x == 0.0 ? 1.0 : std::sin(std::numbers::pi * x) / (std::numbers::pi * x);

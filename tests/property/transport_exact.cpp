@@ -4,9 +4,6 @@
 #include <limits>
 
 namespace lichen::test {
-
-using transport::transportCost;
-
 namespace {
 
 double squaredDistance(const Point& a, const Point& b) {
@@ -86,6 +83,14 @@ private:
 std::vector<std::uint32_t> exactAssignment(std::span<const Point> source,
                                            std::span<const Point> target) {
   return Hungarian(source, target).solve();
+}
+
+double transportCost(std::span<const Point> source, std::span<const Point> target,
+                     std::span<const std::uint32_t> assignment) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < source.size(); ++i)
+    sum += squaredDistance(source[i], target[assignment[i]]);
+  return source.empty() ? 0.0 : sum / double(source.size());
 }
 
 double centredCost(std::span<const Point> source, std::span<const Point> target,

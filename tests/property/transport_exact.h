@@ -14,6 +14,10 @@ namespace lichen::test {
 [[nodiscard]] std::vector<std::uint32_t> exactAssignment(std::span<const Point> source,
                                                          std::span<const Point> target);
 
+/// Returns the mean squared distance from source i to target assignment[i]; 0 for empty sets.
+[[nodiscard]] double transportCost(std::span<const Point> source, std::span<const Point> target,
+                                   std::span<const std::uint32_t> assignment);
+
 /// Mean squared distance between the two sets after both are moved to mean 0. This is the cost that
 /// no translation explains; errors are relative to it.
 [[nodiscard]] double centredCost(std::span<const Point> source, std::span<const Point> target,

@@ -60,14 +60,7 @@ struct LabelImage {
 /// each is within the ranges of MapExemplar. Throws std::bad_alloc. Parallel; same bytes for any
 /// number of threads. O(N) in the number of values.
 [[nodiscard]] std::vector<MapExemplar> exemplarsOfLabel(std::span<const MapExemplar> maps,
-                                                        const LabelImage& labels, int label,
-                                                        std::uint32_t seed);
-
-/// One part of a LayerSplit: a label, or another split.
-struct LayerPart {
-  bool isSplit = false;
-  int index = 0; ///< of the label, or of the split in its vector; splits come after their parents
-};
+                                                        const LabelImage& labels, int label);
 
 /// Splits a region in two where a Gaussian field exceeds a threshold.
 struct LayerSplit {
@@ -75,7 +68,9 @@ struct LayerSplit {
   /// The spectrum of the field, whose variance is 1: the squares of the amplitudes sum to 1. It
   /// ends at a quarter of the label image's frequencies and at 128 cycles per tile.
   SpectrumPicture spectrum;
-  LayerPart below, above; ///< `below` has the darker mean colour
+  /// Labels, or, as nodes, other splits, which come later in their vector. `below` has the darker
+  /// mean colour.
+  LayerSide below, above;
 };
 
 /// Models where labels lie: a binary tree of labels.count - 1 splits, the first of which is the

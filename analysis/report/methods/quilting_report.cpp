@@ -14,7 +14,7 @@ namespace {
 Result<std::vector<Risk>> assess(const AssessedMap& assessed, const Progress&) {
   constexpr double kNone = 0.0, kMild = 0.5;
   double score = kNone;
-  std::string reason = "the first map tells whether the exemplar repeats";
+  std::string reason = "only the first map is searched for what repeats";
   if (assessed.place == 0 &&
       std::min(assessed.map().width, assessed.map().height) < kLeastRegularSide) {
     reason = "the exemplar is too small to show whether it repeats";
