@@ -4,6 +4,7 @@
 //
 // Colours (height, width, channels) -> the part that stands out, through the Mahalanobis distance
 // of differences of Gaussians at four scales.
+#include "color_space.h"
 #include "low_pass.h"
 #include "progress_part.h"
 #include "resample.h"

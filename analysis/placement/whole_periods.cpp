@@ -421,7 +421,7 @@ TileCorners placed(const Lattice& sides, const ImageLevel& image) {
 WholePeriods wholePeriods(const MapExemplar& map, bool bordersFit) {
   constexpr double kLeastCorrelation = 0.25, kLeastOfFew = 0.45;
   constexpr double kFew = 8.0; // periods in the picture, which may be alike by chance
-  const ImageLevel image = exemplar::reducedImage(map, kMostPeriodSide);
+  ImageLevel image = exemplar::reducedImage(map, kMostPeriodSide);
   const auto latticeOf = [](const ImageLevel& level) {
     return bestLattice(Repetition(withDetail(level)));
   };

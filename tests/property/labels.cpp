@@ -300,7 +300,7 @@ TEST_CASE("labels of near colours are split last") {
   CHECK(splits[0].proportion == Approx(1.0 - count(0) / double(kPixels)));
   CHECK_FALSE(splits[1].below.isNode);
   CHECK_FALSE(splits[1].above.isNode);
-  const int darker = splits[1].below.index, lighter = splits[1].above.index;
+  const std::size_t darker = splits[1].below.index, lighter = splits[1].above.index;
   CHECK(darker + lighter == 3);
-  CHECK(splits[1].proportion == Approx(count(lighter) / (count(1) + count(2))));
+  CHECK(splits[1].proportion == Approx(count(int(lighter)) / (count(1) + count(2))));
 }
