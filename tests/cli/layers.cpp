@@ -89,7 +89,7 @@ TEST_CASE("layers are made of noises of several bundles, with the areas asked fo
   checkRefusal({"layer", bundles[0], "-o", output}, kUsage, {"1 given; expected 2 to 4"});
   checkRefusals(two, std::vector<Refused>{
                          {{"--shares", "1"}, {"--shares: 1 for 2 bundles; expected one each"}},
-                         {{"--shares", "1,500"}, {"--shares: 1 beside 500 of the layers after it"}},
+                         {{"--shares", "1,500"}, {"--shares: a layer has 1, and all layers after it have 500"}},
                          {{"--index", "rings"}, {"rings"}, kBadInput}});
 }
 
