@@ -274,6 +274,32 @@ TEST_CASE("the noise has the spectrum of its kernels, variance 1 and no mean") {
     }
 }
 
+TEST_CASE("a period that fits few cells leaves the variance as it is") {
+  // 1.9 cells a tile become one in a period of 3/4 of a tile: 1.33.
+  const std::vector<Kernel> kernel{{1.0, {9.0, -4.0}, {0.15, 0.1}, 0.04, false}};
+  const double impacts = kernel[0].area(KernelWindow::gabor) * 1.9 * 1.9;
+  const Bundle bundle = bundleWith(kernel, impacts);
+  const auto evaluator = methodEvaluator(bundle, 0);
+  Placement placement;
+  placement.periodic = true;
+  placement.periodTilesX = placement.periodTilesY = 0.75;
+  constexpr int kSide = 96, kSeeds = 8;
+  double squares = 0.0;
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    MaterialNoise use;
+    use.seed = seed;
+    const shader::LichenTriplanarMaterial material = shaderMaterial(bundle, use, placement);
+    for (int k = 0; k < kSide * kSide; ++k) {
+      const TileFootprint at{
+          {0.75f * float(k % kSide) / kSide, 0.75f * float(k / kSide) / kSide}, {}, {}};
+      for (const float value : evaluator->gaussian(0, material, at).value)
+        squares += std::pow((double(value) - 0.5) / kDeviation, 2.0);
+    }
+  }
+  // Every impact has the same energy, and no two overlap.
+  CHECK(squares / (3.0 * kSeeds * kSide * kSide) == Approx(1.0).margin(1e-3));
+}
+
 TEST_CASE("a spectrum of any width is followed, with all its energy") {
   const WindowSpectrum spectrum(KernelWindow::gabor);
   const random_phase::PowerPlane power = plateauAndLine();
