@@ -147,6 +147,7 @@ TEST_CASE("fitted cosines have the spectrum's variance and its autocovariance") 
         variance += (u == 0 ? 1.0 : 2.0) * power.values.back();
     }
   const std::array<double, 2> edges = edgesOfOctave0(7, 8);
+  CHECK(edges[0] == Approx(edges[1]).epsilon(0.011)); // the triangles of 7 and 8 are equilateral
   const std::vector<Cosine> cosines =
       fitCosines(power, boxesOfEqualPower(smoothed(power), 50), edges, false);
   const WindowSpectrum window;

@@ -94,6 +94,25 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a mask that is linear in tiles gives a mix its slope") {
+  const Bundle bundle = syntheticTextonBundle({.coefficientsX = 12, .coefficientsY = 10}).bundle;
+  const auto noise = std::bit_cast<Library::LichenNoise>(shaderNoise(bundle, 0));
+  // Texture coordinates are 2 and -3 times the tiles'; the mask rises by 0.2 and 0.5 a tile.
+  using glsl::vec2;
+  const glsl::mat2 tiles(vec2(0.01f, 0.002f), vec2(-0.003f, 0.02f));
+  const glsl::mat2 uv(vec2(2.0f, -3.0f) * tiles[0], vec2(2.0f, -3.0f) * tiles[1]);
+  Library library;
+  const glsl::mat2 reach = library.lichenMaskReach(uv, tiles, noise);
+  const auto maskAt = [](const vec2& at) { return 0.1f * at.x - 0.5f / 3.0f * at.y; };
+  Library::LichenPoint point;
+  library.lichenMixByMask(
+      point, 0.4f, {maskAt(reach[0]) - maskAt(-reach[0]), maskAt(reach[1]) - maskAt(-reach[1])},
+      noise);
+  CHECK(point.texton.mixWeight.v == 0.4f);
+  CHECK(point.texton.mixGradient.x.v == Approx(0.2f));
+  CHECK(point.texton.mixGradient.y.v == Approx(0.5f));
+}
+
 TEST_CASE("windows of cosines and spreads of kernels equal the bakes'") {
   Library library;
   std::mt19937 generator(2u);

@@ -180,6 +180,7 @@ TEST_CASE(
   constexpr int kSide = 128;
   TextonOptions options;
   options.support = 32;
+  options.order = GENERATE(1, 3);
   const MapExemplar rust = baseColor(exemplars::rust(kSide));
   const View view(bundleOf(bakeTexton("exemplar", {&rust, 1}, options)));
   const NoiseMap& map = view.bundle.noises[0].maps[0];
@@ -198,7 +199,7 @@ TEST_CASE(
         variance[c] += 36.0 * std::pow(double(value[c]) - 0.5, 2) / (kPlaces * kPlaces);
     }
     for (std::size_t c = 0; c < 3; ++c) {
-      INFO("level " << level << ", channel " << c);
+      INFO("order " << options.order << ", level " << level << ", channel " << c);
       const double kept = 1.0 - lossRow(map.as<TextonMap>().mipLoss, c, 3)[level];
       // Five standard errors, sqrt(3 / 4096) each, for 4,096 values with a kurtosis of up to 4,
       // plus the quantization of the kept amplitudes to bytes.
