@@ -392,22 +392,29 @@ TEST_CASE("layered noises draw on a device what they compute in C++") {
   }
 }
 
-TEST_CASE("a set without the bindings of layers is refused for a layered noise") {
-  PluginContext& context = sharedContext();
+TEST_CASE("a set without the bindings or the range of layers is refused for a layered noise") {
+  VulkanDevice* const device = sharedDevice();
   const std::vector<std::byte> glb = encodeGlb(layeredFile({{tiling, tiling}, kColor})).value();
   const std::shared_ptr<LichenBundle_T> bundle(parseOrThrow(glb), lichenDestroyBundle);
-  LichenVulkanAssets assets = nullptr;
-  REQUIRE(lichenVulkanCreateAssets(context.context(), bundle.get(), &assets, nullptr) ==
-          LICHEN_SUCCESS);
-  const DescriptorPool pool = context.createPool(1);
-  const VkDescriptorBufferInfo buffer{VK_NULL_HANDLE, 0, LICHEN_LAYERED_MATERIAL_BYTES};
-  VkDescriptorSet set = VK_NULL_HANDLE;
-  LichenDiagnostic diagnostic;
-  LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
-  CHECK(lichenVulkanAllocateSet(assets, 0, pool.handle(), &buffer, &set, &diagnostic) ==
-        LICHEN_ERROR_USAGE);
-  CHECK(std::string(diagnostic.text) ==
-        "noise 0 is layered; create the context with the flag LICHEN_VULKAN_LAYERS");
-  lichenVulkanDestroyAssets(assets);
-  CHECK(context.device().messages().texts() == std::vector<std::string>{});
+  for (const bool hasLayers : {false, true}) {
+    LichenVulkanInfo info = defaultVulkanInfo(*device);
+    info.flags = hasLayers ? LICHEN_VULKAN_LAYERS : 0;
+    PluginContext context(*device, info);
+    LichenVulkanAssets assets = nullptr;
+    REQUIRE(lichenVulkanCreateAssets(context.context(), bundle.get(), &assets, nullptr) ==
+            LICHEN_SUCCESS);
+    const DescriptorPool pool = context.createPool(1);
+    const VkDescriptorBufferInfo buffer{VK_NULL_HANDLE, 0, LICHEN_TRIPLANAR_MATERIAL_BYTES};
+    VkDescriptorSet set = VK_NULL_HANDLE;
+    LichenDiagnostic diagnostic;
+    LICHEN_INIT(diagnostic, LICHEN_STRUCTURE_DIAGNOSTIC);
+    CHECK(lichenVulkanAllocateSet(assets, 0, pool.handle(), &buffer, &set, &diagnostic) ==
+          LICHEN_ERROR_USAGE);
+    CHECK(std::string(diagnostic.text) ==
+          (hasLayers
+               ? "material needs a buffer and a range of at least 1344 bytes; its range is 192"
+               : "noise 0 is layered; create the context with the flag LICHEN_VULKAN_LAYERS"));
+    lichenVulkanDestroyAssets(assets);
+  }
+  CHECK(device->messages().texts() == std::vector<std::string>{});
 }

@@ -72,6 +72,16 @@ TEST_CASE("hosts of every kind draw the same values") {
     }
     CHECK(memory.alive == 0);
   }
+  SECTION("images whose sizes are no multiples of their alignment") {
+    functions.getImageMemoryRequirements = [](VkDevice d, VkImage image,
+                                              VkMemoryRequirements* requirements) {
+      vkGetImageMemoryRequirements(d, image, requirements);
+      ++requirements->size;
+    };
+    info.functions = &functions;
+    PluginHost host(*device, threeMaps(), info);
+    CHECK(valuesOf(host) == plainValues());
+  }
   SECTION("images that exceed one allocation") {
     // Two of these images exceed the 1 GiB that every device can allocate at once.
     static std::vector<VkDeviceSize> requested;

@@ -270,6 +270,20 @@ TEST_CASE("lights keep their ratios but not their unit") {
   CHECK(bright.lights[0].intensity == Approx(4.0f * bright.lights[1].intensity));
 }
 
+TEST_CASE("a lamp inside the subject is as strong as one at its border") {
+  Scene scene;
+  Light lamp;
+  lamp.kind = LightKind::point;
+  scene.lights = {lamp, lamp};
+  scene.lights[1].position = {0.0, 2.0, 0.0};
+  const auto brightest = [&](double x) {
+    scene.lights[0].position = {x, 0.0, 0.0};
+    return arrangeLights(scene, {}, false).lights[0].intensity; // the subject has a radius of 1
+  };
+  CHECK(brightest(0.01) == brightest(1.0));
+  CHECK(brightest(1.5) == Approx(2.25f * brightest(1.0)));
+}
+
 TEST_CASE("with too many lights, the sun and the strongest ones at the subject remain") {
   Scene scene;
   constexpr int kLamps = 40;
