@@ -24,10 +24,10 @@ struct ImageLevel {
 /// row: each texel averages the area that it covers. Throws std::bad_alloc.
 [[nodiscard]] ImageLevel areaAverage(const ImageLevel& source);
 
-/// The first level of a map whose sides are at most `mostSide`. Throws std::bad_alloc.
+/// The map, halved until neither side is longer than `mostSide`. Throws std::bad_alloc.
 [[nodiscard]] ImageLevel reducedImage(const MapExemplar& map, int mostSide);
 
-/// The value below which lies this share of the others, in [0, 1], of at least one value.
+/// The quantile of the values at `share`, in [0, 1]. Precondition: there is a value.
 template <class Value>
 [[nodiscard]] Value quantile(std::vector<Value> values, double share) {
   const auto place = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));

@@ -273,8 +273,8 @@ NearPeriods nearPeriods(std::span<const MapExemplar> maps, std::size_t most,
   if (closeness == 0.0)
     return result;
   constexpr double kSharpness = 300.0, kLeastHeight = 0.75;
-  constexpr std::ptrdiff_t kFirst = 2,
-                           kEnd = 9; // others have three quarters of the median of shifts 3 to 9
+  // A further shift needs kLeastHeight of the median height of shifts 3 to 9.
+  constexpr std::ptrdiff_t kFirst = 2, kEnd = 9;
   Draw draw(correlation, kSharpness * closeness);
   while (draw.shifts().size() < most) {
     double least = -1.0;

@@ -77,7 +77,7 @@
 #define LICHEN_POINTS_POISSON 1    // a Poisson number of impacts, 1 in the mean
 
 // Rows (z) of a mix's table, whose columns (x) are its steps.
-#define LICHEN_MIX_MEAN 0      // of stored values, less the first step's
+#define LICHEN_MIX_MEAN 0      // the mean of stored values, less the first step's mean
 #define LICHEN_MIX_DEVIATION 1 // times six, over what a texel is multiplied with
 #define LICHEN_MIX_RETAINED 2  // and up: amplitudes that mip 0, 1, ... keeps of each channel
 #define LICHEN_MIX_ROWS 18     // LICHEN_MIX_RETAINED + LICHEN_MAX_MIPS

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The structs of uniform blocks, in GLSL and in C++. Only vec4, uvec4, ivec4, mat4 and groups of four
-// scalars, so that std140, std430 and C++ agree without padding. Included by lichen_interface.h;
+// The structs of uniform blocks, in GLSL and in C++. Only vec4, uvec4, ivec4, mat4 and groups of
+// four scalars, so that std140, std430 and C++ agree without padding. Included by lichen_interface.h;
 // without a guard, since C++ includes it again to compile the shader library itself.
 
 /// How one material uses one noise. May change every frame. 128 bytes.
@@ -69,7 +69,7 @@ struct LichenCosinesMaterial {
 
 /// What only multiple-kernels noise has of a material: own0 to own2.
 struct LichenKernelsMaterial {
-  // On surfaces and in solids: the third of cellI and cellJ and of offsetX and offsetY [tile widths].
+  // On surfaces and in solids: cellI and cellJ, offsetX and offsetY along z [tile widths].
   int cellK;
   float offsetZ;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A noise on a surface without texture coordinates: a point in space, its screen-space derivatives,
 // the normal and the tangent there -> LichenShadingPoint. Slopes lie in
-// the exemplar's directions, as on texture coordinates: lichenSlopesToUv turns them to the tangent's.
+// the exemplar's directions, as on texture coordinates: lichenSlopesToUv rotates them.
 // [GLM17] Galerne, Leclaire and Moisan 2017, section 6: a frame that turns little along the
 // surface.
 

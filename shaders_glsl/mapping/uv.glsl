@@ -61,8 +61,8 @@ float lichenRoughness(float roughness, float slopeVariance) {
   return sqrt(sqrt(min(1.0, alpha * alpha + 2.0 * max(0.0, slopeVariance))));
 }
 
-// The weight of a mix of textons from a mask; lichenSetMix takes it from elsewhere. The library fetches
-// no mask, since each host binds images in its own way.
+// The weight of a mix of textons from a mask; lichenSetMix takes it from elsewhere. The library
+// fetches no mask, since each host binds images in its own way.
 
 /// Half the size of a texton [tiles].
 vec2 lichenImpactReach(LichenNoise noise) {

@@ -4,8 +4,8 @@
 // the variance of a slope lost to filtering. [HN18] section 4.3;
 // docs/gltf_extension/README.md, "Decoding".
 
-/// The cumulative distribution of N(1/2, (1/6)^2) per channel: a Gaussian value -> a uniform one, the
-/// coordinate in an inverse table.
+/// The cumulative distribution of N(1/2, (1/6)^2) per channel: a Gaussian value -> a uniform one,
+/// the coordinate in an inverse table.
 vec3 lichenGaussianCdf(vec3 gaussian) {
   // [HN18] eq. 22, as the odd polynomial of degree 9 of least error, 1.9e-4, over 2.885 deviations
   // each way: there it reaches the middle of the outermost of 256 cells.
@@ -34,8 +34,8 @@ struct LichenGaussian {
 LichenMap lichenMapOf(int role, LichenMap map) {
   // docs/gltf_extension/README.md, "Maps".
   bool isColor = role == LICHEN_BASE_COLOR || role == LICHEN_EMISSIVE;
-  bool isAboveOne = LICHEN_USES(LICHEN_FEATURE_VALUES_ABOVE_ONE) && (isColor || role == LICHEN_HEIGHT) &&
-                    map.encoding == uint(LICHEN_ENCODING_LOG2);
+  bool isAboveOne = LICHEN_USES(LICHEN_FEATURE_VALUES_ABOVE_ONE) &&
+                    (isColor || role == LICHEN_HEIGHT) && map.encoding == uint(LICHEN_ENCODING_LOG2);
   if (role == LICHEN_NORMAL)
     map.encoding = uint(LICHEN_ENCODING_SLOPE);
   else if (isColor)
@@ -130,8 +130,8 @@ vec4 lichenDecode(LICHEN_IMAGE_3D table, LichenGaussian gaussian, float contrast
   // A table averages over no more than all of it.
   float within = min(contrast, 1.0);
   vec4 value = lichenDecodeTable(table, gaussian.value, within * within * gaussian.lost.x, map);
-  // The variance of c g clamped to the table, over the variance of g, is 2 c - 1 within 3 % up to c = 2 and
-  // within a quarter up to 4, for near-Gaussian slopes. Slopes in clusters have less.
+  // The variance of c g clamped to the table, over the variance of g, is 2 c - 1 within 3 % up to
+  // c = 2 and within a quarter up to 4, for near-Gaussian slopes. Slopes in clusters have less.
   if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
     value.z *= max(1.0, 2.0 * contrast - 1.0);
   return value;

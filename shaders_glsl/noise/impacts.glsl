@@ -73,7 +73,8 @@ void lichenReach(LichenImpacts impacts, LichenNoise noise, LICHEN_OUT(vec2) low,
   vec2 coefficients = lichenTextonCoefficients(noise);
   lichenMipReach(impacts.level, coefficients, low, high);
   float minified = lichenMinified(impacts);
-  if (LICHEN_USES(LICHEN_FEATURE_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0) {
+  if (LICHEN_USES(LICHEN_FEATURE_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u &&
+      minified < 1.0) {
     vec2 lowMip, highMip;
     lichenMipReach(minified, coefficients, lowMip, highMip);
     const float kReach = 1.5; // of a cubic B-spline beyond the border of its texel
@@ -129,8 +130,8 @@ float lichenSurfaceThickness(LichenNoise noise) {
   return sqrt(support.x * support.y);
 }
 
-/// Sets the cubes around a point, whose footprint in the tangent plane is set. Offsets are in texels,
-/// from the middle of the reach of an impact's texton.
+/// Sets the cubes around a point, whose footprint in the tangent plane is set. Offsets are in
+/// texels, from the middle of the reach of an impact's texton.
 void lichenSetSurfacePoint(LICHEN_INOUT(LichenImpacts) impacts, vec3 position, mat3 frame,
                            LichenMaterial material, LichenNoise noise) {
   LichenTextonMaterial own = lichenTextonMaterial(material);

@@ -38,7 +38,8 @@ LichenKernelRow lichenKernelRow(LICHEN_IMAGE_2D image, int row, LichenKernelsNoi
   vec4 window = LICHEN_FETCH_2D(image, ivec2(1, row));
   vec4 scales = LICHEN_FETCH_2D(image, ivec2(2, row));
   const float kOfWave = 1.41421356; // whose square is 1 in the mean
-  bool isRing = LICHEN_USES(LICHEN_FEATURE_RING_KERNELS) && row >= int(kernels.kernels - kernels.rings);
+  bool isRing =
+      LICHEN_USES(LICHEN_FEATURE_RING_KERNELS) && row >= int(kernels.kernels - kernels.rings);
   return LichenKernelRow(grid.xy, isRing, grid.zw, mat2(window.xz, window.yw), kOfWave * scales.x,
                          scales.y, scales.z, scales.w);
 }
@@ -124,8 +125,9 @@ vec4 lichenKernelWaves(float wave, uint word) {
   return uintBitsToFloat(uvec4(floatBitsToUint(wave)) ^ signs);
 }
 
-/// The direction of a ring's impact in a cell [2^-32 turns]. Neighbours' directions are spread evenly,
-/// by 2^32 over the plastic number and over its square: of few random ones some would stand out.
+/// The direction of a ring's impact in a cell [2^-32 turns]. Neighbours' directions are spread
+/// evenly, by 2^32 over the plastic number and over its square: of few random ones some would stand
+/// out.
 uint lichenRingTurns(uint column, uint row, uint seed) {
   return column * 0xC13FA9A9u + row * 0x91E10DA5u + seed;
 }

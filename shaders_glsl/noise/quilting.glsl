@@ -31,7 +31,7 @@ float lichenHat(vec2 fromVertex) {
 }
 
 /// Where the tile of a vertex is fetched [tiles]. `height` is the hat of the vertex at the centre
-/// of the cell that the tile shows there, `sharpness` the sharpness of cuts at this level.
+/// of the cell that the tile shows there, `sharpness` how sharply tiles are cut at this level.
 vec2 lichenQuiltingTap(uvec2 vertex, vec2 fromVertex, vec2 position, float level,
                        LichenMaterial material, LichenNoise noise, LICHEN_OUT(float) height,
                        LICHEN_OUT(float) sharpness) {

@@ -16,7 +16,7 @@ struct LichenSurfaceCubes {
   uvec3 cell;  // the cube that holds the point, modulo 2^32
   uint seed;   // of the random numbers
   bool isPoisson;
-  vec2 firstColumn, lastColumn; // of cubes, all along z, that may reach the point
+  vec2 firstColumn, lastColumn; // columns of cubes along z whose impacts may reach the point
   // The part of a column, along z, in which each component of the offset is in reach: half its
   // length, its middle in the column (0, 0), and how the middle moves from column to column.
   vec3 columnReach, columnMiddle, columnStepX, columnStepY;

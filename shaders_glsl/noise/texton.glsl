@@ -43,7 +43,8 @@ vec3 lichenTextonAt(LICHEN_IMAGE_2D image, vec2 texel, LichenImpacts impacts, Li
   // Order 0: steps where magnified, none from the first mip on.
   if (LICHEN_USES(LICHEN_FEATURE_NEAREST_TEXTONS) && lichenTextonNoise(noise).order == 0u)
     texel = mix(floor(texel) + 0.5, texel, minified);
-  if (LICHEN_USES(LICHEN_FEATURE_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u && minified < 1.0) {
+  if (LICHEN_USES(LICHEN_FEATURE_CUBIC_TEXTONS) && lichenTextonNoise(noise).order == 3u &&
+      minified < 1.0) {
     // Between the spline and the first mip.
     vec3 magnified = lichenTextonCubic(image, texel, frame, noise);
     vec2 low, high;
@@ -72,7 +73,8 @@ vec3 lichenTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenMateria
 }
 
 #if LICHEN_HAS_SURFACES
-/// The sum over impacts on a surface: N(y) = mean + (lambda r / 3)^-1/2 sum_i e_i (1 - 2 |t_i| / r)+ h(y - x_i),
+/// The sum over impacts on a surface:
+/// N(y) = mean + (lambda r / 3)^-1/2 sum_i e_i (1 - 2 |t_i| / r)+ h(y - x_i),
 /// lambda points in a unit of space, t_i the height of point i over the tangent plane at y, in
 /// which h lies. [GLM17] section 6 and proposition 3.
 vec3 lichenSurfaceTextonSum(LICHEN_IMAGE_2D image, LichenImpacts impacts, LichenNoise noise) {

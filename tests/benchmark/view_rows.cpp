@@ -53,7 +53,7 @@ constexpr std::array<Size, 10> kSizes{{{0.125, 1, 0.1},
                                        {kExemplarSide, 1, 0},
                                        {100 * kExemplarSide, 1, 0}}};
 
-struct Measured {
+struct ViewMeasures {
   std::array<std::vector<double>, kSizes.size()> contrast, difference, mean;
   std::array<std::vector<double>, kSizes.size()> meanBeyond; ///< less two standard errors
   std::vector<double> steps, variance, points;
@@ -80,7 +80,7 @@ struct Spread {
 
 /// One texel a pixel, at the texels' centres, where every fetch is a texel: the noise has the
 /// exemplar's own colours.
-void measureAligned(const test::Plane& plane, const SrgbImage& exemplar, Measured& all) {
+void measureAligned(const test::Plane& plane, const SrgbImage& exemplar, ViewMeasures& all) {
   constexpr int kPoints = 1 << 16;
   constexpr std::uint32_t kTexels = 32 * kExemplarSide; // a side, of the field of pixels
   Spread seen, wanted;
@@ -106,7 +106,7 @@ void measureAligned(const test::Plane& plane, const SrgbImage& exemplar, Measure
   all.alignedContrast.push_back(std::abs(seen.deviation() / wanted.deviation() - 1.0));
 }
 
-void measure(const test::Plane& plane, Measured& all) {
+void measure(const test::Plane& plane, ViewMeasures& all) {
   for (std::size_t k = 0; k < kSizes.size(); ++k) {
     const double side = kSizes[k].texels / kExemplarSide;
     const test::FilteredView view =
@@ -131,7 +131,7 @@ double smallest(const std::vector<double>& values) {
   return *std::min_element(values.begin(), values.end());
 }
 
-std::vector<Row> rowsOf(const Kind& kind, const Measured& all) {
+std::vector<Row> rowsOf(const Kind& kind, const ViewMeasures& all) {
   constexpr double kMeanTarget = 0.004; // TARGETS.md
   std::vector<Row> rows;
   for (std::size_t k = 0; k < kSizes.size(); ++k) {
@@ -176,7 +176,7 @@ std::vector<Row> rowsOf(const Kind& kind, const Measured& all) {
 } // namespace
 
 std::vector<Row> viewRows() {
-  std::array<Measured, kKinds.size()> all;
+  std::array<ViewMeasures, kKinds.size()> all;
   for (const Exemplar& exemplar : exemplars256()) {
     const Bundle tiling = bakedBundle(exemplar.image), texton = textonBundle(exemplar.image);
     for (std::size_t k = 0; k < kKinds.size(); ++k) {

@@ -187,8 +187,8 @@ TEST_CASE("compare measures a mix at the weight of --mix") {
         values[measure.at("name").get<std::string>()] = measure.at("value").get<double>();
     return values;
   };
-  // The means of the inputs differ by 0.4 in each channel. The texton of one has blobs, the texton
-  // of the other speckles, so each is closer to its own input.
+  // The means of the inputs differ by 0.4 in each channel. One texton has blobs, the other has
+  // speckles, so each is closer to its own input.
   for (const auto& [exemplar, own, other] :
        {std::tuple(m.dark, "0", "1"), std::tuple(m.light, "1", "0")}) {
     const auto right = measured(exemplar, {"--mix", own});

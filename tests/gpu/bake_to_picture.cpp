@@ -15,7 +15,7 @@ using namespace lichen::test;
 namespace {
 
 constexpr int kPictureSide = 96;
-// Of the plane, whose texture coordinates are 0 to 1: a texel a pixel, so that nothing is filtered.
+// The plane has so many tiles that a pixel is a texel, and nothing is filtered.
 constexpr double kTilesAcross = double(kPictureSide) / kExemplarWidth;
 constexpr double kPatchTexels = 10.0; // a side of the exemplar's patches of one material, or less
 

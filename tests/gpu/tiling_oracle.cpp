@@ -153,7 +153,7 @@ TEST_CASE("8-bit tiling differs from the oracle by no more than 8-bit filtering 
 }
 
 TEST_CASE("gradients passed to the sampler change only the driver's level of detail, and the lost "
-          "variance is the same as of the square whose area its probes cover") {
+          "variance equals the lost variance of the square whose area its probes cover") {
   DeviceNoise noise(fileOf(kTilingMaps[0]));
   const TilingReference reference(noise.bundle, 0, FetchedBy::gradients);
   const std::vector<SamplePoint> points = samplePoints(1000);

@@ -197,7 +197,7 @@ TEST_CASE("the slopes of a solid are the gradient of its height, along z too") {
   }
   // A gradient has no curl: it changes along z across z as it does across z along z.
   INFO(nameOf(method) << ", rotation " << rotation);
-  // Kernels of unrelated phases in x and y leave less of that. The standard error is 0.014.
+  // Kernels have no phases between channels, so less of that is left. The standard error is 0.014.
   CHECK(mixed / std::sqrt(alongZ * acrossZ) > (method == Method::localRandomPhase ? 0.45 : 0.15));
   if (method == Method::localRandomPhase)
     CHECK(correlation[2] > 0.45 * (correlation[0] + correlation[1]));
