@@ -288,8 +288,12 @@ TEST_CASE("the options set every parameter that needs no new bake") {
   CHECK(use.contrast == 0.5);
   CHECK(use.blendSharpness == 4.0);
   CHECK(use.tileRotation == 4);
-  CHECK(apply.run(wool(), "0", kTriplanar + Arguments{"--plane-sharpness", "4"}).code == 0);
-  CHECK(firstUse(apply).planeSharpness == 4.0);
+  const Arguments wooly{"--plane-sharpness", "4", "--impacts", "12.5", "--points", "poisson"};
+  CHECK(apply.run(wool(), "0", kTriplanar + wooly).code == 0);
+  const MaterialNoise texton = firstUse(apply);
+  CHECK(texton.planeSharpness == 4.0);
+  CHECK(texton.impacts == 12.5);
+  CHECK(texton.pointProcess == PointProcess::poisson);
 }
 
 TEST_CASE("the space comes from the option, else from the bundle, and inspect shows it") {
@@ -329,6 +333,7 @@ TEST_CASE("options that are out of range, or that the noise or the mapping does 
       {{"--plane-sharpness", "65"}, {"--plane-sharpness 65", "1", "64"}},
       {{"--space", "object"}, {"--space object", "uv", "--mapping triplanar, surface or solid"}},
       {{"--scale", "0"}, {"--scale 0"}},
+      {{"--impacts", "0.5"}, {"--impacts 0.5", "1 to 1000"}},
       {{"--factors", "2"}, {"--factors 2", "keep or one"}}};
   for (const Refused& row : rows)
     apply.refuses(wool(), "0", row.arguments, row.words);
