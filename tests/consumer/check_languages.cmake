@@ -26,6 +26,7 @@ foreach(module ${modules})
   endif()
   set(hlsl ${WORK_DIR}/${name}.hlsl)
   run(${SPIRV_CROSS} ${module} --hlsl --shader-model 60 --output ${hlsl})
-  run(${GLSLANG} -D -V -S ${stage} -e main -o ${WORK_DIR}/${name}.hlsl.spv ${hlsl})
+  # Unoptimized, because glslang takes half a minute to optimize some HLSL.
+  run(${GLSLANG} -D -V -Od -S ${stage} -e main -o ${WORK_DIR}/${name}.hlsl.spv ${hlsl})
   run(${SPIRV_CROSS} ${module} --msl --msl-version 20200 --output ${WORK_DIR}/${name}.metal)
 endforeach()

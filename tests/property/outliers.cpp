@@ -97,16 +97,14 @@ TEST_CASE("a fold, a stain or a leaf is found where it is, and filled without a 
 TEST_CASE("photographs without an object are left as they are", "[large]") {
   for (const char* material : {"granite", "lichen_on_stone", "moss", "rust", "sand", "terrazzo",
                                "plaster", "cloth", "wood_grain", "concrete"}) {
+    INFO(material);
     const SrgbImage surface = exemplars::photographedSurface(material, kSide);
-    for (std::uint32_t seed = 1; seed <= 3; ++seed) {
-      INFO(material << ", seed " << seed);
-      std::vector<MapExemplar> maps{
-          baseColor(exemplars::photograph(surface, {material, Fault::none, 0.0f, seed}).image)};
-      const std::vector<float> before = maps.front().values;
-      const Outliers outliers = filled(maps);
-      CHECK((outliers.filled.empty() && !outliers.left));
-      CHECK(maps.front().values == before);
-    }
+    std::vector<MapExemplar> maps{
+        baseColor(exemplars::photograph(surface, {material, Fault::none, 0.0f, 1}).image)};
+    const std::vector<float> before = maps.front().values;
+    const Outliers outliers = filled(maps);
+    CHECK((outliers.filled.empty() && !outliers.left));
+    CHECK(maps.front().values == before);
   }
 }
 
