@@ -7,9 +7,9 @@
 #include <lichen/fft.h>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 
@@ -68,11 +68,15 @@ constexpr double kFewestReferences = 4.0;    // terms that estimate that varianc
 /// turn.
 Eigen::MatrixXd polynomialsOf(int side) {
   const Eigen::Index count = std::min<Eigen::Index>(kReferenceDegree + 1, side);
-  Eigen::MatrixXd powers = Eigen::MatrixXd::Ones(side, count);
-  for (Eigen::Index k = 1; k < count; ++k)
-    powers.col(k) = powers.col(k - 1).cwiseProduct(Eigen::VectorXd::LinSpaced(side, -1.0, 1.0));
-  const Eigen::HouseholderQR<Eigen::MatrixXd> factors(powers);
-  return factors.householderQ() * Eigen::MatrixXd::Identity(side, count);
+  Eigen::MatrixXd columns = Eigen::MatrixXd::Ones(side, count) / std::sqrt(double(side));
+  for (Eigen::Index k = 1; k < count; ++k) {
+    auto column = columns.col(k);
+    column = columns.col(k - 1).cwiseProduct(Eigen::VectorXd::LinSpaced(side, -1.0, 1.0));
+    for (Eigen::Index other = 0; other < k; ++other)
+      column -= columns.col(other).dot(column) * columns.col(other);
+    column.normalize();
+  }
+  return columns;
 }
 
 /// Calls use(v, u) for each term of a degree in [first, last].

@@ -51,7 +51,7 @@ Complex towardsReal(const Complex& sumOfSquares) {
 
 /// sqrt(l_k) e_k as columns.
 MatrixXcd rootColumns(const MatrixXcd& hermitian) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXcd> axes(hermitian);
+  const auto axes = transport::principalAxes(hermitian);
   MatrixXcd columns = axes.eigenvectors();
   for (Index k = 0; k < columns.cols(); ++k) {
     columns.col(k) *= std::sqrt(std::max(0.0, axes.eigenvalues()[k]));
@@ -63,10 +63,14 @@ MatrixXcd rootColumns(const MatrixXcd& hermitian) {
 /// The columns rotated among each other so that luminance follows the first one only; the product
 /// with their adjoint is the same.
 MatrixXcd withLuminanceFirst(MatrixXcd columns, const VectorXd& luminance) {
-  const VectorXcd along = columns.adjoint() * luminance.cast<Complex>();
+  VectorXcd along = columns.adjoint() * luminance.cast<Complex>();
   if (!(along.squaredNorm() > 0.0))
     return columns;
-  columns *= MatrixXcd(Eigen::HouseholderQR<MatrixXcd>(along).householderQ());
+  Complex factor;
+  double length = 0.0;
+  VectorXcd normal(along.size() - 1), workspace(columns.rows());
+  along.makeHouseholder(normal, factor, length);
+  columns.applyHouseholderOnTheRight(normal, std::conj(factor), workspace.data());
   for (Index k = 0; k < columns.cols(); ++k)
     columns.col(k) *= towardsReal(columns.col(k).array().square().sum());
   return columns;

@@ -65,7 +65,7 @@ std::vector<MatrixXd> sharedSpectra(const std::vector<MapSpectrum>& maps,
 
 /// The strongest axes of a covariance, as columns whose products with their transposes sum to it.
 MatrixXd strongestAxes(const MatrixXd& covariance) {
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> axes(covariance);
+  const auto axes = transport::principalAxes(covariance);
   const Index channels = covariance.rows();
   MatrixXd columns = MatrixXd::Zero(channels, kWaves);
   for (Index k = 0; k < std::min<Index>(kWaves, channels); ++k) {

@@ -106,7 +106,7 @@ FrequencyBarycenter ofMany(const Weighted& weighted, bool isOwnMirror) {
   const Eigen::MatrixXcd sum = weighted * vectors;
   FrequencyBarycenter result;
   result.power = sum.squaredNorm();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> axes(sum * sum.adjoint());
+  const auto axes = transport::principalAxes<Eigen::MatrixXcd>(sum * sum.adjoint());
   startFrom(axes.eigenvectors().col(sum.rows() - 1), weighted, result);
   const auto isTooWeak = [&] {
     return result.kernel.squaredNorm() < (1.0 - kAsGood) * result.power;

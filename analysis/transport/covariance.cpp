@@ -57,6 +57,7 @@ Matrix covarianceMap(const Matrix& from, const Matrix& to) {
 
 template Eigen::SelfAdjointEigenSolver<SmallMatrix> principalAxes(const SmallMatrix&);
 template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> principalAxes(const Eigen::MatrixXd&);
+template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> principalAxes(const Eigen::MatrixXcd&);
 template SmallMatrix power(const SmallMatrix&, double);
 template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
 template Eigen::MatrixXd rootOfProduct(const Eigen::MatrixXd&, const Eigen::MatrixXd&);

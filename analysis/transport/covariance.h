@@ -14,9 +14,9 @@ namespace lichen::transport {
 /// templates also take Eigen::MatrixXd.
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, 3>;
 
-/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix. A wrapper that compiles
-/// Eigen's solver once per type, because each file that calls its constructor takes seconds to
-/// compile.
+/// Eigenvalues, ascending, and unit eigenvectors of a symmetric matrix, or of a Hermitian one of
+/// complex numbers. A wrapper that compiles Eigen's solver once per type, because each file that
+/// calls its constructor takes seconds to compile.
 template <class Matrix>
 [[nodiscard]] Eigen::SelfAdjointEigenSolver<Matrix> principalAxes(const Matrix& symmetric);
 
@@ -43,6 +43,8 @@ template <class Matrix>
 extern template Eigen::SelfAdjointEigenSolver<SmallMatrix> principalAxes(const SmallMatrix&);
 extern template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>
 principalAxes(const Eigen::MatrixXd&);
+extern template Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>
+principalAxes(const Eigen::MatrixXcd&);
 extern template SmallMatrix power(const SmallMatrix&, double);
 extern template Eigen::MatrixXd power(const Eigen::MatrixXd&, double);
 extern template Eigen::MatrixXd rootOfProduct(const Eigen::MatrixXd&, const Eigen::MatrixXd&);
