@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # tests/run.sh [--full]: every test but the long ones, on a bare Debian 12. Installs the packages that
-# are missing, builds, and runs the suite twice: optimized, and with the address and
-# undefined-behaviour sanitizers. The second run is of the tests labelled `sanitized`: readers of
-# hostile input, bundle, plugin, scenes, replays of fuzzers, unit tests, and a bake and a picture by
-# each method. With --full it is of all tests but cases tagged [large], which the first run has run;
-# and only then are tests labelled `full` run, statistics over many held-back pictures.
+# are missing, builds, and runs each test once: those labelled `sanitized` (unit tests, readers of
+# hostile input, bundle, plugin, scenes, replays of fuzzers) with the address and undefined-behaviour
+# sanitizers, all others optimized. With --full all tests run both ways, but for cases tagged
+# [large], which run optimized only; and so do tests labelled `full`, statistics over many held-back
+# pictures.
 # The last lines say what was left out and count the tests of both runs; exit status 1 when one
 # failed. A test that is skipped has failed too, since all that tests need is installed here, a
 # software Vulkan device included; LICHEN_ALLOW_SKIPPED=1 lets them pass where that cannot be.
@@ -72,18 +72,16 @@ if [[ $full -eq 1 ]]; then
   run_suite release 600 all
   run_suite asan-ubsan 1800 all # about ten times slower
 else
-  run_suite release 600 all --label-exclude full
-  run_suite asan-ubsan 1800 lichen_sanitized_tests --label-regex sanitized --label-exclude full
+  run_suite release 600 lichen_optimized_tests --label-exclude 'full|sanitized'
+  run_suite asan-ubsan 1800 lichen_sanitized_tests --label-regex sanitized
 fi
 
 step 'Result'
-large=$(grep -rFh --include='*.cpp' '"[large]"' tests | wc -l)
-echo "left out of asan-ubsan, and run in release: $large cases tagged [large] (tests/CMakeLists.txt)"
 if [[ $full -eq 0 ]]; then
-  count_tests() { ctest --preset "$1" --show-only "${@:2}" | sed -n 's/^Total Tests: //p'; }
-  echo "left out: $(count_tests release --label-regex full) tests of statistics over held-back pictures"
-  echo "left out of asan-ubsan, and run in release: $(count_tests asan-ubsan --label-exclude sanitized) of" \
-    "$(count_tests asan-ubsan) tests (docs/decisions/015); tests/run.sh --full runs them"
+  count_tests() { ctest --preset release --show-only "$@" | sed -n 's/^Total Tests: //p'; }
+  echo "left to --full: $(count_tests --label-regex full) tests of statistics over held-back pictures," \
+    "sanitizers for $(count_tests --label-exclude 'full|sanitized') tests, and" \
+    "$(count_tests --label-regex sanitized) tests optimized (docs/decisions/015-one-source.md)"
 fi
 for test in "${skipped[@]}"; do
   if [[ ${LICHEN_ALLOW_SKIPPED:-} == 1 ]]; then

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The shortest path through everything, by each method: a bake, its bundle, a picture of it. Runs
-// with sanitizers every time.
+// The shortest path through everything, by each method: a bake, its bundle, a picture of it.
 #include "../property/example_exemplar.h"
 #include "baked_noises.h"
 #include "glb_of.h"
