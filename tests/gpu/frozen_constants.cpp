@@ -29,8 +29,26 @@ Driver& driver() {
   return instance;
 }
 
-/// `code` for these constants; empty where it stays as it is.
-Words frozen(const Words& code, const VkSpecializationInfo& constants) {
+#ifdef LICHEN_HAS_SPIRV_OPT
+/// Tells the inliner to leave functions alone that are longer than those that only tell whether a
+/// noise has a method or a mapping. Their calls are the conditions of most branches.
+void leaveLargeFunctions(Words& code) {
+  constexpr std::uint32_t kFunction = 54, kFunctionEnd = 56, kDontInline = 2;
+  constexpr std::size_t kSmallWords = 150, kHeaderWords = 5;
+  std::size_t begin = 0;
+  for (std::size_t at = kHeaderWords; at < code.size(); at += code[at] >> 16) {
+    const std::uint32_t operation = code[at] & 0xFFFF;
+    if (operation == kFunction)
+      begin = at;
+    if (operation == kFunctionEnd && at - begin > kSmallWords)
+      code[begin + 3] |= kDontInline;
+  }
+}
+#endif
+
+/// `code` for these constants; empty where it stays as it is. With `switches`, constants say which
+/// methods and mappings the noises have.
+Words frozen(Words code, const VkSpecializationInfo& constants, bool switches) {
   Words result;
 #ifdef LICHEN_HAS_SPIRV_OPT
   std::unordered_map<std::uint32_t, Words> values;
@@ -42,12 +60,21 @@ Words frozen(const Words& code, const VkSpecializationInfo& constants) {
     std::memcpy(&value, static_cast<const char*>(constants.pData) + entry.offset, sizeof value);
     values[entry.constantID] = {value};
   }
+  if (switches)
+    leaveLargeFunctions(code);
   spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_0);
+  optimizer.SetMessageConsumer([](auto...) {}); // it warns of what it does not inline
   optimizer.RegisterPass(spvtools::CreateSetSpecConstantDefaultValuePass(values))
       .RegisterPass(spvtools::CreateFreezeSpecConstantValuePass())
       .RegisterPass(spvtools::CreateFoldSpecConstantOpAndCompositePass())
       .RegisterPass(spvtools::CreateDeadBranchElimPass())
       .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
+  if (switches)
+    optimizer.RegisterPass(spvtools::CreateInlineExhaustivePass())
+        .RegisterPass(spvtools::CreateLocalSingleStoreElimPass())
+        .RegisterPass(spvtools::CreateCCPPass())
+        .RegisterPass(spvtools::CreateDeadBranchElimPass())
+        .RegisterPass(spvtools::CreateEliminateDeadFunctionsPass());
   spvtools::OptimizerOptions options;
   options.set_run_validator(false); // the layers validate the result
   if (!optimizer.Run(code.data(), code.size(), &result, options))
@@ -55,6 +82,7 @@ Words frozen(const Words& code, const VkSpecializationInfo& constants) {
 #else
   static_cast<void>(code);
   static_cast<void>(constants);
+  static_cast<void>(switches);
 #endif
   return result;
 }
@@ -74,7 +102,8 @@ public:
     const VkSpecializationInfo* const constants = stage.pSpecializationInfo;
     if (constants == nullptr)
       return;
-    const Words code = frozen(driver().codes[stage.module], *constants);
+    const bool isRenderers = stage.stage != VK_SHADER_STAGE_COMPUTE_BIT;
+    const Words code = frozen(driver().codes[stage.module], *constants, isRenderers);
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     info.codeSize = code.size() * sizeof(std::uint32_t);
     info.pCode = code.data();

@@ -7,7 +7,7 @@
 namespace lichen::test {
 
 /// From now on, pipelines are created with shaders whose specialization constants are frozen and
-/// whose branches that are never taken are gone. Instructions that run stay as they are. Call it
+/// whose branches that are never taken are gone. What runs still computes the same. Call it
 /// after each creation of a device, which loads Vulkan's functions anew. Does nothing in a build
 /// without SPIRV-Tools.
 void freezeConstants();
