@@ -3,8 +3,8 @@
 // bundle in one shader, with descriptors of the host's own.
 #include "glb_of.h"
 #include "plugin_host.h"
-#include "require_device.h"
 #include "screen_pass.h"
+#include "shared_device.h"
 #include "synthetic_texton.h"
 
 #include <lichen/shader_parameters.h>
@@ -28,8 +28,8 @@ constexpr SyntheticMap kColor = kThreeMaps[0], kSlopes = kThreeMaps[1], kOrm = k
 } // namespace
 
 TEST_CASE("one shader and pipeline draw bundles with different maps") {
-  const auto device = requireDevice();
-  PluginContext context(*device);
+  VulkanDevice* const device = sharedDevice();
+  PluginContext& context = sharedContext();
   const std::vector<Point> points = linePoints();
   for (const std::vector<SyntheticMap>& maps :
        {std::vector{kColor}, std::vector{kSlopes, kOrm}, std::vector{kColor, kSlopes, kOrm}}) {
@@ -134,7 +134,7 @@ struct OwnSet {
 } // namespace
 
 TEST_CASE("four noises of two methods in one fragment shader, with descriptors of the host's own") {
-  const auto device = requireDevice();
+  VulkanDevice* const device = sharedDevice();
   const std::vector<std::byte> glb = fourNoises();
   constexpr std::uint32_t kSide = 16; // [pixels] of a view of kUvPerScreen
   constexpr float kUvPerScreen = 0.5f, kUvPerPixel = kUvPerScreen / float(kSide);
@@ -145,8 +145,7 @@ TEST_CASE("four noises of two methods in one fragment shader, with descriptors o
                         {kUvPerPixel, 0.0f},
                         {0.0f, kUvPerPixel},
                         {}});
-  PluginContext context(*device);
-  PluginHost host(context, glb);
+  PluginHost host(sharedContext(), glb);
   // Each noise alone, by the plugin's set; the first run uploads all of them.
   std::vector<std::vector<std::array<float, 4>>> expected;
   for (std::uint32_t n = 0; n < kNoises; ++n) {
@@ -156,7 +155,8 @@ TEST_CASE("four noises of two methods in one fragment shader, with descriptors o
 
   const OwnSet own(device->device());
   std::array<VkSampler, 2> samplers{};
-  REQUIRE(lichenVulkanGetSamplers(context.context(), &samplers[0], &samplers[1]) == LICHEN_SUCCESS);
+  REQUIRE(lichenVulkanGetSamplers(host.context().context(), &samplers[0], &samplers[1]) ==
+          LICHEN_SUCCESS);
   std::array<std::array<VkDescriptorImageInfo, kNoises>, 2> images{}; // images, tables
   VkDescriptorBufferInfo noises{};
   for (std::uint32_t n = 0; n < kNoises; ++n) {

@@ -15,7 +15,8 @@ layout(set = 0, binding = 3) uniform texture3D tables[4];
   textureGrad(sampler2D(image, imageSampler), uv, uvX, uvY)
 #define LICHEN_SAMPLE_3D(image, uvw, level) textureLod(sampler3D(image, tableSampler), uvw, level)
 #define LICHEN_FETCH_2D(image, texel) texelFetch(sampler2D(image, imageSampler), texel, 0)
-#define LICHEN_MAPPINGS 13
+#define LICHEN_METHODS 3
+#define LICHEN_MAPPINGS 1
 #include "lichen.glsl"
 
 layout(std430, set = 0, binding = 4) readonly buffer Noises { LichenNoiseConstants noises[]; };

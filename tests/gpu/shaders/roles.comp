@@ -1,11 +1,10 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
-// The maps of all roles of any noise at a list of points: points[k] -> values[6 k ... 6 k + 5], -1
+// The maps of all roles of a noise at a list of points: points[k] -> values[6 k ... 6 k + 5], -1
 // where the noise lacks the map.
-#ifndef LICHEN_MAPPINGS
-#define LICHEN_MAPPINGS 13
-#endif
+#define LICHEN_METHODS 3  // tiling, textons
+#define LICHEN_MAPPINGS 1 // by texture coordinates
 #define LICHEN_SET 0
 #include "lichen.glsl"
 

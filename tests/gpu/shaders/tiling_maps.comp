@@ -2,9 +2,8 @@
 #extension GL_GOOGLE_include_directive : require
 // SPDX-License-Identifier: MIT
 // Three maps of one noise at a list of points: points[k] -> values[3 k ... 3 k + 2].
-#ifndef LICHEN_MAPPINGS
-#define LICHEN_MAPPINGS 13
-#endif
+#define LICHEN_METHODS 1  // tiling
+#define LICHEN_MAPPINGS 1 // by texture coordinates
 #define LICHEN_SET 0
 #include "lichen.glsl"
 
