@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The whole way by the commands: a generated photograph, its bake, its picture.
+// The whole way by the commands: a generated photograph, its bake, its picture, with each mapping.
+// bake_to_picture.cpp draws every method.
 #include "../gpu/golden_picture.h"
 #include "command_run.h"
 #include "device_needed.h"
@@ -38,18 +39,12 @@ TEST_CASE("a generated photograph, baked and rendered, matches its golden image"
   if (!hasDevice())
     return;
   checkWholeWay("tiling", {"--method", "tiling"}, "uv");
+  checkWholeWay("layers", {"--layers", "2"}, "uv");
   // How FFTs round depends on the processor, and what is fitted with them differs visibly.
-  checkWholeWay("texton", {"--method", "texton"}, "uv", test::checkGoldenLook);
-  checkWholeWay("cosines", {"--method", "local-random-phase", "--structure", "0"}, "uv",
-                test::checkGoldenLook);
   checkWholeWay("structure", {"--method", "local-random-phase", "--structure", "0.5"}, "triplanar",
                 test::checkGoldenLook);
   checkWholeWay("solid", {"--method", "local-random-phase", "--structure", "0"}, "solid",
                 test::checkGoldenLook);
-  checkWholeWay("kernels", {"--method", "multiple-kernels"}, "uv", test::checkGoldenLook);
   checkWholeWay("kernels_surface", {"--method", "multiple-kernels"}, "surface",
                 test::checkGoldenLook);
-  checkWholeWay("layers", {"--layers", "2"}, "uv");
-  checkWholeWay("kernels_triplanar", {"--method", "multiple-kernels", "--spectrum", "ring:8:12"},
-                "triplanar");
 }
