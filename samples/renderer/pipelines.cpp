@@ -188,22 +188,22 @@ VkSpecializationInfo specializationOf(const Constants& constants) {
   return {std::uint32_t(kConstants.size()), kConstants.data(), sizeof constants, &constants};
 }
 
-struct FragmentCode {
-  std::span<const std::uint32_t> surface;
-  std::span<const std::uint32_t> depth;
+struct NoiseCode {
+  std::span<const std::uint32_t> surface, depth; ///< fragment shaders
+  std::span<const std::uint32_t> displaced;      ///< vertex shader
 };
 
 /// The smallest variant of the shaders that has the methods and mappings of all noises.
-FragmentCode fragmentCodeFor(const NoiseSwitches& noises) {
+NoiseCode codeFor(const NoiseSwitches& noises) {
   struct Variant {
     std::uint32_t methods, mappings; // as CMakeLists.txt defines them
-    FragmentCode code;
+    NoiseCode code;
   };
   static const Variant kVariants[] = {SCENE_VARIANTS};
   for (const Variant& variant : kVariants)
     if ((noises.methods & ~variant.methods) == 0 && (noises.mappings & ~variant.mappings) == 0)
       return variant.code;
-  return {scene_frag, depth_frag};
+  return {scene_frag, depth_frag, displaced_vert};
 }
 
 std::span<const std::uint32_t> layeredCodeFor(const NoiseSwitches& noises) {
@@ -220,12 +220,12 @@ Constants constantsOf(const SurfaceConstants& shared, const NoiseSwitches& noise
 }
 
 /// Sets the vertex shader and its attributes, with this shader for surfaces that are not displaced.
-void setVertexStage(ObjectOwner& objects, bool displaces, std::span<const std::uint32_t> vertex,
-                    Description& d) {
+void setVertexStage(ObjectOwner& objects, bool displaces, const NoiseSwitches& noises,
+                    std::span<const std::uint32_t> vertex, Description& d) {
   d.attributes = kAttributes;
   if (displaces)
     d.attributes = kDisplacedAttributes;
-  d.vertex = objects.shader(displaces ? displaced_vert : vertex);
+  d.vertex = objects.shader(displaces ? codeFor(noises).displaced : vertex);
 }
 
 /// The pipeline of that key in `stored`, which `create` makes the first time.
@@ -250,9 +250,9 @@ VkPipeline PipelineStore::surface(const SurfaceConstants& constants, std::size_t
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d;
     d.layout = shared_.sceneLayout;
-    setVertexStage(objects_, (kind & 8) != 0, scene_vert, d);
+    setVertexStage(objects_, (kind & 8) != 0, noises, scene_vert, d);
     d.fragment = objects_.shader(isLayered  ? layeredCodeFor(noises)
-                                 : hasNoise ? fragmentCodeFor(noises).surface
+                                 : hasNoise ? codeFor(noises).surface
                                             : scene_frag_bare);
     d.specialization = &specialization;
     d.blends = (kind & 1) != 0;
@@ -267,10 +267,9 @@ VkPipeline PipelineStore::depth(const SurfaceConstants& constants, std::size_t k
     const Constants values = constantsOf(constants, noises);
     const VkSpecializationInfo specialization = specializationOf(values);
     Description d = depthDescription(shared_.sceneLayout);
-    setVertexStage(objects_, (kind & 4) != 0, depth_vert, d);
+    setVertexStage(objects_, (kind & 4) != 0, noises, depth_vert, d);
     if ((kind & 1) != 0)
-      d.fragment =
-          objects_.shader((kind & 2) != 0 ? fragmentCodeFor(noises).depth : depth_frag_bare);
+      d.fragment = objects_.shader((kind & 2) != 0 ? codeFor(noises).depth : depth_frag_bare);
     d.specialization = &specialization;
     return graphics(objects_, d);
   });
