@@ -5,6 +5,7 @@
 #include <volk.h>
 
 #include <cstring>
+#include <mutex>
 #include <unordered_map>
 #include <vector>
 #ifdef LICHEN_HAS_SPIRV_OPT
@@ -23,6 +24,8 @@ struct Driver {
   PFN_vkCreateGraphicsPipelines createGraphicsPipelines = nullptr;
   std::unordered_map<VkShaderModule, Words> codes;
 };
+
+std::mutex mutex; // of the codes: tests create devices in several threads
 
 Driver& driver() {
   static Driver instance;
@@ -87,6 +90,11 @@ Words frozen(Words code, const VkSpecializationInfo& constants, bool switches) {
   return result;
 }
 
+Words codeOf(VkShaderModule module) {
+  const std::lock_guard lock(mutex);
+  return driver().codes[module];
+}
+
 /// Stages with frozen modules in place of their own, until it is destroyed.
 class FrozenStages {
 public:
@@ -103,7 +111,7 @@ public:
     if (constants == nullptr)
       return;
     const bool isRenderers = stage.stage != VK_SHADER_STAGE_COMPUTE_BIT;
-    const Words code = frozen(driver().codes[stage.module], *constants, isRenderers);
+    const Words code = frozen(codeOf(stage.module), *constants, isRenderers);
     VkShaderModuleCreateInfo info{VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO};
     info.codeSize = code.size() * sizeof(std::uint32_t);
     info.pCode = code.data();
@@ -125,14 +133,19 @@ VKAPI_ATTR VkResult VKAPI_CALL createShaderModule(VkDevice device,
                                                   const VkAllocationCallbacks* allocator,
                                                   VkShaderModule* module) {
   const VkResult result = driver().createShaderModule(device, info, allocator, module);
-  if (result == VK_SUCCESS)
-    driver().codes[*module] = Words(info->pCode, info->pCode + info->codeSize / 4);
+  if (result != VK_SUCCESS)
+    return result;
+  const std::lock_guard lock(mutex);
+  driver().codes[*module] = Words(info->pCode, info->pCode + info->codeSize / 4);
   return result;
 }
 
 VKAPI_ATTR void VKAPI_CALL destroyShaderModule(VkDevice device, VkShaderModule module,
                                                const VkAllocationCallbacks* allocator) {
-  driver().codes.erase(module);
+  {
+    const std::lock_guard lock(mutex);
+    driver().codes.erase(module);
+  }
   driver().destroyShaderModule(device, module, allocator);
 }
 
