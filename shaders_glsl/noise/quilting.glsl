@@ -30,8 +30,9 @@ float lichenHat(vec2 fromVertex) {
   return 1.0 - max(max(abs(fromVertex.x), abs(fromVertex.y)), abs(fromVertex.x + fromVertex.y));
 }
 
-/// Where the tile of a vertex is fetched [tiles]. `height` is the hat of the vertex at the centre
-/// of the cell that the tile shows there, `sharpness` how sharply tiles are cut at this level.
+/// Returns where to fetch the tile of a vertex [tiles]. Sets `height` to the vertex's hat at the
+/// centre of the tile's cell at this point, and `sharpness` to log2 of the steepness of the tile's
+/// cuts, as a share of its greatest value.
 vec2 lichenQuiltingTap(uvec2 vertex, vec2 fromVertex, vec2 position, float level,
                        LichenMaterial material, LichenNoise noise, LICHEN_OUT(float) height,
                        LICHEN_OUT(float) sharpness) {

@@ -152,8 +152,8 @@ TEST_CASE("8-bit tiling differs from the oracle by no more than 8-bit filtering 
   }
 }
 
-TEST_CASE("gradients passed to the sampler change only the driver's level of detail, and the lost "
-          "variance equals the lost variance of the square whose area its probes cover") {
+TEST_CASE("a sampler with gradients chooses another level of detail and changes nothing else; the "
+          "lost variance is a square's with the area of its probes") {
   DeviceNoise noise(fileOf(kTilingMaps[0]));
   const TilingReference reference(noise.bundle, 0, FetchedBy::gradients);
   const std::vector<SamplePoint> points = samplePoints(1000);
