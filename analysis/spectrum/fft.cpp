@@ -30,6 +30,8 @@ HalfSpectrum forwardFft(std::span<const float> plane, int width, int height) {
   return kForward(plane, width, height);
 }
 
-std::vector<float> inverseFft(const HalfSpectrum& spectrum) { return kInverse(spectrum); }
+std::vector<float> inverseFft(const HalfSpectrum& spectrum, int rows) {
+  return kInverse(spectrum, rows);
+}
 
 } // namespace lichen

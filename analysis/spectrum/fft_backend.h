@@ -10,9 +10,9 @@
 namespace lichen {
 
 [[nodiscard]] HalfSpectrum forwardFftw(std::span<const float> plane, int width, int height);
-[[nodiscard]] std::vector<float> inverseFftw(const HalfSpectrum& spectrum);
+[[nodiscard]] std::vector<float> inverseFftw(const HalfSpectrum& spectrum, int rows);
 
 [[nodiscard]] HalfSpectrum forwardKissFft(std::span<const float> plane, int width, int height);
-[[nodiscard]] std::vector<float> inverseKissFft(const HalfSpectrum& spectrum);
+[[nodiscard]] std::vector<float> inverseKissFft(const HalfSpectrum& spectrum, int rows);
 
 } // namespace lichen

@@ -35,9 +35,9 @@ std::vector<kiss_fft_cpx> transform(const std::vector<kiss_fft_cpx>& in, int wid
 } // namespace
 
 HalfSpectrum forwardKissFft(std::span<const float> plane, int width, int height) {
-  assert(width >= 1 && height >= 1 && plane.size() == std::size_t(width) * std::size_t(height));
-  std::vector<kiss_fft_cpx> in(plane.size());
-  for (std::size_t i = 0; i < in.size(); ++i)
+  std::vector<kiss_fft_cpx> in(std::size_t(width) * std::size_t(height), {0.0f, 0.0f});
+  assert(width >= 1 && height >= 1 && plane.size() <= in.size());
+  for (std::size_t i = 0; i < plane.size(); ++i)
     in[i] = {plane[i], 0.0f};
   const std::vector<kiss_fft_cpx> out = transform(in, width, height, false);
   HalfSpectrum spectrum{width, height, {}};
@@ -51,7 +51,7 @@ HalfSpectrum forwardKissFft(std::span<const float> plane, int width, int height)
   return spectrum;
 }
 
-std::vector<float> inverseKissFft(const HalfSpectrum& spectrum) {
+std::vector<float> inverseKissFft(const HalfSpectrum& spectrum, int rows) {
   const int width = spectrum.width;
   const int height = spectrum.height;
   std::vector<kiss_fft_cpx> in(std::size_t(width) * std::size_t(height));
@@ -64,8 +64,8 @@ std::vector<float> inverseKissFft(const HalfSpectrum& spectrum) {
     }
   }
   const std::vector<kiss_fft_cpx> out = transform(in, width, height, true);
-  std::vector<float> plane(out.size());
-  const float scale = 1.0f / float(plane.size());
+  std::vector<float> plane(std::size_t(width) * std::size_t(rows));
+  const float scale = 1.0f / float(out.size());
   for (std::size_t i = 0; i < plane.size(); ++i)
     plane[i] = out[i].r * scale;
   return plane;

@@ -209,13 +209,13 @@ private:
 
   void workToCoefficients() {
     tbb::parallel_for(std::size_t(0), work_.size(), [&](std::size_t c) {
-      const std::vector<float> plane = inverseFft(work_[c]);
+      const std::vector<float> plane = inverseFft(work_[c], coefficients_.height);
       // Column-major: a column of `patch` is a row of the texton.
-      const Eigen::Map<const Eigen::MatrixXf> whole(plane.data(), model_.width(), model_.height());
+      const Eigen::Map<const Eigen::MatrixXf> whole(plane.data(), model_.width(),
+                                                    coefficients_.height);
       Eigen::Map<Eigen::MatrixXf> patch(coefficients_.values.data() + c * patchSize(),
                                         coefficients_.width, coefficients_.height);
-      Eigen::MatrixXf columns =
-          whole.topLeftCorner(coefficients_.width, coefficients_.height).transpose();
+      Eigen::MatrixXf columns = whole.topRows(coefficients_.width).transpose();
       solverX_.solveRows(columns);
       Eigen::MatrixXf rows = columns.transpose();
       solverY_.solveRows(rows);

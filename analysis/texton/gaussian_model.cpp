@@ -42,7 +42,7 @@ double meanPower(const GaussianModel& model, const Power& power) {
 HalfSpectrum channelSpectrum(const TextonCoefficients& coefficients, std::size_t channel, int width,
                              int height) {
   const auto columns = std::size_t(coefficients.width), rows = std::size_t(coefficients.height);
-  std::vector<float> plane(std::size_t(width) * std::size_t(height), 0.0f);
+  std::vector<float> plane(std::size_t(width) * rows, 0.0f);
   for (std::size_t y = 0; y < rows; ++y)
     std::copy_n(coefficients.values.data() + (channel * rows + y) * columns, columns,
                 plane.data() + y * std::size_t(width));
