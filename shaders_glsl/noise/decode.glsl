@@ -109,7 +109,7 @@ vec4 lichenDecodeGaussian(vec3 gaussian, vec3 lost, LichenMap map) {
 /// `contrast` is the factor on the Gaussian value about its mean. It scales the lost part too.
 vec4 lichenDecode(LICHEN_IMAGE_3D table, LichenGaussian gaussian, float contrast, LichenMap map) {
 #if (LICHEN_METHODS & 16) != 0
-  if (map.decoding == uint(LICHEN_DECODING_NONE)) {
+  if (LICHEN_METHODS == 16 || map.decoding == uint(LICHEN_DECODING_NONE)) {
     vec3 here = map.mean.xyz + gaussian.value - 0.5;
     if (map.encoding == uint(LICHEN_ENCODING_SLOPE))
       return vec4(here.xy, max(here.z, 0.0), 1.0);
