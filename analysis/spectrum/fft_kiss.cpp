@@ -35,8 +35,8 @@ std::vector<kiss_fft_cpx> transform(const std::vector<kiss_fft_cpx>& in, int wid
 } // namespace
 
 HalfSpectrum forwardKissFft(std::span<const float> plane, int width, int height) {
+  assert(width >= 1 && height >= 1 && plane.size() <= std::size_t(width) * std::size_t(height));
   std::vector<kiss_fft_cpx> in(std::size_t(width) * std::size_t(height), {0.0f, 0.0f});
-  assert(width >= 1 && height >= 1 && plane.size() <= in.size());
   for (std::size_t i = 0; i < plane.size(); ++i)
     in[i] = {plane[i], 0.0f};
   const std::vector<kiss_fft_cpx> out = transform(in, width, height, false);

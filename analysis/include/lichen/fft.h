@@ -32,15 +32,15 @@ struct HalfSpectrum {
 
 /// Computes sum over (x, y) of plane[y * width + x] exp(-2 pi i (u x / width + v y / height)), not
 /// normalised. Width and height are at least 1 and may be prime. The plane may end after any row:
-/// the rows that it lacks are 0 and cost no time. The error is about 1e-7 times the square root of
-/// the plane's energy times log2 of its size. Deterministic and thread-safe. Throws std::bad_alloc,
-/// as all building blocks of the analysis do; functions that return a Result convert it to an
-/// Error. The build option LICHEN_FFT selects the backend: FFTW [FJ05] or KissFFT.
+/// the rows that it lacks are 0, and FFTW does not transform them. The error is about 1e-7 times
+/// the square root of the plane's energy times log2 of its size. Deterministic and thread-safe.
+/// Throws std::bad_alloc, as all building blocks of the analysis do; functions that return a Result
+/// convert it to an Error. The build option LICHEN_FFT selects the backend: FFTW [FJ05] or KissFFT.
 [[nodiscard]] HalfSpectrum forwardFft(std::span<const float> plane, int width, int height);
 
 /// Computes the inverse, divided by width * height: inverseFft(forwardFft(p)) is p up to rounding.
 /// Ignores the imaginary parts of coefficients that are their own mirror. Returns the plane's first
-/// rows, of 1 to height; those left out cost no time.
+/// rows, of 1 to height; FFTW does not transform the others.
 [[nodiscard]] std::vector<float> inverseFft(const HalfSpectrum& spectrum, int rows);
 [[nodiscard]] inline std::vector<float> inverseFft(const HalfSpectrum& spectrum) {
   return inverseFft(spectrum, spectrum.height);
